@@ -160,6 +160,24 @@ private slots:
         QCOMPARE(painted.count(), 0);
     }
 
+    /// As when a notice over it goes: the picture is shown again.
+    void whatWasCoveredForAMomentIsNotDrawnAgain() {
+        bench_->settle();
+        const QImage before = bench_->window->grab().toImage();
+        QSignalSpy painted(viewport_, &Viewport::painted);
+        {
+            QWidget cover(viewport_);
+            cover.setGeometry(300, 200, 300, 200);
+            cover.setAutoFillBackground(true);
+            cover.show();
+            QTest::qWait(50);
+            QVERIFY(bench_->window->grab().toImage() != before);
+        }
+        QTest::qWait(50);
+        QCOMPARE(painted.count(), 0);
+        QCOMPARE(bench_->window->grab().toImage(), before);
+    }
+
     void manyChangesMakeOnePaint() {
         QSignalSpy painted(viewport_, &Viewport::painted);
         for (int i = 0; i < 50; ++i) viewport_->setToolMarks(marksAt({0.1 * i, -4.0, 20.0}));

@@ -173,6 +173,8 @@ private slots:
     void groovesShadeAlike();
     void stockEndsOnBarePartInALine_data();
     void stockEndsOnBarePartInALine();
+    void theLineLeadsOverTheLimitsOfTiles_data();
+    void theLineLeadsOverTheLimitsOfTiles();
 };
 
 void WorkpieceMeshesTest::edgesOfTheStockAreSharp_data() {
@@ -353,6 +355,43 @@ void WorkpieceMeshesTest::stockEndsOnBarePartInALine() {
     const double ratio = length / (2.0 * pi * circle);
     QVERIFY2(ratio > 0.98 && ratio < 1.1, qPrintable(QString::number(ratio)));
     QVERIFY2(farthest < 1.0, qPrintable(QString::number(farthest)));
+}
+
+void WorkpieceMeshesTest::theLineLeadsOverTheLimitsOfTiles_data() {
+    QTest::addColumn<double>("height");
+    QTest::newRow("shallow") << 19.0;
+    QTest::newRow("oblique") << 17.0;
+    QTest::newRow("steep") << 14.0;
+    QTest::newRow("upright") << 12.1;
+}
+/// The surface is made in tiles of 32 voxels. Where a circle of stock around a sphere leads from one to another, it is
+/// as round as between, at rest and while things move.
+void WorkpieceMeshesTest::theLineLeadsOverTheLimitsOfTiles() {
+    QFETCH(double, height);
+    constexpr double voxel = 0.25, radius = 11.0, tile = linesPerSurfaceTile * voxel;
+    const glm::dvec3 centre(14.03, 14.11, 12.0);
+    RunVolume volume = milled({{0.0, 0.0, 0.0}, {28.25, 28.25, 24.0}}, voxel);
+    clear(volume, {{0.0, 0.0, height}, {28.25, 28.25, 24.0}});
+    Progress progress;
+    QVERIFY(voxelise(sphereMesh(centre, radius, 400), part, volume, progress));
+    const double circle = std::sqrt(radius * radius - (height - centre.z) * (height - centre.z));
+    for (const SurfaceLayer layer : {SurfaceLayer::rest, SurfaceLayer::moving}) {
+        const double cell = layer == SurfaceLayer::rest ? voxel : 2.0 * voxel;
+        double atLimits = 0.0, between = 0.0; // farthest from the circle, cells
+        int crossings = 0;
+        for (const auto& [from, to] :
+             cutBySphere(surfaces(volume.snapshot(), 1'000'000, layer, true), centre, radius)) {
+            const glm::dvec3 middle = 0.5 * (from + to);
+            const double off = std::abs(glm::length(glm::dvec2(middle - centre)) - circle) / cell;
+            const auto toLimit = [&](double along) { return std::abs(along - tile * std::round(along / tile)); };
+            const bool atLimit = std::min(toLimit(middle.x), toLimit(middle.y)) < 1.5 * cell;
+            double& farthest = atLimit ? atLimits : between;
+            farthest = std::max(farthest, off);
+            crossings += atLimit ? 1 : 0;
+        }
+        QVERIFY(crossings > 0);
+        QVERIFY2(atLimits < between + 0.12, qPrintable(QStringLiteral("%1 %2").arg(atLimits).arg(between)));
+    }
 }
 
 QTEST_GUILESS_MAIN(WorkpieceMeshesTest)

@@ -14,11 +14,13 @@ constexpr std::uint32_t none = ~std::uint32_t{0};
 
 // What a triangle is; around a point, what its triangles are.
 constexpr std::uint8_t bareTriangle = 1, stockTriangle = 2, bothTriangles = 3;
-/// Of drawing each point of the border between its neighbours: steps of one cell are gone after so many.
-constexpr int straighteningRounds = 8;
+/// Of drawing each point of the border between its neighbours, by level: steps of one cell are gone after eight. What a
+/// point sees of the border by then, and of the surface beside that, lies in its tile and the next.
+constexpr std::array<int, coarsestSurfaceLevel + 1> straighteningRounds{8, 8, 4, 2};
+constexpr int seenBesideBorder = 2;             ///< cells
 constexpr float farthestMove = 0.45F;           ///< of a point in all, cells: no triangle beside the border folds
 constexpr float ledAway = 0.8F, ledDown = 1.5F; ///< from the border, of the stock beneath the part, cells
-constexpr double rimReach = 0.51;               ///< cells, of the points on a rim from the tile's limit
+constexpr float besideReach = 1.6F;             ///< cells, from a point to those that have a triangle with it
 
 /// Where a point goes that is drawn half the way between two others, along the surface.
 glm::vec3 drawnBetween(const glm::vec3& a, const glm::vec3& b, const glm::vec3& place, const glm::vec3& normal) {
@@ -33,47 +35,115 @@ glm::vec3 within(float reach, const glm::vec3& centre, const glm::vec3& place) {
 
 } // namespace
 
-/// Tells points on a tile's rim, which the next tile has as well.
-class BareBorder::TileRim {
-public:
-    TileRim(const Grid& grid, SurfaceTile tile, double cell)
-        : u_(grid.axisOfU()), v_(grid.axisOfV()), reach_(static_cast<float>(rimReach * cell)) {
-        const double size = linesPerSurfaceTile * grid.edge();
-        middle_ = {grid.low()[u_] + (tile.u + 0.5) * size, grid.low()[v_] + (tile.v + 0.5) * size};
-        half_ = static_cast<float>(0.5 * size);
-    }
-    bool has(const glm::vec3& place) const {
-        return std::abs(place[u_] - middle_.x) > half_ - reach_ || std::abs(place[v_] - middle_.y) > half_ - reach_;
-    }
-
-private:
-    int u_, v_;
-    float reach_, half_ = 0.0F;
-    glm::vec2 middle_{0.0F};
-};
-
-void BareBorder::draw(const VolumeSnapshot& workpiece, SurfaceTile tile, int level, SurfaceMesh& mesh) {
-    bare_.resize(mesh.points.size());
-    for (std::size_t point = 0; point < mesh.points.size(); ++point)
-        bare_[point] = workpiece.properties().isProtected(mesh.properties[point]) ? 1 : 0;
-    if (std::find(bare_.begin(), bare_.end(), 1) == bare_.end()) return;
-    const double cell = workpiece.grid().edge() * (1 << level);
+void BareBorder::draw(const VolumeSnapshot& workpiece, SurfaceTile tile, int level, const OtherTile& other,
+                      BareRims& rims, SurfaceMesh& mesh) {
+    if (!markBare(workpiece.properties(), mesh)) return;
+    const auto cell = static_cast<float>(workpiece.grid().edge() * (1 << level));
+    const TileLimits limits(workpiece.grid(), tile, cell);
+    const int rounds = straighteningRounds[static_cast<std::size_t>(level)];
+    const std::size_t points = mesh.points.size(), corners = mesh.triangles.size();
+    findShared(limits, rims, cell, mesh);
+    addBeyond(limits, static_cast<float>(rounds + seenBesideBorder) * cell, other, mesh);
+    markBare(workpiece.properties(), mesh);
     weld(mesh);
     classify();
+    takeKnown(mesh);
     findBorder();
     findNeighbours();
-    straighten(mesh, static_cast<float>(cell));
+    straighten(mesh, rounds, cell);
     continueStock(mesh);
-    sink(mesh, TileRim(workpiece.grid(), tile, cell), static_cast<float>(cell));
-    for (std::size_t point = 0; point < mesh.points.size(); ++point) {
+    sink(mesh, cell);
+    keepShared(rims, mesh);
+    for (std::size_t point = 0; point < points; ++point) {
         const std::uint32_t same = placeOf_[point];
         mesh.points[point] = mesh.points[same];
         mesh.normals[point] = mesh.normals[same];
         mesh.properties[point] = mesh.properties[same];
     }
+    mesh.points.resize(points);
+    mesh.normals.resize(points);
+    mesh.properties.resize(points);
+    mesh.triangles.resize(corners);
 }
 
-/// Where two pieces of the tile meet along the runs, both have their own points.
+bool BareBorder::markBare(const PropertyList& properties, const SurfaceMesh& mesh) {
+    bare_.resize(mesh.points.size());
+    for (std::size_t point = 0; point < mesh.points.size(); ++point)
+        bare_[point] = properties.isProtected(mesh.properties[point]) ? 1 : 0;
+    return std::find(bare_.begin(), bare_.end(), 1) != bare_.end();
+}
+
+/// Points on a limit go elsewhere only where all tiles that have them know by themselves of bare part there: these must
+/// find the same. The others stay.
+void BareBorder::findShared(const TileLimits& limits, const BareRims& rims, float cell, const SurfaceMesh& mesh) {
+    roles_.assign(mesh.points.size(), Role::free);
+    shared_.clear();
+    for (std::uint32_t point = 0; point < mesh.points.size(); ++point)
+        if (const std::optional<TileLimit> limit = limits.at(mesh.points[point]))
+            shared_.push_back({point, *limit, {mesh.points[point], mesh.properties[point], {}, {}, 0, 0}});
+    findBareShared(mesh, limits.axisOfRuns());
+    std::erase_if(shared_, [&](const Shared& one) {
+        if (bare_[one.point] != 0 || isBareBeside(one, besideReach * cell)) return false;
+        roles_[one.point] = Role::stays;
+        return true;
+    });
+    for (Shared& one : shared_)
+        if (const BareRims::Point* known = rims.find(one.limit, one.drawn.place, one.drawn.property)) {
+            one.drawn = *known;
+            one.known = true;
+            roles_[one.point] = Role::known;
+        }
+}
+
+void BareBorder::findBareShared(const SurfaceMesh& mesh, int axisOfRuns) {
+    axisOfRuns_ = axisOfRuns;
+    bareShared_.clear();
+    for (const Shared& one : shared_)
+        if (bare_[one.point] != 0) bareShared_.push_back({mesh.points[one.point], one.limit});
+    std::ranges::sort(bareShared_, {}, [&](const BareShared& one) { return one.place[axisOfRuns]; });
+}
+
+/// Among the points that the tiles on both sides have.
+bool BareBorder::isBareBeside(const Shared& shared, float reach) const {
+    using Kind = TileLimit::Kind;
+    const TileLimit& limit = shared.limit;
+    if (limit.kind == Kind::corner) return false;
+    const auto onSameSide = [&](const TileLimit& other) {
+        return other == limit ||
+               (other.kind == Kind::corner && (limit.kind == Kind::alongV ? other.u == limit.u : other.v == limit.v));
+    };
+    const glm::vec3& place = shared.drawn.place;
+    const auto along = [&](const BareShared& one) { return one.place[axisOfRuns_]; };
+    const auto first = std::ranges::lower_bound(bareShared_, place[axisOfRuns_] - reach, {}, along);
+    const auto last = std::ranges::upper_bound(bareShared_, place[axisOfRuns_] + reach, {}, along);
+    return std::any_of(first, last, [&](const BareShared& other) {
+        return onSameSide(other.limit) && glm::distance(other.place, place) < reach;
+    });
+}
+
+/// What has to be seen of other tiles, behind the tile's own.
+void BareBorder::addBeyond(const TileLimits& limits, float reach, const OtherTile& other, SurfaceMesh& mesh) {
+    std::vector<SurfaceTile> tiles;
+    for (const Shared& one : shared_) {
+        if (one.known) continue;
+        for (const SurfaceTile tile : limits.tilesNear(one.drawn.place, reach))
+            if (std::find(tiles.begin(), tiles.end(), tile) == tiles.end()) tiles.push_back(tile);
+    }
+    for (const SurfaceTile tile : tiles) {
+        other(tile, beyond_);
+        const auto first = static_cast<std::uint32_t>(mesh.points.size());
+        mesh.points.insert(mesh.points.end(), beyond_.points.begin(), beyond_.points.end());
+        mesh.normals.insert(mesh.normals.end(), beyond_.normals.begin(), beyond_.normals.end());
+        mesh.properties.insert(mesh.properties.end(), beyond_.properties.begin(), beyond_.properties.end());
+        for (auto at = beyond_.triangles.begin(); at != beyond_.triangles.end(); at += 3)
+            if (std::any_of(at, at + 3,
+                            [&](std::uint32_t corner) { return limits.near(beyond_.points[corner], reach); }))
+                for (auto corner = at; corner != at + 3; ++corner) mesh.triangles.push_back(first + *corner);
+    }
+    roles_.resize(mesh.points.size(), Role::free);
+}
+
+/// Where two pieces of the tile meet along the runs, both have their own points; where tiles meet alike.
 void BareBorder::weld(const SurfaceMesh& mesh) {
     table_.weld(mesh.points, placeOf_);
     corners_.resize(mesh.triangles.size());
@@ -89,6 +159,15 @@ void BareBorder::classify() {
         const std::uint32_t* at = &corners_[3 * triangle];
         triangles_[triangle] = bare_[at[0]] + bare_[at[1]] + bare_[at[2]] >= 2 ? bareTriangle : stockTriangle;
         for (std::size_t i = 0; i < 3; ++i) around_[at[i]] |= triangles_[triangle];
+    }
+}
+
+void BareBorder::takeKnown(SurfaceMesh& mesh) {
+    for (const Shared& one : shared_) {
+        if (!one.known) continue;
+        const std::uint32_t point = placeOf_[one.point];
+        around_[point] = one.drawn.around;
+        if (around_[point] == bothTriangles) mesh.points[point] = one.drawn.drawnPlace;
     }
 }
 
@@ -108,7 +187,7 @@ void BareBorder::findBorder() {
                           std::back_inserter(border_));
 }
 
-/// Points where the border forks, or where it leaves the tile, stay.
+/// Points where the border forks, or where it leaves what is seen, stay.
 void BareBorder::findNeighbours() {
     beside_.resize(bare_.size());
     besideCount_.assign(bare_.size(), 0);
@@ -122,14 +201,14 @@ void BareBorder::findNeighbours() {
     }
     moved_.clear();
     for (std::uint32_t point = 0; point < bare_.size(); ++point)
-        if (besideCount_[point] == 2) moved_.push_back(point);
+        if (besideCount_[point] == 2 && roles_[point] == Role::free) moved_.push_back(point);
 }
 
-void BareBorder::straighten(SurfaceMesh& mesh, float cell) {
+void BareBorder::straighten(SurfaceMesh& mesh, int rounds, float cell) {
     from_.clear();
     for (const std::uint32_t point : moved_) from_.push_back(mesh.points[point]);
     to_.resize(moved_.size());
-    for (int round = 0; round < straighteningRounds; ++round) {
+    for (int round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < moved_.size(); ++i) {
             const std::uint32_t point = moved_[i];
             const auto [a, b] = beside_[point];
@@ -153,7 +232,7 @@ void BareBorder::continueStock(SurfaceMesh& mesh) {
             if (bare_[triangle[i]] == 0) mesh.properties[point] = mesh.properties[triangle[i]];
     });
     eachCorner(bareTriangle, [&](const std::uint32_t* triangle, std::uint32_t point) {
-        if (around_[point] == bothTriangles) return;
+        if (around_[point] == bothTriangles || roles_[point] != Role::free) return;
         for (std::size_t i = 0; i < 3; ++i)
             if (around_[triangle[i]] == bothTriangles) {
                 mesh.properties[point] = mesh.properties[triangle[i]];
@@ -162,14 +241,34 @@ void BareBorder::continueStock(SurfaceMesh& mesh) {
     });
 }
 
-void BareBorder::sink(SurfaceMesh& mesh, const TileRim& rim, float cell) const {
+void BareBorder::sink(SurfaceMesh& mesh, float cell) const {
     for (std::size_t point = 0; point < mesh.points.size(); ++point) {
-        const bool onRim = rim.has(mesh.points[point]);
-        if (!onRim && besideBorder_[point].count > 0.0F)
+        if (roles_[point] != Role::free) continue;
+        if (besideBorder_[point].count > 0.0F)
             leadOn(mesh, point, cell);
-        else if (onRim ? bare_[point] != 0 : around_[point] == bareTriangle)
+        else if (around_[point] == bareTriangle)
             mesh.points[point] -= cell * mesh.normals[point];
     }
+}
+
+void BareBorder::keepShared(BareRims& rims, SurfaceMesh& mesh) {
+    std::map<TileLimit, std::vector<BareRims::Point>> points;
+    for (Shared& one : shared_) {
+        const std::uint32_t point = placeOf_[one.point];
+        BareRims::Point& drawn = one.drawn;
+        if (one.known) {
+            mesh.points[point] = drawn.drawnPlace;
+            mesh.normals[point] = drawn.drawnNormal;
+            mesh.properties[point] = drawn.drawnProperty;
+        } else {
+            drawn.drawnPlace = mesh.points[point];
+            drawn.drawnNormal = mesh.normals[point];
+            drawn.drawnProperty = mesh.properties[point];
+            drawn.around = around_[point];
+        }
+        points[one.limit].push_back(drawn);
+    }
+    for (auto& [limit, all] : points) rims.set(limit, std::move(all));
 }
 
 /// Away from the stock and down: stock that ends upright and stock that runs out flat both meet the part soon.

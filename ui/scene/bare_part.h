@@ -4,9 +4,11 @@
 
 #include "core/volume/place_table.h"
 #include "core/volume/surface.h"
+#include "ui/scene/bare_rims.h"
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -18,10 +20,15 @@ namespace burin {
 /// thread.
 class BareBorder {
 public:
+    /// Makes all triangles of another tile at the same level, not simplified.
+    using OtherTile = std::function<void(SurfaceTile, SurfaceMesh&)>;
+
     /// Lays bare part a cell beneath where it is. On the border points go along the surface, by less than half a cell;
-    /// other points of the stock stay. Points of a tile's rim go where the next tile's go.
+    /// other points of the stock stay. The border leads from tile to tile as if there were none.
     /// @param mesh all triangles of a tile at a level, not simplified
-    void draw(const VolumeSnapshot& workpiece, SurfaceTile tile, int level, SurfaceMesh& mesh);
+    /// @param rims of the level's tiles
+    void draw(const VolumeSnapshot& workpiece, SurfaceTile tile, int level, const OtherTile& other, BareRims& rims,
+              SurfaceMesh& mesh);
 
 private:
     using Edge = std::pair<std::uint32_t, std::uint32_t>; ///< two points, the lower first
@@ -34,14 +41,33 @@ private:
             ++count;
         }
     };
-    class TileRim;
+    /// A point that other tiles have as well.
+    struct Shared {
+        std::uint32_t point = 0;
+        TileLimit limit;
+        BareRims::Point drawn;
+        bool known = false; ///< how it is drawn
+    };
+    struct BareShared {
+        glm::vec3 place;
+        TileLimit limit;
+    };
+    enum class Role : std::uint8_t { free, stays, known };
+
+    bool markBare(const PropertyList& properties, const SurfaceMesh& mesh);
+    void findShared(const TileLimits& limits, const BareRims& rims, float cell, const SurfaceMesh& mesh);
+    void findBareShared(const SurfaceMesh& mesh, int axisOfRuns);
+    bool isBareBeside(const Shared& shared, float reach) const;
+    void addBeyond(const TileLimits& limits, float reach, const OtherTile& other, SurfaceMesh& mesh);
     void weld(const SurfaceMesh& mesh);
     void classify();
+    void takeKnown(SurfaceMesh& mesh);
     void findBorder();
     void findNeighbours();
-    void straighten(SurfaceMesh& mesh, float cell);
+    void straighten(SurfaceMesh& mesh, int rounds, float cell);
     void continueStock(SurfaceMesh& mesh);
-    void sink(SurfaceMesh& mesh, const TileRim& rim, float cell) const;
+    void sink(SurfaceMesh& mesh, float cell) const;
+    void keepShared(BareRims& rims, SurfaceMesh& mesh);
     void leadOn(SurfaceMesh& mesh, std::size_t point, float cell) const;
 
     PlaceTable table_;
@@ -54,6 +80,11 @@ private:
     std::vector<Edge> bareEdges_, stockEdges_, border_;
     std::vector<std::array<std::uint32_t, 2>> beside_; ///< of each point on the border: its neighbours there
     std::vector<std::uint8_t> besideCount_;
+    std::vector<Shared> shared_;
+    std::vector<BareShared> bareShared_; ///< by their place along the runs
+    int axisOfRuns_ = 2;
+    std::vector<Role> roles_; ///< of each point
+    SurfaceMesh beyond_;
     std::vector<std::uint32_t> moved_; ///< points of the border between two others
     std::vector<glm::vec3> from_, to_;
 };

@@ -35,6 +35,7 @@ public:
 
     QWidget& widget() override { return *this; }
     bool isValid() const override { return QOpenGLWidget::isValid(); }
+    void refresh() override { update(); }
     QImage grab() override { return grabFramebuffer(); }
     void warmUp() override {}
     void makeCurrent() override { QOpenGLWidget::makeCurrent(); }
@@ -62,7 +63,7 @@ private:
     bool begun_ = false;
 };
 
-/// A context of its own; its picture is copied into the window's own pixels.
+/// A context of its own; its picture is copied into the window's own pixels, again and again until there is another.
 class PixelCanvas final : public QWidget, public Canvas {
 public:
     PixelCanvas(QWidget& parent, CanvasPainter& painter, std::unique_ptr<QOpenGLContext> context,
@@ -80,6 +81,10 @@ public:
 
     QWidget& widget() override { return *this; }
     bool isValid() const override { return context_->isValid(); }
+    void refresh() override {
+        stale_ = true;
+        update();
+    }
     QImage grab() override {
         draw();
         doneCurrent();
@@ -91,19 +96,22 @@ public:
 
 private:
     void paintEvent(QPaintEvent*) override {
-        draw();
+        const bool draws = std::exchange(stale_, false) || rows_.size() != pixelSize();
+        if (draws) draw();
         {
             QPainter painter(this);
             painter.setCompositionMode(QPainter::CompositionMode_Source);
             picture_.isNull() ? painter.fillRect(rect(), Qt::black) : painter.drawImage(QPoint(0, 0), picture_);
         }
+        if (!draws) return;
         if (!picture_.isNull()) painter_.painted();
         doneCurrent();
     }
+    QSize pixelSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
     void draw() {
         makeCurrent();
         if (!std::exchange(begun_, true)) painter_.begin(*context_);
-        const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
+        const QSize pixels = pixelSize();
         if (!context_->isValid() || pixels.isEmpty()) return;
         if (!buffer_ || buffer_->size() != pixels)
             buffer_ =
@@ -134,6 +142,7 @@ private:
     std::unique_ptr<QOpenGLFramebufferObject> buffer_;
     QImage rows_, picture_;
     bool begun_ = false;
+    bool stale_ = true; ///< the picture isn't the newest
 };
 
 } // namespace

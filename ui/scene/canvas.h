@@ -38,6 +38,8 @@ public:
     virtual QWidget& widget() = 0;
     /// A context is there.
     virtual bool isValid() const = 0;
+    /// There is another picture, to be painted soon.
+    virtual void refresh() = 0;
     /// Draws and gives the picture, in screen pixels.
     virtual QImage grab() = 0;
     /// Draws what nobody sees, before the widget is shown, where the processor makes the programs that draw: it takes

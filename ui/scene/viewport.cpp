@@ -38,6 +38,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Im
     setMouseTracking(true);
     setMinimumSize(160, 120);
     connect(&impl_->rest, &QTimer::timeout, this, [this] { impl_->refresh(); });
+    connect(&impl_->turn, &QTimer::timeout, this, [this] { impl_->canvas->refresh(); });
     connect(&impl_->breath, &QTimer::timeout, this, [this] {
         if (std::exchange(impl_->waiting, false)) impl_->refresh();
     });

@@ -39,6 +39,7 @@ Viewport::Impl::Impl(Viewport& viewport)
           }) {
     rest.setSingleShot(true);
     breath.setSingleShot(true);
+    turn.setSingleShot(true);
     breath.setTimerType(Qt::PreciseTimer);
     rest.setInterval(restTime);
     flash.setInterval(flashTime);

@@ -28,12 +28,13 @@ public:
     explicit Impl(Viewport& viewport);
 
     CameraMotion::Clock::duration flight() const;
-    /// Paints soon: at once, or where that is costly after a pause in which others get their turn.
+    /// Paints soon: in a turn of the event loop of its own, so that panels which change at the same time and input need
+    /// not wait for the picture, and where that is costly after a pause in which others get their turn.
     void refresh() {
         if (breath.isActive())
             waiting = true;
-        else
-            canvas->widget().update();
+        else if (!turn.isActive())
+            turn.start();
     }
     /// Something on the screen moves: coarse detail is enough until it rests.
     void moved() {
@@ -103,7 +104,7 @@ public:
     Scene scene;
     CameraMotion motion;
     FrameClock clock;
-    QTimer rest, flash, breath;
+    QTimer rest, flash, breath, turn;
     bool waiting = false; ///< to be painted after the breath
     FrameClock::Clock::time_point paintBegan;
     std::optional<FrameClock::Clock::time_point> paintedCut; ///< of the paint under way

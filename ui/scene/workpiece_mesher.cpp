@@ -59,6 +59,7 @@ void WorkpieceMesher::Layer::start(const WorkpieceGroups& groups) {
 }
 
 void WorkpieceMesher::Layer::markAll() {
+    rims.clear();
     std::fill(staleTiles.begin(), staleTiles.end(), std::uint8_t{1});
     std::fill(staleGroups.begin(), staleGroups.end(), std::uint8_t{1});
 }
@@ -271,12 +272,12 @@ void WorkpieceMesher::makeTile(SurfaceLayer which, SurfaceTile tile) {
     const double edge = shown_.grid().edge();
     const std::size_t place = groups_.place(tile);
     SurfaceMesh& mesh = layer(which).tiles[place];
-    extractor_.extract(shown_, tile, {wanted.level, 0.0}, mesh);
-    sharpening_.sharpen(tile, wanted.level, mesh);
+    extract(tile, wanted.level, mesh);
     layer(which).bare[place].clear();
     if (withoutPart_) {
         findBareBricks(shown_, wanted.level, mesh, layer(which).bare[place]);
-        border_.draw(shown_, tile, wanted.level, mesh);
+        const auto other = [&](SurfaceTile beside, SurfaceMesh& beyond) { extract(beside, wanted.level, beyond); };
+        border_.draw(shown_, tile, wanted.level, other, layer(which).rims, mesh);
     }
     simplifier_.simplify(mesh, 0.5 * wanted.tolerance * edge, // the other half is for the whole group
                          edge * (1 << wanted.level), sharpening_.faces());
@@ -286,6 +287,11 @@ void WorkpieceMesher::makeTile(SurfaceLayer which, SurfaceTile tile) {
         const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
         fullTileSeconds_ += 0.1 * (seconds - fullTileSeconds_);
     }
+}
+
+void WorkpieceMesher::extract(SurfaceTile tile, int level, SurfaceMesh& mesh) {
+    extractor_.extract(shown_, tile, {level, 0.0}, mesh);
+    sharpening_.sharpen(tile, level, mesh);
 }
 
 /// @param mixed of tiles at full detail where there are such, as they are

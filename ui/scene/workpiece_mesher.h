@@ -80,6 +80,7 @@ private:
         std::size_t step = 0; ///< on the ladder of details
         std::vector<SurfaceMesh> tiles;
         std::vector<std::vector<SurfaceBrick>> bare; ///< by tile: where bare part is to be left out
+        BareRims rims;
         std::vector<std::uint8_t> staleTiles, staleGroups;
         std::vector<std::size_t> triangles; ///< by group
         void start(const WorkpieceGroups& groups);
@@ -102,6 +103,7 @@ private:
     void refreshRest();
     bool refreshTiles(SurfaceLayer which, std::size_t group);
     void makeTile(SurfaceLayer which, SurfaceTile tile);
+    void extract(SurfaceTile tile, int level, SurfaceMesh& mesh);
     SurfaceUpdate makeGroup(SurfaceLayer which, std::size_t group, bool mixed);
     bool fullFitsInTime();
     bool roomForFull();

@@ -57,6 +57,7 @@ PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePr
     : Presenter(workbench, {&workbench.path, &workbench.mill, &workbench.bench, &workbench.tool}, parent)
     , panel_(panel)
     , scene_(scene) {
+    yieldWhileHidden(panel);
     connect(&panel, &PathPanel::toolChosen, &workbench.tool, &ToolController::choose);
     connect(&panel, &PathPanel::newPathRequested, &workbench.path, &PathController::makeNew);
     connect(&panel, &PathPanel::editChanged, &workbench.path, &PathController::changeEdit);

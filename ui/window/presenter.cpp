@@ -17,13 +17,28 @@ void Presenter::setUnit(LengthUnit unit) {
 
 void Presenter::presentSoon() {
     if (std::exchange(due_, true)) return;
-    QMetaObject::invokeMethod(
-        this,
-        [this] {
-            due_ = false;
-            present();
-        },
-        Qt::QueuedConnection);
+    if (widget_ != nullptr && !widget_->isVisible())
+        turn_.start();
+    else
+        QMetaObject::invokeMethod(this, &Presenter::presentDue, Qt::QueuedConnection);
+}
+
+void Presenter::presentDue() {
+    turn_.stop();
+    if (std::exchange(due_, false)) present();
+}
+
+void Presenter::yieldWhileHidden(QWidget& widget) {
+    widget_ = &widget;
+    widget.installEventFilter(this);
+    turn_.setSingleShot(true);
+    connect(&turn_, &QTimer::timeout, this, &Presenter::presentDue);
+}
+
+/// Nothing old is seen.
+bool Presenter::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == widget_ && event->type() == QEvent::Show) presentDue();
+    return false;
 }
 
 } // namespace burin
