@@ -287,7 +287,12 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     std::optional<StagedFile> trace;
     const auto outcome = millAsAsked({arguments, *project, *bench, *bounds, context,
                                       arguments.realtime ? Pace::realtime : Pace::fast, answer, trace});
-    if (!outcome) return context.fail(outcome.error(), keptRecording(*project));
+    if (!outcome) {
+        // What was recorded until somebody ended it is saved as if it had ended by itself.
+        const bool ended = outcome.error().code == ErrorCode::cancelled && project->unsaved() && *project->unsaved();
+        if (ended && saveWith(*project, trace)) return context.fail(outcome.error());
+        return context.fail(outcome.error(), keptRecording(*project));
+    }
     if (const Result<void> saved = saveWith(*project, trace); !saved)
         return context.fail(saved.error(), keptRecording(*project));
 

@@ -207,10 +207,12 @@ Result<void> LiveSession::stopRecording() {
     if (!recorder_) return nothingToDo("recording", "one under way");
     ask(Wish::finish);
     collectStrokes();
-    const Result<std::uint64_t> kept = std::exchange(recorder_, nullptr)->finish();
-    if (kept) return {};
-    diskFault_ = kept.error();
-    return kept.error();
+    const std::unique_ptr<Recorder> recorder = std::exchange(recorder_, nullptr);
+    const Result<std::uint64_t> kept = recorder->finish();
+    if (kept && !loop_.gaveUp()) return {};
+    // All of it may be on the disk by now, but the session ended for it.
+    diskFault_ = kept ? recorder->refusal() : kept.error();
+    return *diskFault_;
 }
 
 /// @param change what is to be done while nobody else uses the workpiece

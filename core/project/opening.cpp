@@ -327,9 +327,11 @@ Result<OpenedCopy> openForReading(const fs::path& file) {
     if (!locked && locked.error().code != ErrorCode::projectInUse && stands(file) &&
         (isProtected(file) || !stands(WorkingCopy::pathBeside(file))))
         return savedForReading(file);
-    if (!locked) return std::move(locked).error();
-    std::shared_ptr<WorkingCopy> copy = std::move(*locked);
-    copy->removeAbandonedParts();
+    std::shared_ptr<WorkingCopy> copy = locked                                       ? std::move(*locked)
+                                        : locked.error().code == ErrorCode::diskFull ? WorkingCopy::withoutLock(file)
+                                                                                     : nullptr;
+    if (!copy) return std::move(locked).error();
+    if (locked) copy->removeAbandonedParts();
     if (Result<void> readable = checkLeftoverVersion(*copy); !readable) return std::move(readable).error();
 
     if (!stands(file)) return leftForReading(std::move(copy));

@@ -57,6 +57,7 @@ void Recorder::work() {
             std::this_thread::sleep_for(interval);
             outcome_ = drain();
         }
+        if (!outcome_) refusal_ = outcome_.error();
         failing_.store(!outcome_, std::memory_order_release);
     }
     if (outcome_) outcome_ = writer_.finish();

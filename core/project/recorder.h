@@ -31,12 +31,16 @@ public:
     std::int64_t take() const noexcept { return take_; }
     /// Samples on the disk. Any thread.
     std::uint64_t kept() const noexcept { return kept_.load(std::memory_order_acquire); }
-    /// True while the disk refuses; the session should brake and say so before the ring is full. Any thread.
+    /// True while the disk refuses, after some tries (a single fault passes); the session should brake and say so
+    /// before the ring is full. Any thread.
     bool failing() const noexcept { return failing_.load(std::memory_order_acquire); }
 
     /// To be called once nothing is pushed any more: drains the ring, marks the take complete and ends the thread.
     /// @return samples kept. Errors: diskFull, fileNotWritable: the take stays, incomplete, with what `kept` says.
     Result<std::uint64_t> finish();
+
+    /// What made `failing` true last, even if the disk took everything later; nothing: it never was. After `finish`.
+    const std::optional<Error>& refusal() const noexcept { return refusal_; }
 
 private:
     void work();
@@ -46,9 +50,10 @@ private:
     Ring<Sample>& source_;
     Project::TakeWriter writer_;
     const std::int64_t take_;
-    std::vector<Sample> block_; // the thread's: storage for one pass
-    std::size_t waiting_ = 0;   // the thread's: samples in `block_` that the disk has not
-    Result<void> outcome_;      // the thread's until it ended
+    std::vector<Sample> block_;    // the thread's: storage for one pass
+    std::size_t waiting_ = 0;      // the thread's: samples in `block_` that the disk has not
+    Result<void> outcome_;         // the thread's until it ended
+    std::optional<Error> refusal_; // the thread's until it ended
     std::atomic<std::uint64_t> kept_{0};
     std::atomic<bool> failing_{false};
     std::mutex mutex_;

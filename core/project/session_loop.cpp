@@ -69,7 +69,10 @@ AtEdge SessionLoop::edge() noexcept {
     giveView();
     if (!recording()) return AtEdge::tick;
     // Nobody mills on into a recording that can't be kept.
-    if (recording_.recorder->failing()) stop_.store(true, std::memory_order_relaxed);
+    if (recording_.recorder->failing()) {
+        gaveUp_.store(true, std::memory_order_relaxed);
+        stop_.store(true, std::memory_order_relaxed);
+    }
     if (undoable_ && !strokeUnderWay() && before_.empty()) {
         step_.settle();
         before_ = workpiece_.snapshot();

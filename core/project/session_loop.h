@@ -79,6 +79,8 @@ public:
     bool takeFigures(LiveFigures& figures) noexcept { return figuresOut_.take(figures); }
     /// True once for each time that the device's motors began to be spared.
     bool takeHeat() noexcept { return heated_.exchange(false, std::memory_order_relaxed); }
+    /// True once the loop has ended because the recorder failed.
+    bool gaveUp() const noexcept { return gaveUp_.load(std::memory_order_relaxed); }
     bool takeStroke(Stroke& stroke) noexcept { return strokes_.take(stroke); }
     std::size_t takeTrace(std::span<MillingSession::TracePoint> points) noexcept { return trace_.pop(points); }
     void wishView() noexcept { viewWish_.store(true, std::memory_order_release); }
@@ -112,7 +114,7 @@ private:
 
     std::atomic<Wish> wish_{Wish::none};
     Recording wished_;
-    std::atomic<bool> resume_{false}, viewWish_{false}, heated_{false};
+    std::atomic<bool> resume_{false}, viewWish_{false}, heated_{false}, gaveUp_{false};
     Mailbox<double> allowances_;
     Mailbox<GuideSettings> guides_;
     Mailbox<WorkspaceSettings> workspaces_;

@@ -145,6 +145,13 @@ Result<std::shared_ptr<WorkingCopy>> WorkingCopy::lock(const fs::path& file) {
     return copy;
 }
 
+std::shared_ptr<WorkingCopy> WorkingCopy::withoutLock(const fs::path& file) {
+    std::error_code none;
+    for (const Companions& names : {Companions::of(file), Companions::unshortened(file)})
+        if (fs::exists(fs::symlink_status(names.lock, none))) return nullptr;
+    return std::shared_ptr<WorkingCopy>(new WorkingCopy(file, -1));
+}
+
 /// What an older Burin keeps under a longer name is respected while it runs, and taken over when it is gone.
 Result<void> WorkingCopy::takeOldNames() {
     const Companions names = Companions::of(file_), old = Companions::unshortened(file_);
@@ -165,6 +172,7 @@ Result<void> WorkingCopy::takeOldNames() {
 }
 
 WorkingCopy::~WorkingCopy() {
+    if (lock_ < 0) return;
     if (exists()) {
         const bool saved = !abandoned_ && [&] {
             const Result<DocumentState> left = state();

@@ -21,6 +21,9 @@ public:
     /// A lock or a copy that is a link, or no regular file, is not ours and is not touched.
     /// Errors: projectInUse, fileNotWritable, diskFull.
     static Result<std::shared_ptr<WorkingCopy>> lock(const std::filesystem::path& file);
+    /// For looking at what was left on a disk that has no room for a lock, which nobody else has either. Nothing is
+    /// ever removed. Null: somebody has a lock.
+    static std::shared_ptr<WorkingCopy> withoutLock(const std::filesystem::path& file);
     ~WorkingCopy();
     WorkingCopy(const WorkingCopy&) = delete;
     WorkingCopy& operator=(const WorkingCopy&) = delete;
@@ -55,7 +58,7 @@ private:
     Result<void> takeOldNames();
 
     std::filesystem::path file_;
-    int lock_;
+    int lock_;         ///< negative: none
     int oldLock_ = -1; ///< of the name that an older Burin locks
     std::atomic<bool> abandoned_{false};
 };

@@ -63,6 +63,21 @@ private slots:
         QCOMPARE(nameIn(*project), std::string("unsaved"));
     }
 
+    void lookingNeedsNoRoomOnTheDisk() {
+        const QTemporaryDir folder;
+        const fs::path file = fileIn(folder);
+        QVERIFY(saveAs(file, "saved"));
+        for (const char* name : {"saved", "unsaved"}) {
+            QCOMPARE(inAnotherProcess([&] {
+                         limitFileSize(0);
+                         const Result<Project> project = Project::openForReading(file);
+                         return project && nameIn(*project) == name ? 0 : 1;
+                     }),
+                     0);
+            QVERIFY(dieWith(file, "unsaved"));
+        }
+    }
+
     void lookingLeavesNothingBehind() {
         const QTemporaryDir folder;
         const fs::path file = fileIn(folder);
