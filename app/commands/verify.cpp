@@ -7,6 +7,7 @@
 #include "core/nc/dialect_library.h"
 #include "core/project/program_job.h"
 #include "core/verify/deviation_scale.h"
+#include "core/verify/report_json.h"
 #include "ui/scene/deviation_map.h"
 
 #include <CLI/CLI.hpp>
@@ -67,6 +68,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     if (!checked) return context.fail(checked.error());
 
     nlohmann::json answer = jsonOf(checked->report);
+    answer.update(nlohmann::json::parse(loadsToJson(checked->report)));
     answer["passed"] = checked->passed();
     answer["lint"] = jsonOf(checked->lint);
     answer["program"] = std::filesystem::absolute(arguments.program).lexically_normal().string();
