@@ -5,6 +5,7 @@
 #include "core/base/numbers.h"
 #include "core/machine/machine_library.h"
 #include "core/verify/excess.h"
+#include "core/verify/load_chart.h"
 #include "core/verify/report_json.h"
 
 #include <sstream>
@@ -132,6 +133,19 @@ std::string textOf(const Model& model) {
 
 namespace {
 
+/// "7: spindle_power 918.0 W of 900.0 W at (…) mm, and on 12 lines near by"
+std::string textOf(const Finding& finding) {
+    const int decimals = finding.limit > 1.0 ? 1 : 4;
+    const std::string unit = finding.limit > 0.0 ? std::string(" ") + unitOf(finding.kind) : std::string();
+    std::string text = std::to_string(finding.line) + ": " + idOf(finding.kind) + " " +
+                       formatFixed(finding.amount, finding.limit > 0.0 ? decimals : 4) + unit;
+    if (finding.limit > 0.0) text += " of " + formatFixed(finding.limit, decimals) + unit;
+    text += " at (" + formatFixed(finding.place.x, 3) + ", " + formatFixed(finding.place.y, 3) + ", " +
+            formatFixed(finding.place.z, 3) + ") mm";
+    if (finding.count > 1) text += ", and on " + std::to_string(finding.count - 1) + " more lines";
+    return text;
+}
+
 /// Lines that follow others; empty: there are none.
 std::string linesOf(const std::vector<LintMark>& marks) {
     std::ostringstream text;
@@ -181,9 +195,15 @@ std::string textOf(const CheckedProgram& program, double gougeTolerance, const M
          << (report.excessMax < longestExcess ? " mm at most, " : " mm or more, ") << formatFixed(report.excessMean, 3)
          << " mm in the mean, where the tool can reach\n"
          << "  removed  " << formatFixed(report.removed, 1) << " mm^3 in " << formatFixed(report.machiningSeconds, 0)
-         << " s at the programmed feeds\n"
+         << " s, with accelerations, corners, dwells and " << report.toolChanges
+         << (report.toolChanges == 1 ? " tool change (" : " tool changes (")
+         << formatFixed(report.secondsWithoutAcceleration, 0) << " s at the programmed feeds alone)\n"
          << "  machine  " << machine.name
          << (isTypicalMachine(machine.id) ? ": typical values, not those of your machine (burin machines copy)" : "");
+    if (const MotionLoad* const load = peakLoad(report.loads); load != nullptr && load->peak.force > 0.0)
+        text << "\n  load     peak " << formatFixed(load->peak.force, 0) << " N, " << formatFixed(load->peak.power, 0)
+             << " W, " << formatFixed(load->peak.torque, 2) << " N m on line " << load->line << " at "
+             << formatFixed(load->peak.at, 1) << " s";
     for (std::size_t i = 0; i < report.pathModes.size() && i < 5; ++i) {
         const StatedPathMode& mode = report.pathModes[i];
         if (mode.mode == PathMode::machine) continue;
@@ -193,13 +213,12 @@ std::string textOf(const CheckedProgram& program, double gougeTolerance, const M
                  : mode.tolerance > 0.0             ? "blended within " + formatFixed(mode.tolerance, 3) + " mm"
                                                     : std::string("blended without limit"));
     }
-    for (std::size_t i = 0; i < report.findings.size() && i < 20; ++i) {
-        const Finding& finding = report.findings[i];
-        text << "\n  line " << finding.line << ": " << idOf(finding.kind) << " " << formatFixed(finding.amount, 4)
-             << " at (" << formatFixed(finding.place.x, 3) << ", " << formatFixed(finding.place.y, 3) << ", "
-             << formatFixed(finding.place.z, 3) << ") mm";
-    }
+    for (std::size_t i = 0; i < report.findings.size() && i < 20; ++i)
+        text << "\n  line " << textOf(report.findings[i]);
     if (report.findings.size() > 20) text << "\n  and " << report.findings.size() - 20 << " more";
+    for (std::size_t i = 0; i < report.warnings.size() && i < 20; ++i)
+        text << "\n  warning  line " << textOf(report.warnings[i]);
+    if (report.warnings.size() > 20) text << "\n  and " << report.warnings.size() - 20 << " more warnings";
     for (std::size_t i = 0; i < report.nearPasses.size() && i < 20; ++i) {
         const NearPass& pass = report.nearPasses[i];
         text << "\n  warning  line " << pass.line << ": " << idOf(pass) << " " << formatFixed(pass.distance, 3)

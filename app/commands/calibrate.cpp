@@ -20,7 +20,7 @@ namespace {
 using nlohmann::json;
 
 struct CalibrateArguments {
-    std::string forces, material, law = "constant", projection = "paper", like;
+    std::string forces, material, law = "edge", projection = "teeth", like;
     bool onWorkpiece = false, replace = false, dryRun = false;
 };
 
@@ -42,7 +42,9 @@ std::string today() {
 
 CalibrationOptions optionsOf(const CalibrateArguments& arguments) {
     CalibrationOptions options;
-    options.law = arguments.law == "kienzle" ? ChipLaw::kienzle : ChipLaw::constant;
+    options.law = arguments.law == "kienzle" ? ChipLaw::kienzle
+                  : arguments.law == "edge"  ? ChipLaw::edge
+                                             : ChipLaw::constant;
     options.projection = arguments.projection == "teeth" ? ForceProjection::turningTeeth : ForceProjection::feedAndAxis;
     options.forcesOnWorkpiece = arguments.onWorkpiece;
     return options;
@@ -64,10 +66,12 @@ Result<std::vector<std::string>> materialsOf(const std::vector<ForceRecord>& rec
 }
 
 /// What the calibrated material has beside K and Kr: the material of that id, or the one that it is said to be like.
-Result<Property> basisOf(const std::string& id, const std::string& like) {
+/// @param written false: nobody will read those other values
+Result<Property> basisOf(const std::string& id, const std::string& like, bool written) {
     if (like.empty()) {
         Result<Property> known = loadMaterial(id);
         if (known || known.error().code != ErrorCode::nameUnknown) return known;
+        if (!written) return Property{};
         return Error{ErrorCode::argumentInvalid, "material", id, "a material that is known, or --like MATERIAL"};
     }
     Result<Property> model = loadMaterial(like);
@@ -84,7 +88,7 @@ Result<Calibrated> calibrated(const std::vector<ForceRecord>& records, const std
                               const CalibrateArguments& arguments) {
     Result<MaterialCalibration> calibration = calibrate(records, id, optionsOf(arguments), arguments.forces);
     if (!calibration) return calibration.error();
-    const Result<Property> basis = basisOf(id, arguments.like);
+    const Result<Property> basis = basisOf(id, arguments.like, !arguments.dryRun);
     if (!basis) return basis.error();
     const std::string evidence = std::filesystem::path(arguments.forces).filename().string() + ", " + today();
     Property material = calibratedMaterial(*basis, *calibration, evidence);
@@ -113,6 +117,10 @@ json jsonOf(const Calibrated& entry) {
                 {"specific_cutting_energy_at_chip_mm", c.chip},
                 {"radial_force_ratio", jsonOf(c.radialRatio)},
                 {"library_file", entry.file.empty() ? json(nullptr) : json(entry.file)}};
+    if (c.options.law == ChipLaw::edge) {
+        answer["tangential_edge_force_n_mm"] = jsonOf(c.edgeForce);
+        answer["radial_edge_force_n_mm"] = jsonOf(c.radialEdgeForce);
+    }
     if (c.options.law == ChipLaw::kienzle) {
         answer["kienzle_kc11_n_mm2"] = jsonOf(c.kienzleForce);
         answer["kienzle_mc"] = jsonOf(c.kienzleExponent);
@@ -129,6 +137,8 @@ std::string textOf(const Calibrated& entry) {
     if (c.options.law == ChipLaw::kienzle)
         text += "\n  kc1.1    " + textOf(c.kienzleForce) + " N/mm^2\n  mc       " + textOf(c.kienzleExponent);
     text += "\n  Kr       " + textOf(c.radialRatio);
+    if (c.options.law == ChipLaw::edge)
+        text += "\n  Kte      " + textOf(c.edgeForce) + " N/mm\n  Kre      " + textOf(c.radialEdgeForce) + " N/mm";
     for (const LeftOut& record : c.leftOut)
         text += "\n  line " + std::to_string(record.line) + " left out: " + record.reason;
     return text + "\n  " + (entry.file.empty() ? "not written (--dry-run)" : entry.file);
@@ -204,17 +214,22 @@ std::string columnHelp() {
 
 void registerCalibrate(CLI::App& program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<CalibrateArguments>();
-    CLI::App* command =
-        program.add_subcommand("calibrate", "Fit K and Kr of materials to measured forces and keep them as your own");
+    CLI::App* command = program.add_subcommand(
+        "calibrate", "Fit K, Kr and edge forces of materials to measured forces and keep them as your own");
     command->add_option("FORCES", arguments->forces, "Force records (.csv)")->required();
     command->add_option("--material", arguments->material, "Only this one of the materials in the file");
-    command->add_option("--law", arguments->law, "K: constant, or kienzle: falling with the chip's thickness")
-        ->check(CLI::IsMember({"constant", "kienzle"}))
+    command
+        ->add_option("--law", arguments->law,
+                     "edge: K and the force of the edge, Kte and Kre; constant: K alone; kienzle: K falling with the "
+                     "chip's thickness")
+        ->check(CLI::IsMember({"edge", "constant", "kienzle"}))
         ->capture_default_str();
     command
-        ->add_option("--projection", arguments->projection,
-                     "paper: tangential against the feed, radial along the axis; teeth: resolved for turning teeth")
-        ->check(CLI::IsMember({"paper", "teeth"}))
+        ->add_option(
+            "--projection", arguments->projection,
+            "teeth: resolved for turning teeth, for forces of a dynamometer; paper: tangential against the feed, "
+            "radial along the axis, for what the hand feels")
+        ->check(CLI::IsMember({"teeth", "paper"}))
         ->capture_default_str();
     command->add_flag("--on-workpiece", arguments->onWorkpiece, "The forces are those on the workpiece");
     command->add_option("--like", arguments->like, "Material that gives a new one its other values");

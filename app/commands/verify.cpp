@@ -8,6 +8,7 @@
 #include "core/project/companions.h"
 #include "core/project/program_job.h"
 #include "core/verify/deviation_scale.h"
+#include "core/verify/report_json.h"
 #include "ui/scene/deviation_map.h"
 
 #include <CLI/CLI.hpp>
@@ -75,6 +76,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     if (!checked) return context.fail(checked.error());
 
     nlohmann::json answer = jsonOf(checked->report);
+    answer.update(nlohmann::json::parse(loadsToJson(checked->report)));
     answer["passed"] = checked->passed();
     answer["lint"] = jsonOf(checked->lint);
     answer["program"] = std::filesystem::absolute(arguments.program).lexically_normal().string();

@@ -3,6 +3,7 @@
 #include "core/cutting/calibration.h"
 
 #include "core/base/numbers.h"
+#include "core/base/units.h"
 #include "core/cutting/calibration_fit.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace burin {
 
 namespace {
 
-constexpr std::size_t fewestConstant = 4, fewestKienzle = 6;
+constexpr std::size_t fewestConstant = 4, fewestOfTwo = 6;
 constexpr double leastChipSpread = 1.5;     // thickest over thinnest chip
 constexpr double widestExponentError = 0.5; // of mc, either side
 
@@ -40,6 +41,43 @@ std::string hiddenForce(bool pointsAlong, const CalibrationOptions& options) {
                : "the forces on the tool point along the feed; are they those on the workpiece (--on-workpiece)?";
 }
 
+void sortByLine(std::vector<LeftOut>& leftOut) {
+    std::sort(leftOut.begin(), leftOut.end(), [](const LeftOut& a, const LeftOut& b) { return a.line < b.line; });
+}
+
+/// What ChipLaw::edge makes of the records.
+Result<MaterialCalibration> withEdge(EdgeFit fit, const std::string& origin, MaterialCalibration result) {
+    const std::string& material = result.material;
+    fit.run();
+    if (fit.counted() < fewestOfTwo || 3 * (fit.size() - fit.counted()) > fit.size())
+        return refused(origin, material,
+                       "the records disagree too much; look for air cuts, chatter or wrong conditions in them");
+    const double t = studentQuantile(result.options.confidence, 2 * static_cast<int>(fit.counted()) - 4);
+    const auto between = [](double value, double error) { return Confidence{value, value - error, value + error}; };
+    const double energy = fit.chip().real() / newtonMillimetresPerJoule;
+    result.specificEnergy = between(energy, t * fit.chipError() / newtonMillimetresPerJoule);
+    result.edgeForce = between(fit.edge().real(), t * fit.edgeError());
+    result.radialEdgeForce = between(fit.edge().imag(), t * fit.edgeError());
+    if (!(energy > 0.0)) return refused(origin, material, hiddenForce(true, result.options));
+    if (!(result.specificEnergy.low > 0.0)) return refused(origin, material, hiddenForce(false, result.options));
+    if (!(result.edgeForce.high > 0.0) || !(result.radialEdgeForce.high > 0.0))
+        return refused(origin, material,
+                       "the force of the edge comes out negative; use another law (--law kienzle or constant)");
+    // What noise makes of an edge that needs no force.
+    for (Confidence* const edge : {&result.edgeForce, &result.radialEdgeForce})
+        edge->value = std::max(0.0, edge->value);
+    const std::optional<Confidence> ratio =
+        ratioOf({fit.chip().imag(), fit.chipError()}, {fit.chip().real(), fit.chipError()}, t);
+    if (!ratio || !(ratio->value >= 0.0))
+        return refused(origin, material,
+                       "the radial force pulls the tool into the material; use another projection (--projection)");
+    result.radialRatio = *ratio;
+    fit.report(result);
+    result.chip = std::sqrt(result.chipLow * result.chipHigh);
+    sortByLine(result.leftOut);
+    return result;
+}
+
 } // namespace
 
 Result<MaterialCalibration> calibrate(std::span<const ForceRecord> records, const std::string& material,
@@ -60,8 +98,8 @@ Result<MaterialCalibration> calibrate(std::span<const ForceRecord> records, cons
         observations.push_back(observation);
         speeds.push_back(record.toolEdgeSpeed());
     }
-    const bool kienzle = options.law == ChipLaw::kienzle;
-    const std::size_t fewest = kienzle ? fewestKienzle : fewestConstant;
+    const bool kienzle = options.law == ChipLaw::kienzle, edge = options.law == ChipLaw::edge;
+    const std::size_t fewest = kienzle || edge ? fewestOfTwo : fewestConstant;
     if (observations.size() < fewest)
         return refused(origin, material,
                        "only " + std::to_string(observations.size()) + " records can be used; measure " +
@@ -69,10 +107,16 @@ Result<MaterialCalibration> calibrate(std::span<const ForceRecord> records, cons
     const auto [thin, thick] =
         std::minmax_element(observations.begin(), observations.end(),
                             [](const ForceObservation& a, const ForceObservation& b) { return a.chip < b.chip; });
-    if (kienzle && thick->chip < leastChipSpread * thin->chip)
+    if ((kienzle || edge) && thick->chip < leastChipSpread * thin->chip)
         return refused(origin, material,
-                       "an exponent needs chips of different thickness; measure feeds that differ by a factor of " +
-                           formatShortest(leastChipSpread) + " or more");
+                       (edge ? "the edge's force needs" : "an exponent needs") +
+                           std::string(" chips of different thickness; measure feeds that differ by a factor of ") +
+                           formatShortest(leastChipSpread) + " or more" +
+                           (edge ? ", or use another law (--law constant)" : ""));
+    if (edge) {
+        result.edgeSpeed = medianOf(speeds);
+        return withEdge(EdgeFit(std::move(observations)), origin, std::move(result));
+    }
 
     ForceFit fit(std::move(observations), kienzle);
     fit.run();
@@ -95,8 +139,7 @@ Result<MaterialCalibration> calibrate(std::span<const ForceRecord> records, cons
     result.radialRatio = *ratio;
     fit.report(result);
     result.edgeSpeed = medianOf(speeds);
-    std::sort(result.leftOut.begin(), result.leftOut.end(),
-              [](const LeftOut& a, const LeftOut& b) { return a.line < b.line; });
+    sortByLine(result.leftOut);
     return result;
 }
 

@@ -16,6 +16,7 @@ namespace burin {
 enum class ChipLaw : std::uint8_t {
     constant, ///< K
     kienzle,  ///< K(h) = kc1.1 · h^-mc / 1000, h the mean chip thickness
+    edge,     ///< K, and for each mm of engaged edge Kte and Kre, however thin the chip (Altintas' shear and edge)
 };
 
 /// What a measured force says of tangential and radial force.
@@ -25,14 +26,14 @@ enum class ForceProjection : std::uint8_t {
     feedAndAxis,
     /// The force across the axis, resolved for the tangential and radial force of the teeth that turn within the
     /// engaged arc (slot, up or down), whose mean over a turn it is. K is then the specific energy itself, P = K MRR,
-    /// of forces that go with the chip's thickness; a force of the edge that does not counts for a fifth less in a
-    /// slot.
+    /// of forces that go with the chip's thickness. ChipLaw::edge tells the edge's apart; with the other laws it
+    /// counts for a fifth less in a slot.
     turningTeeth,
 };
 
 struct CalibrationOptions {
     ChipLaw law = ChipLaw::constant;
-    ForceProjection projection = ForceProjection::feedAndAxis;
+    ForceProjection projection = ForceProjection::turningTeeth;
     bool forcesOnWorkpiece = false; ///< as a dynamometer below it measures; else those on the tool
     double confidence = 0.95;       ///< 0 < … < 1
 };
@@ -62,6 +63,7 @@ struct MaterialCalibration {
     Confidence specificEnergy;                       ///< K, J/mm³; with Kienzle's law at `chip`
     Confidence radialRatio;                          ///< Kr
     Confidence kienzleForce, kienzleExponent;        ///< kc1.1, N/mm²; mc. Of ChipLaw::kienzle alone
+    Confidence edgeForce, radialEdgeForce;           ///< Kte, Kre, N/mm. Of ChipLaw::edge alone
     double tangentialNoise = 0.0, radialNoise = 0.0; ///< N, standard deviation of the residuals
 };
 
@@ -72,11 +74,12 @@ struct MaterialCalibration {
 /// material; a few records may be far off for reasons of their own. These are found by their residuals from a robust
 /// fit (median of ratios; with Kienzle's law median of slopes) and left out; the rest is fitted by least squares, each
 /// record with the weight that its projection leaves it. Confidence: Student's t for K, and linearised at the solution
-/// for mc and, in its logarithm, kc1.1; Fieller's interval for Kr. Closed formulas; two unknowns at most.
+/// for mc and, in its logarithm, kc1.1; Fieller's interval for Kr. Closed formulas; two unknowns at most, with
+/// ChipLaw::edge two complex ones, as both components of a record are then fitted together.
 ///
 /// Errors: resourceInvalid (subject: `origin`, place: the material; detail: why not and what to measure): fewer than 4
-/// records that count (Kienzle: 6), more than a third of them far off, a force that noise hides, one that points along
-/// the feed (the other sign?) or into the material, chips too much alike for an exponent.
+/// records that count (Kienzle, edge: 6), more than a third of them far off, a force that noise hides, one that points
+/// along the feed (the other sign?) or into the material, chips too much alike for an exponent.
 Result<MaterialCalibration> calibrate(std::span<const ForceRecord> records, const std::string& material,
                                       const CalibrationOptions& options, const std::string& origin);
 

@@ -4,6 +4,7 @@
 
 #include "core/cutting/calibration.h"
 
+#include <complex>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct ForceObservation {
     double chip = 0.0;                     ///< mm, > 0
     double tangential = 0.0, radial = 0.0; ///< N
     double gain = 1.0;                     ///< error of either force, for 1 N in each component of what was measured
+    // As ChipLaw::edge has it: force = (Ktc + i Krc) ofChip + (Kte + i Kre) ofEdge, N; with an error alike in both
+    // parts.
+    std::complex<double> force, ofChip, ofEdge; ///< N, mm², mm
 };
 
 /// @return why the record can't be used; empty: `observation` holds what it says
@@ -65,6 +69,37 @@ private:
     /// Of the normal equations of (K0, mc), weighted; inverse: the covariance for noise of 1 N.
     double energyEnergy_ = 0.0, energyExponent_ = 0.0, exponentExponent_ = 0.0;
     double basisBasis_ = 0.0;
+};
+
+/// Robust least squares of Ktc + i Krc and Kte + i Kre. One thread.
+class EdgeFit {
+public:
+    explicit EdgeFit(std::vector<ForceObservation> observations);
+
+    /// Least absolute deviations find what is far off; least squares of the rest, until nothing changes.
+    void run();
+
+    std::size_t counted() const noexcept;
+    std::size_t size() const noexcept { return observations_.size(); }
+    std::complex<double> chip() const noexcept { return chip_; } ///< N/mm²
+    std::complex<double> edge() const noexcept { return edge_; } ///< N/mm
+    double chipError() const noexcept;                           ///< of either part
+    double edgeError() const noexcept;
+    /// Residuals, what was left out and why, chips and noise, into the result.
+    void report(MaterialCalibration& result) const;
+
+private:
+    void solve(const std::vector<double>& weights);
+    std::complex<double> residual(const ForceObservation& o) const noexcept;
+    double noise() const;
+    double limit() const noexcept;
+    bool select(double scale);
+
+    std::vector<ForceObservation> observations_;
+    std::vector<bool> counts_;
+    std::complex<double> chip_, edge_;
+    double chipChip_ = 0.0, edgeEdge_ = 0.0, determinant_ = 0.0; ///< of the normal equations
+    double scale_ = 0.0;                                         ///< N
 };
 
 } // namespace burin

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/numbers.h"
 #include "core/cutting/calibration.h"
+#include "core/cutting/cutting_force.h"
 
 namespace burin {
 
@@ -36,6 +37,13 @@ Property calibratedMaterial(const Property& basis, const MaterialCalibration& ca
     };
     set(specificCuttingEnergy, calibration.specificEnergy, "J/mm^3");
     set(radialForceRatio, calibration.radialRatio, "1");
+    // The old edge's force is in the new K of the other laws.
+    material.values.erase(std::string(tangentialEdgeForce));
+    material.values.erase(std::string(radialEdgeForce));
+    if (calibration.options.law == ChipLaw::edge) {
+        set(tangentialEdgeForce, calibration.edgeForce, "N/mm");
+        set(radialEdgeForce, calibration.radialEdgeForce, "N/mm");
+    }
     if (calibration.options.law == ChipLaw::kienzle) {
         set(kienzleForce, calibration.kienzleForce, "N/mm^2");
         set(kienzleExponent, calibration.kienzleExponent, "1");

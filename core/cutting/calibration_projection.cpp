@@ -40,6 +40,11 @@ void resolveTeeth(const ForceRecord& record, const glm::dvec3& force, const glm:
     observation.tangential = (sineCosine * againstFeed - sineSine * toTheRight) / size * sine;
     observation.radial = (sineSine * againstFeed + sineCosine * toTheRight) / size * sine;
     observation.gain = sine / std::sqrt(size);
+    const double cosine = std::sin(arc.to) - std::sin(arc.from);
+    const double perTurn = record.teeth * record.axialDepth / (2.0 * pi);
+    observation.force = {againstFeed, toTheRight};
+    observation.ofChip = perTurn * record.feedPerTooth() * std::complex(sineCosine, -sineSine);
+    observation.ofEdge = perTurn * std::complex(cosine, -sine);
 }
 
 } // namespace
@@ -58,6 +63,10 @@ std::string observe(const ForceRecord& record, const CalibrationOptions& options
         observation.tangential = -glm::dot(force, feed);
         observation.radial = glm::dot(force, record.axis);
         observation.gain = 1.0;
+        observation.force = {observation.tangential, observation.radial};
+        observation.ofChip = observation.drive / newtonMillimetresPerJoule;
+        const Arc arc = engagedArc(record);
+        observation.ofEdge = record.teeth * record.axialDepth * (arc.to - arc.from) / (2.0 * pi);
         return {};
     }
     if (record.immersion == Immersion::unknown) return "the column immersion does not say up or down";

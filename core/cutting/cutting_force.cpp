@@ -48,6 +48,8 @@ CuttingCoefficients cuttingCoefficients(const PropertyList& properties, double d
         CuttingCoefficients::Entry& entry = coefficients.byProperty[index];
         entry.specificEnergy = property.valueOr(specificCuttingEnergy, 0.0);
         entry.radialRatio = property.valueOr(radialForceRatio, 0.0);
+        entry.edgeForce = property.valueOr(tangentialEdgeForce, 0.0);
+        entry.radialEdgeForce = property.valueOr(radialEdgeForce, 0.0);
         if (property.values.contains(kienzleForce) && property.values.contains(kienzleExponent)) {
             entry.kienzleForce = property.valueOr(kienzleForce, 0.0);
             entry.kienzleExponent = property.valueOr(kienzleExponent, 0.0);
@@ -88,17 +90,18 @@ CuttingForce cuttingForce(const CutResult& cut, const CuttingCoefficients& coeff
     result.area = cut.reported / way;
     const double ratio = cut.engagement.area > 0.0 ? std::min(1.0, result.area / cut.engagement.area) : slotChipRatio;
     const double feedPerTooth = tool.teethPerSecond > 0.0 ? way / (period * tool.teethPerSecond) : 0.0;
+    const double engagedEdge = tool.teethPerSecond * cut.engagement.area / tool.edgeSpeed; // mm
     double radialEnergy = 0.0;
     for (const MaterialVolume& material : cut.removed) {
         if (material.property == airProperty) break;
         const CuttingCoefficients::Entry& entry = coefficients.byProperty[material.property];
-        const double rate = material.reported / period;
+        const double rate = material.reported / period, share = material.reported / cut.reported;
         const double tangential =
             newtonMillimetresPerJoule * entry.energyAt(feedPerTooth * ratio) * rate / tool.edgeSpeed;
         result.removalRate += rate;
-        result.tangential += tangential;
-        result.radial += entry.radialRatio * tangential;
-        const double energy = entry.tableEnergy * material.reported / cut.reported;
+        result.tangential += tangential + entry.edgeForce * engagedEdge * share;
+        result.radial += entry.radialRatio * tangential + entry.radialEdgeForce * engagedEdge * share;
+        const double energy = entry.tableEnergy * share;
         result.energy += energy;
         radialEnergy += entry.radialRatio * energy;
     }

@@ -8,6 +8,10 @@
 
 namespace burin {
 
+// Names of values of a material: what an edge needs to cut at all, however thin the chip; 0 where a material has none.
+inline constexpr std::string_view tangentialEdgeForce = "tangential_edge_force"; ///< Kte, N/mm of engaged edge
+inline constexpr std::string_view radialEdgeForce = "radial_edge_force";         ///< Kre, N/mm of engaged edge
+
 /// What the cutting force depends on besides the removed volume; copied out of the property list, so that the tick
 /// reads plain arrays.
 struct CuttingCoefficients {
@@ -16,6 +20,8 @@ struct CuttingCoefficients {
         double kienzleForce = 0.0;    ///< kc1.1, N/mm²; 0: K is constant
         double kienzleExponent = 0.0; ///< mc
         double radialRatio = 0.0;     ///< Kr, 1
+        double edgeForce = 0.0;       ///< Kte, N/mm
+        double radialEdgeForce = 0.0; ///< Kre, N/mm
         /// J/mm³: K of the mean chip in a slot at the feed that the table gives for the tool, whatever the hand's is.
         double tableEnergy = 0.0;
 
@@ -43,8 +49,8 @@ double slotArea(const Cutter& cutter, double depth);
 /// What a tick's cut does to the tool.
 struct CuttingForce {
     // As the paper has it: unscaled, by the speed that the hand has. Setup frame.
-    double tangential = 0.0;  ///< N: sum over materials of 1000 K MRR / v (paper, eqs. 11, 12, 14)
-    double radial = 0.0;      ///< N: sum of Kr Ft (eq. 13)
+    double tangential = 0.0;  ///< N: sum over materials of 1000 K MRR / v (paper, eqs. 11, 12, 14), and the edge's
+    double radial = 0.0;      ///< N: sum of Kr Ft (eq. 13), and the edge's
     double removalRate = 0.0; ///< mm³/s
     glm::dvec3 force{0.0};    ///< against the motion (tangential) and away from the removed material (radial)
 
@@ -60,7 +66,9 @@ struct CuttingForce {
 };
 
 /// The force of one tick. K is that of the mean chip, whose thickness is feed per tooth · (area along the motion /
-/// engaged surface): in a slot 2 fz / pi. Where the engagement is not known, a slot's is taken.
+/// engaged surface): in a slot 2 fz / pi. Where the engagement is not known, a slot's is taken. The edges add Kte and
+/// Kre on the length of them that is engaged in the mean over a turn: teeth · engaged surface / (2 pi R). What is felt
+/// is without them: a force that does not go with the chip would be one of rest, which no loop bears.
 ///
 /// Tangential: against the motion of the place where material is removed, a turning axis included. Radial: from that
 /// place towards the axis; within a third of the radius it leans over to the axis' own direction, so that a tool that

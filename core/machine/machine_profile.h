@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/coolant.h"
+#include "core/base/estimate.h"
 #include "core/base/units.h"
 #include "core/geometry/box.h"
 
@@ -75,6 +76,11 @@ struct MachineProfile {
     int coordinateDecimals = 3;  ///< digits behind the point in mm
     int maximumLineLength = 255; ///< characters
 
+    /// Whether the value of a key is somebody's estimate, by what its source says.
+    bool isEstimate(const std::string& key) const {
+        const auto own = sources.find(key);
+        return burin::isEstimate(own != sources.end() ? own->second : source);
+    }
     bool has(Coolant coolant) const noexcept {
         return coolant == Coolant::off || !coolants || std::ranges::find(*coolants, coolant) != coolants->end();
     }

@@ -223,6 +223,7 @@ Result<CheckedProgram> overrideCheck(CheckedProgram program, const std::string& 
     const auto lines = [](const std::string& all) { return std::ranges::count(all, '\n'); };
     const auto added = static_cast<std::uint32_t>(lines(*text) - lines(program.text));
     for (Finding& finding : program.report.findings) finding.line += added;
+    for (Finding& warning : program.report.warnings) warning.line += added;
     for (NearPass& pass : program.report.nearPasses) pass.line += added;
     for (MotionLoad& load : program.report.loads) load.line += added;
     for (LintMark& mark : program.lint) mark.line += added;

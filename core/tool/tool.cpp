@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tool/tool.h"
 
+#include "core/base/estimate.h"
 #include "core/base/numbers.h"
 #include "core/tool/flute_form.h"
 
 #include <cmath>
+#include <utility>
 
 namespace burin {
 
@@ -50,6 +52,11 @@ double Cutter::length() const noexcept {
     return sum;
 }
 
+bool Tool::isEstimate(const std::string& key) const {
+    const auto own = sources.find(key);
+    return burin::isEstimate(own != sources.end() ? own->second : source);
+}
+
 Result<void> validate(const Tool& tool) {
     if (tool.id.empty()) return Error{ErrorCode::argumentInvalid, "id", {}, "not empty"};
     if (tool.number < 1) return invalid("number", tool.number, "at least 1");
@@ -59,6 +66,11 @@ Result<void> validate(const Tool& tool) {
         return invalid("maximum_depth_of_cut_mm", tool.maximumDepthOfCut, "> 0 and at most the length of the flutes");
     if (!std::isfinite(tool.maximumSpindleSpeed) || tool.maximumSpindleSpeed < 0.0)
         return invalid("maximum_spindle_speed_rpm", tool.maximumSpindleSpeed, "at least 0");
+    for (const auto& [key, value] : {std::pair{"modulus_n_per_mm2", tool.modulus},
+                                     {"strength_n_per_mm2", tool.strength},
+                                     {"maximum_chip_load_mm", tool.maximumChipLoad},
+                                     {"maximum_width_of_cut_mm", tool.maximumWidthOfCut}})
+        if (!std::isfinite(value) || value < 0.0) return invalid(key, value, "at least 0");
     return {};
 }
 

@@ -6,6 +6,7 @@
 #include "core/geometry/revolved_piece.h"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,8 +73,17 @@ struct Tool {
     bool centreCutting = true;        ///< may plunge
     double maximumDepthOfCut = 0.0;   ///< axial, mm; never beyond the flutes
     double maximumSpindleSpeed = 0.0; ///< 1/min, the tool maker's; 0: not stated
-    std::string source;               ///< where the dimensions come from
+    std::string source;               ///< where the dimensions come from, unless `sources` says otherwise
     Cutter cutter;
+    // What it bears; 0: not stated, and not judged.
+    double modulus = 0.0;                         ///< N/mm², of elasticity, of what shank and flutes are made of
+    double strength = 0.0;                        ///< N/mm², at which it breaks when it is bent
+    double maximumChipLoad = 0.0;                 ///< mm a tooth, greatest thickness of its chip
+    double maximumWidthOfCut = 0.0;               ///< radial, mm
+    std::map<std::string, std::string> sources{}; ///< by key of the file: where that value comes from
+
+    /// Whether the value of a key is somebody's estimate, by what its source says. Thread-safe.
+    bool isEstimate(const std::string& key) const;
 };
 
 /// Errors: argumentInvalid with the key and what is allowed (diameters > 0, 0 <= corner radius <= radius, flutes at

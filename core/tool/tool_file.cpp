@@ -16,7 +16,9 @@ namespace {
 constexpr NumberRange length{0.0, 1000.0};
 constexpr NumberRange taper{0.0, 90.0};
 constexpr NumberRange spindleSpeed{0.0, 1e6};
-constexpr int highestNumber = 99999; // LinuxCNC's highest tool number
+constexpr NumberRange stiffness{0.0, 2e6}; // N/mm², diamond has 1.2e6
+constexpr NumberRange breakage{0.0, 2e4};  // N/mm²
+constexpr int highestNumber = 99999;       // LinuxCNC's highest tool number
 
 const std::vector<std::string_view>& typeNames() { // in the order of CutterType
     static const std::vector<std::string_view> names{"ball",  "flat",    "bull_nose", "taper",  "taper_ball",
@@ -54,6 +56,29 @@ void readCutter(JsonObject& from, Cutter& cutter) {
         cutter.holder.push_back({segment.number("lower_diameter_mm", length),
                                  segment.number("upper_diameter_mm", length), segment.number("length_mm", length)});
     });
+}
+
+/// What may be missing: files of older tools have none of it. A source that names no key is a slip of the pen.
+void readLimits(JsonObject& file, Tool& tool) {
+    tool.modulus = file.numberOr("modulus_n_per_mm2", 0.0, stiffness);
+    tool.strength = file.numberOr("strength_n_per_mm2", 0.0, breakage);
+    tool.maximumChipLoad = file.numberOr("maximum_chip_load_mm", 0.0, length);
+    tool.maximumWidthOfCut = file.numberOr("maximum_width_of_cut_mm", 0.0, length);
+    if (!file.has("sources")) return;
+    tool.sources = file.textsByName("sources");
+    for (const auto& [key, source] : tool.sources)
+        if (!file.has(key)) file.fail("sources." + key, "names no key of this file");
+}
+
+void writeLimits(const Tool& tool, nlohmann::ordered_json& file) {
+    const auto write = [&](const char* key, double value) {
+        if (value > 0.0) file[key] = value;
+    };
+    write("modulus_n_per_mm2", tool.modulus);
+    write("strength_n_per_mm2", tool.strength);
+    write("maximum_chip_load_mm", tool.maximumChipLoad);
+    write("maximum_width_of_cut_mm", tool.maximumWidthOfCut);
+    if (!tool.sources.empty()) file["sources"] = tool.sources;
 }
 
 nlohmann::ordered_json profileJson(const std::vector<ProfileElement>& profile) {
@@ -106,6 +131,7 @@ Result<Tool> toolFromJson(std::string_view text, const std::string& origin) {
     tool.maximumDepthOfCut = file->number("maximum_depth_of_cut_mm", length);
     tool.maximumSpindleSpeed = file->number("maximum_spindle_speed_rpm", spindleSpeed);
     tool.source = file->text("source");
+    readLimits(*file, tool);
     file->object("cutter", [&](JsonObject& cutter) { readCutter(cutter, tool.cutter); });
     if (Result<void> read = file->finish(); !read) return read.error();
     if (Result<void> valid = validate(tool); !valid) {
@@ -117,15 +143,16 @@ Result<Tool> toolFromJson(std::string_view text, const std::string& origin) {
 
 std::string toJson(const Tool& tool) {
     using nlohmann::ordered_json;
-    const ordered_json file{{"id", tool.id},
-                            {"name", tool.name},
-                            {"number", tool.number},
-                            {"flute_count", tool.fluteCount},
-                            {"centre_cutting", tool.centreCutting},
-                            {"maximum_depth_of_cut_mm", tool.maximumDepthOfCut},
-                            {"maximum_spindle_speed_rpm", tool.maximumSpindleSpeed},
-                            {"source", tool.source},
-                            {"cutter", cutterJson(tool.cutter)}};
+    ordered_json file{{"id", tool.id},
+                      {"name", tool.name},
+                      {"number", tool.number},
+                      {"flute_count", tool.fluteCount},
+                      {"centre_cutting", tool.centreCutting},
+                      {"maximum_depth_of_cut_mm", tool.maximumDepthOfCut},
+                      {"maximum_spindle_speed_rpm", tool.maximumSpindleSpeed},
+                      {"source", tool.source}};
+    writeLimits(tool, file);
+    file["cutter"] = cutterJson(tool.cutter);
     // Text that is not UTF-8 is replaced: an exception must not leave this library.
     return file.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

@@ -5,8 +5,12 @@
 namespace burin {
 
 void Findings::add(FindingKind kind, std::uint32_t line, const glm::dvec3& place, double amount) {
-    const auto [entry, isNew] = worst_.try_emplace({line, kind}, Finding{kind, line, place, amount});
-    if (!isNew && amount > entry->second.amount) entry->second = {kind, line, place, amount};
+    add(Finding{kind, line, place, amount});
+}
+
+void Findings::add(const Finding& finding) {
+    const auto [entry, isNew] = worst_.try_emplace({finding.line, finding.kind}, finding);
+    if (!isNew && finding.amount > entry->second.amount) entry->second = finding;
 }
 
 std::vector<Finding> Findings::inProgramOrder() const {
@@ -38,6 +42,20 @@ const char* idOf(FindingKind kind) {
         return "unknown_start";
     case FindingKind::obstacleCollision:
         return "obstacle_collision";
+    case FindingKind::spindlePower:
+        return "spindle_power";
+    case FindingKind::spindleTorque:
+        return "spindle_torque";
+    case FindingKind::toolBreakage:
+        return "tool_breakage";
+    case FindingKind::toolBending:
+        return "tool_bending";
+    case FindingKind::chipLoad:
+        return "chip_load";
+    case FindingKind::depthOfCut:
+        return "depth_of_cut";
+    case FindingKind::widthOfCut:
+        return "width_of_cut";
     }
     return "unknown";
 }
@@ -47,7 +65,17 @@ const char* unitOf(FindingKind kind) {
     case FindingKind::gouge:
     case FindingKind::travelLimit:
     case FindingKind::obstacleCollision:
+    case FindingKind::toolBending:
+    case FindingKind::chipLoad:
+    case FindingKind::depthOfCut:
+    case FindingKind::widthOfCut:
         return "mm";
+    case FindingKind::spindlePower:
+        return "W";
+    case FindingKind::spindleTorque:
+        return "N m";
+    case FindingKind::toolBreakage:
+        return "N/mm^2";
     case FindingKind::rapidInStock:
     case FindingKind::shankCollision:
     case FindingKind::holderCollision:

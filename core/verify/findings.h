@@ -13,6 +13,7 @@ namespace burin {
 class Findings {
 public:
     void add(FindingKind kind, std::uint32_t line, const glm::dvec3& place, double amount);
+    void add(const Finding& finding);
     std::vector<Finding> inProgramOrder() const;
 
 private:

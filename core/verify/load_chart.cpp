@@ -6,72 +6,250 @@
 #include "core/cutting/cutting_force.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace burin {
 
 namespace {
 
-/// What a motion removed, over all the straight moves that it was made of.
-struct Taken {
-    double volume = 0.0;
-    glm::dvec3 moment{0.0};
-    const ToolMove* last = nullptr;
+constexpr double windowPerRadius = 0.25, windowVoxels = 3.0;
+constexpr double straightEnough = 0.7; // cosine of the bend that a window spans
+
+/// Where a move lies on the path: lengths add up, and an interval is a part without rapids and sharp bends.
+struct PathPosition {
+    double start = 0.0, length = 0.0; ///< mm
+    std::size_t interval = 0;
+    double before = 0.0; ///< mm, of the same motion
 };
 
-std::vector<Taken> byMotion(std::size_t motions, const std::vector<ToolMove>& moves, const std::vector<MoveCut>& cuts) {
-    std::vector<Taken> taken(motions);
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-        Taken& motion = taken[moves[i].motion];
-        motion.volume += cuts[i].volume;
-        motion.moment += cuts[i].volume * cuts[i].centroid;
-        motion.last = &moves[i];
+class PathLengths {
+public:
+    PathLengths(const std::vector<ToolMove>& moves, std::size_t motions) : of_(moves.size()), motions_(motions) {
+        double now = 0.0;
+        for (std::size_t i = 0; i < moves.size(); ++i) {
+            const ToolMove& move = moves[i];
+            PathPosition& position = of_[i];
+            if (i == 0 || breaks(moves[i - 1], move)) intervals_.push_back({now, now});
+            position = {now, glm::distance(move.begin(), move.to), intervals_.size() - 1, motions_[move.motion]};
+            now += position.length;
+            motions_[move.motion] += position.length;
+            intervals_.back().second = now;
+        }
     }
-    return taken;
+    const PathPosition& operator[](std::size_t move) const { return of_[move]; }
+    double ofMotion(std::size_t motion) const { return motions_[motion]; }
+    /// mm of the path within a distance of a position, in its interval.
+    double around(double position, std::size_t interval, double half) const {
+        const auto& [begin, end] = intervals_[interval];
+        return std::min(end, position + half) - std::max(begin, position - half);
+    }
+
+private:
+    static bool breaks(const ToolMove& before, const ToolMove& move) {
+        if (before.rapid || move.rapid || !move.startKnown || before.tool != move.tool) return true;
+        const glm::dvec3 a = before.to - before.begin(), b = move.to - move.begin();
+        const double lengths = glm::length(a) * glm::length(b);
+        return lengths > 0.0 && glm::dot(a, b) < straightEnough * lengths;
+    }
+    std::vector<PathPosition> of_;
+    std::vector<double> motions_;                      ///< mm
+    std::vector<std::pair<double, double>> intervals_; ///< mm, begin and end
+};
+
+/// Means over a part of the path.
+struct Engaged {
+    double length = 0.0;                ///< mm of path that this is summed over
+    double volume = 0.0, surface = 0.0; ///< mm³; mm² times mm
+    glm::dvec3 moment{0.0};             ///< mm³ times mm
+    glm::dvec3 tangentChip{0.0}, tangentEdge{0.0}, normalChip{0.0}, normalEdge{0.0};
+
+    /// @param share of the step. @param way mm that it is of the path
+    void add(const StepCut& cut, double share, double way) {
+        volume += share * cut.volume;
+        moment += share * cut.volume * glm::dvec3(cut.place);
+        surface += way * cut.surface;
+        tangentChip += way * glm::dvec3(cut.tangentChip);
+        tangentEdge += way * glm::dvec3(cut.tangentEdge);
+        normalChip += way * glm::dvec3(cut.normalChip);
+        normalEdge += way * glm::dvec3(cut.normalEdge);
+    }
+};
+
+/// What a tool does in a motion.
+struct Turning {
+    double speed = 0.0;  ///< mm/s of the tip
+    double turns = 0.0;  ///< 1/s
+    double radius = 0.0; ///< mm
+    int teeth = 1;
+    bool clockwise = true;
+};
+
+Turning turningOf(const NcMotion& motion, const Tool& tool, const MotionTime& time) {
+    Turning turning;
+    turning.speed = motion.feed / secondsPerMinute;
+    if (time.peakSpeed > 0.0) turning.speed = std::min(turning.speed, time.peakSpeed);
+    turning.turns = motion.spindleOn() ? motion.spindleSpeed / secondsPerMinute : 0.0;
+    turning.radius = tool.cutter.radius();
+    turning.teeth = std::max(1, tool.fluteCount);
+    turning.clockwise = motion.spindle != SpindleState::anticlockwise;
+    return turning;
 }
 
-void addForce(const NcMotion& motion, const Tool& tool, const CuttingCoefficients::Entry& material, MotionLoad& load) {
-    const double turns = motion.spindleOn() ? motion.spindleSpeed / secondsPerMinute : 0.0; // 1/s
-    const double radius = tool.cutter.radius(), edgeSpeed = 2.0 * pi * radius * turns;
-    if (!(edgeSpeed > 0.0) || !(load.removalRate > 0.0)) return;
-    const double perTooth = motion.feed / secondsPerMinute / (turns * std::max(1, tool.fluteCount));
-    const double energy = material.energyAt(2.0 * perTooth / pi);
-    load.power = energy * load.removalRate;
-    load.force = newtonMillimetresPerJoule * load.power / edgeSpeed;
+CutLoad loadOf(const Engaged& engaged, const StepCut& here, const Turning& turning,
+               const CuttingCoefficients::Entry& material) {
+    CutLoad load;
+    const double length = engaged.length;
+    load.place = engaged.moment / engaged.volume;
+    load.depth = here.top - here.bottom;
+    load.height = 0.5 * (here.top + here.bottom);
+    const double area = engaged.volume / length, surface = engaged.surface / length;
+    if (load.depth > 0.0) load.width = area / load.depth;
+    load.removalRate = area * turning.speed;
+    const double edgeSpeed = 2.0 * pi * turning.radius * turning.turns, teeth = turning.turns * turning.teeth; // 1/s
+    if (!(edgeSpeed > 0.0) || !(surface > 0.0)) return load;
+    load.feedPerTooth = turning.speed / teeth;
+    load.chip = load.removalRate / (teeth * surface);
+    const double perChip = newtonMillimetresPerJoule * material.energyAt(load.chip); // N/mm²
+    const double ofChip = perChip * load.removalRate / edgeSpeed;
+    const double edge = turning.teeth * surface / (2.0 * pi * turning.radius); // mm, engaged in the mean
+    load.force = ofChip + material.edgeForce * edge;
+    load.radial = material.radialRatio * ofChip + material.radialEdgeForce * edge;
+    load.power = load.force * edgeSpeed / newtonMillimetresPerJoule;
+    load.torque = load.force * turning.radius / millimetresPerMetre;
+    const double chip = perChip * load.feedPerTooth, sense = turning.clockwise ? 1.0 : -1.0;
+    const glm::dvec3 sum = sense * (chip * engaged.tangentChip + material.edgeForce * engaged.tangentEdge) +
+                           chip * material.radialRatio * engaged.normalChip +
+                           material.radialEdgeForce * engaged.normalEdge;
+    load.vector = -turning.teeth / (2.0 * pi) / length * sum;
+    load.axial = load.vector.z;
+    load.side = std::hypot(load.vector.x, load.vector.y);
+    return load;
 }
+
+bool isLess(const CutLoad& a, const CutLoad& b) {
+    return a.force != b.force ? a.force < b.force : a.removalRate < b.removalRate;
+}
+
+/// Goes through the steps with the part of the path about each.
+class LoadRecorder {
+public:
+    LoadRecorder(const ReplayedProgram& replayed, const PropertyList& properties, PropertyIndex material)
+        : replayed_(replayed), lengths_(*replayed.moves, replayed.program->motions.size()) {
+        for (const Tool& tool : replayed.tools)
+            coefficients_.push_back(cuttingCoefficients(properties, tool.cutter.diameter).byProperty[material]);
+    }
+
+    LoadRecord record(const LoadVisitor& visit) {
+        startMotions();
+        const std::vector<StepCut>& steps = *replayed_.steps;
+        for (std::size_t i = 0; i < steps.size(); ++i) tell(i, visit);
+        finishMotions();
+        return std::move(record_);
+    }
+
+private:
+    /// What the motions removed, over all the straight moves that they were made of.
+    void startMotions() {
+        byMotion_.resize(replayed_.program->motions.size());
+        for (std::size_t i = 0; i < replayed_.moves->size(); ++i) {
+            MotionLoad& load = byMotion_[(*replayed_.moves)[i].motion];
+            const MoveCut& cut = (*replayed_.cuts)[i];
+            load.volume += cut.volume;
+            load.place += cut.volume * cut.centroid;
+        }
+    }
+    void finishMotions() {
+        for (std::size_t i = 0; i < byMotion_.size(); ++i) {
+            MotionLoad& load = byMotion_[i];
+            if (!(load.volume > 0.0)) continue;
+            load.motion = static_cast<std::uint32_t>(i);
+            load.line = replayed_.program->motions[i].line;
+            load.start = replayed_.time->motions[i].start;
+            load.duration = replayed_.time->motions[i].duration;
+            load.place /= load.volume;
+            const double perSecond = load.duration > 0.0 ? 1.0 / load.duration : 0.0;
+            load.removalRate = load.volume * perSecond;
+            load.force *= perSecond; // sums over time so far
+            load.power *= perSecond;
+            record_.motions.push_back(load);
+        }
+    }
+
+    double lengthOf(const StepCut& cut) const { return lengths_[cut.move].length / cut.steps; }
+    double startOf(const StepCut& cut) const { return lengths_[cut.move].start + cut.step * lengthOf(cut); }
+    double windowOf(const StepCut& cut) const {
+        const double radius = replayed_.tools[(*replayed_.moves)[cut.move].tool].cutter.radius();
+        return std::max(windowPerRadius * radius, windowVoxels * replayed_.voxel);
+    }
+
+    /// The path about a step, in its interval; steps at the ends with the share that lies within.
+    Engaged around(std::size_t i) const {
+        const std::vector<StepCut>& steps = *replayed_.steps;
+        const StepCut& here = steps[i];
+        const std::size_t interval = lengths_[here.move].interval;
+        const double middle = startOf(here) + 0.5 * lengthOf(here);
+        const double half = 0.5 * std::max(windowOf(here), lengthOf(here));
+        Engaged engaged;
+        engaged.length = lengths_.around(middle, interval, half);
+        // false: it lies outside, as all beyond it
+        const auto add = [&](const StepCut& cut) {
+            if (lengths_[cut.move].interval != interval) return false;
+            const double begins = startOf(cut), length = lengthOf(cut);
+            const double way = std::min(begins + length, middle + half) - std::max(begins, middle - half);
+            if (!(way > 0.0) && length > 0.0) return false;
+            if (length > 0.0) engaged.add(cut, way / length, way);
+            return true;
+        };
+        for (std::size_t k = i + 1; k-- > 0 && add(steps[k]);) {
+        }
+        for (std::size_t k = i + 1; k < steps.size() && add(steps[k]); ++k) {
+        }
+        return engaged;
+    }
+
+    void tell(std::size_t i, const LoadVisitor& visit) {
+        const StepCut& here = (*replayed_.steps)[i];
+        const ToolMove& move = (*replayed_.moves)[here.move];
+        const NcMotion& motion = replayed_.program->motions[move.motion];
+        const MotionTime& time = replayed_.time->motions[move.motion];
+        const PathPosition& path = lengths_[here.move];
+        const Engaged engaged = around(i);
+        if (!(engaged.length > 0.0) || !(engaged.volume > 0.0)) return;
+        const Turning turning = turningOf(motion, replayed_.tools[move.tool], time);
+        CutLoad load = loadOf(engaged, here, turning, coefficients_[move.tool]);
+        const double all = lengths_.ofMotion(move.motion), share = lengthOf(here) / all;
+        const double begin = (path.before + here.step * lengthOf(here)) / all;
+        load.at = time.start + time.duration * (begin + 0.5 * share);
+        MotionLoad& sum = byMotion_[move.motion];
+        if (turning.speed > 0.0) {
+            sum.force += load.force * lengthOf(here) / turning.speed;
+            sum.power += load.power * lengthOf(here) / turning.speed;
+        }
+        if (isLess(sum.peak, load)) sum.peak = load;
+        record_.steps.push_back({static_cast<float>(time.start + time.duration * begin),
+                                 static_cast<float>(time.duration * share), static_cast<float>(load.force),
+                                 static_cast<float>(load.power), move.motion});
+        if (visit) visit(motion, move.tool, load);
+    }
+
+    const ReplayedProgram& replayed_;
+    PathLengths lengths_;
+    std::vector<CuttingCoefficients::Entry> coefficients_; ///< by tool
+    std::vector<MotionLoad> byMotion_;
+    LoadRecord record_;
+};
 
 } // namespace
 
-std::vector<MotionLoad> loadChart(const ParsedProgram& program, const std::vector<ToolMove>& moves,
-                                  const std::vector<MoveCut>& cuts, std::span<const Tool> tools,
-                                  const MachiningTime& time, const PropertyList& properties, PropertyIndex material) {
-    std::vector<CuttingCoefficients::Entry> coefficients; // by tool
-    for (const Tool& tool : tools)
-        coefficients.push_back(cuttingCoefficients(properties, tool.cutter.diameter).byProperty[material]);
-    std::vector<MotionLoad> chart;
-    const std::vector<Taken> taken = byMotion(program.motions.size(), moves, cuts);
-    for (std::size_t i = 0; i < taken.size(); ++i) {
-        if (!(taken[i].volume > 0.0)) continue;
-        const NcMotion& motion = program.motions[i];
-        MotionLoad load;
-        load.motion = static_cast<std::uint32_t>(i);
-        load.line = motion.line;
-        load.start = time.motions[i].start;
-        load.duration = time.motions[i].duration;
-        load.volume = taken[i].volume;
-        load.place = taken[i].moment / taken[i].volume;
-        if (load.duration > 0.0) load.removalRate = load.volume / load.duration;
-        addForce(motion, tools[taken[i].last->tool], coefficients[taken[i].last->tool], load);
-        chart.push_back(load);
-    }
-    return chart;
+LoadRecord recordLoads(const ReplayedProgram& replayed, const PropertyList& properties, PropertyIndex material,
+                       const LoadVisitor& visit) {
+    return LoadRecorder(replayed, properties, material).record(visit);
 }
 
-const MotionLoad* peakLoad(const std::vector<MotionLoad>& chart) {
-    const auto less = [](const MotionLoad& a, const MotionLoad& b) {
-        return a.force != b.force ? a.force < b.force : a.removalRate < b.removalRate;
-    };
-    const auto peak = std::max_element(chart.begin(), chart.end(), less);
-    return peak == chart.end() ? nullptr : &*peak;
+const MotionLoad* peakLoad(const std::vector<MotionLoad>& loads) {
+    const auto less = [](const MotionLoad& a, const MotionLoad& b) { return isLess(a.peak, b.peak); };
+    const auto peak = std::max_element(loads.begin(), loads.end(), less);
+    return peak == loads.end() ? nullptr : &*peak;
 }
 
 } // namespace burin

@@ -9,22 +9,41 @@
 #include "core/verify/replay.h"
 #include "core/volume/property_list.h"
 
+#include <functional>
 #include <span>
 #include <vector>
 
 namespace burin {
 
-/// The load of every motion that removes something, in program order. K is that of the mean chip of a slot at the
-/// motion's own feed per tooth (2 fz / pi), where the material has a law of the chip (core/cutting/cutting_force.h);
-/// Ft = 1000 K MRR / v with v the speed of the flutes' edge (Chen & Yang 2004, eq. 12).
-/// @param moves    those that `cuts` belong to
-/// @param tools    those that ToolMove::tool counts
-/// @param material what is removed
-std::vector<MotionLoad> loadChart(const ParsedProgram& program, const std::vector<ToolMove>& moves,
-                                  const std::vector<MoveCut>& cuts, std::span<const Tool> tools,
-                                  const MachiningTime& time, const PropertyList& properties, PropertyIndex material);
+/// A program that was replayed: what its moves met, and when.
+struct ReplayedProgram {
+    const ParsedProgram* program = nullptr;
+    const std::vector<ToolMove>* moves = nullptr;
+    const std::vector<MoveCut>* cuts = nullptr;  ///< by move
+    const std::vector<StepCut>* steps = nullptr; ///< of the moves
+    std::span<const Tool> tools;                 ///< those that ToolMove::tool counts
+    const MachiningTime* time = nullptr;
+    double voxel = 0.0; ///< mm
+};
 
-/// The motion with the greatest force, or removal rate where no force is known; null for none.
-const MotionLoad* peakLoad(const std::vector<MotionLoad>& chart);
+struct LoadRecord {
+    std::vector<MotionLoad> motions; ///< of those that remove something, in program order
+    std::vector<LoadStep> steps;     ///< over time, where something is removed
+};
+/// Gets the load of every step. @param tool place in ReplayedProgram::tools
+using LoadVisitor = std::function<void(const NcMotion& motion, std::size_t tool, const CutLoad& load)>;
+
+/// The load of a program, step by step. A step's engaged surface S and the area A that it shows along the move are
+/// means over a quarter of the tool's radius of path about it, so that they do not follow single voxels; a path that
+/// bends by more than 45 degrees is looked at on either side by itself. With v the feed, or what the machine reaches of
+/// it, n the turns and z the teeth: MRR = A v, mean chip h = MRR / (n z S), power P = K(h) MRR + Kte n z S, Ft = P / v
+/// of the edge, Fr = Kr (Ft of the chip) + Kre z S / (2 pi R) (Chen & Yang 2004, eq. 12; shear and edge forces as
+/// Altintas has them). core/verify/README.md states the rules.
+/// @param material what is removed
+LoadRecord recordLoads(const ReplayedProgram& replayed, const PropertyList& properties, PropertyIndex material,
+                       const LoadVisitor& visit);
+
+/// The motion whose peak has the greatest force, or removal rate where no force is known; null for none.
+const MotionLoad* peakLoad(const std::vector<MotionLoad>& loads);
 
 } // namespace burin

@@ -103,6 +103,26 @@ std::vector<MoveCut> sumsOf(const std::vector<RowResult>& rows, std::size_t move
     return cuts;
 }
 
+/// Over all rows, in program order; rows in their own order, so that sums do not depend on the threads.
+std::vector<StepCut> stepsOf(std::vector<RowResult>& rows) {
+    std::vector<StepCut> all;
+    for (RowResult& row : rows) {
+        all.insert(all.end(), row.steps.begin(), row.steps.end());
+        row.steps = {};
+    }
+    const auto key = [](const StepCut& cut) { return std::pair(cut.move, cut.step); };
+    std::ranges::stable_sort(all, {}, key);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (count > 0 && key(all[count - 1]) == key(all[i]))
+            all[count - 1].add(all[i]);
+        else
+            all[count++] = all[i];
+    }
+    all.resize(count);
+    return all;
+}
+
 /// Overlap of shank and holder after one step, over the whole grid.
 struct Contact {
     std::map<std::uint32_t, std::uint64_t> byPiece;
@@ -145,7 +165,8 @@ void tellPasses(const std::vector<RowResult>& rows, const std::vector<ToolMove>&
 } // namespace
 
 Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
-                                    RunVolume& workpiece, Findings& findings, Progress& progress, NearWatch near) {
+                                    RunVolume& workpiece, Findings& findings, Progress& progress, NearWatch near,
+                                    std::vector<StepCut>* steps) {
     const Grid& grid = workpiece.grid();
     std::vector<ReplayTool> replayTools;
     for (const Tool& tool : tools)
@@ -157,7 +178,7 @@ Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::spa
         const auto place = static_cast<std::size_t>(row);
         if (turns.of(place).empty() || progress.cancelled()) return;
         RowStock stock(workpiece, row);
-        rows[place] = RowReplay(stock, grid, moves, replayTools).run(turns.of(place), progress);
+        rows[place] = RowReplay(stock, grid, moves, replayTools, steps != nullptr).run(turns.of(place), progress);
         BrickLines lines(grid.lineEnd());
         for (std::int32_t brick = 0; brick < stock.brickCount(); ++brick) {
             if (!stock.isCut(brick)) continue;
@@ -171,6 +192,7 @@ Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::spa
     std::vector<MoveCut> cuts = sumsOf(rows, moves.size(), grid);
     for (std::size_t i = 0; i < moves.size(); ++i) judgeRemoval(moves[i], cuts[i], findings);
     judgeContacts(rows, moves, tools, grid, findings);
+    if (steps != nullptr) *steps = stepsOf(rows);
     if (near.passes != nullptr) tellPasses(rows, moves, tools, grid, *near.passes);
     return cuts;
 }

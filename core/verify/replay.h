@@ -4,6 +4,7 @@
 
 #include "core/verify/findings.h"
 #include "core/verify/near_pass.h"
+#include "core/verify/step_meter.h"
 #include "core/verify/tool_moves.h"
 
 #include <span>
@@ -27,8 +28,10 @@ struct NearWatch {
 /// removal by a rapid or with the spindle off, shank or holder in anything. All cores; the result does not depend on
 /// how many. What it takes is what the moves take one by one: each is swept exactly.
 /// @param tools those that ToolMove::tool counts
+/// @param steps what the feed moves met, step by step, rising; null: nobody asks
 /// @return by move. Errors: volumeOutOfMemory, cancelled.
 Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
-                                    RunVolume& workpiece, Findings& findings, Progress& progress, NearWatch near = {});
+                                    RunVolume& workpiece, Findings& findings, Progress& progress, NearWatch near = {},
+                                    std::vector<StepCut>* steps = nullptr);
 
 } // namespace burin

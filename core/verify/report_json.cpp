@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace burin {
 
 using nlohmann::json;
@@ -50,16 +52,46 @@ json modesOf(const std::vector<StatedPathMode>& modes) {
     return list;
 }
 
+json jsonOf(const glm::dvec3& v) {
+    return json::array({v.x, v.y, v.z});
+}
+
+json jsonOf(const CutLoad& load) {
+    return {{"at_s", load.at},
+            {"place_mm", jsonOf(load.place)},
+            {"removal_rate_mm3_s", load.removalRate},
+            {"force_n", load.force},
+            {"radial_force_n", load.radial},
+            {"axial_force_n", load.axial},
+            {"force_on_tool_n", jsonOf(load.vector)},
+            {"power_w", load.power},
+            {"torque_nm", load.torque},
+            {"feed_per_tooth_mm", load.feedPerTooth},
+            {"mean_chip_mm", load.chip},
+            {"depth_mm", load.depth},
+            {"width_mm", load.width}};
+}
+
 /// Null where nothing is removed.
 json peakOf(const VerifyReport& report) {
     const MotionLoad* const peak = peakLoad(report.loads);
     if (peak == nullptr) return nullptr;
-    return {{"line", peak->line},
-            {"place_mm", json::array({peak->place.x, peak->place.y, peak->place.z})},
-            {"removal_rate_mm3_s", peak->removalRate},
-            {"force_n", peak->force},
-            {"power_w", peak->power},
-            {"at_s", peak->start}};
+    json entry = jsonOf(peak->peak);
+    entry["line"] = peak->line;
+    return entry;
+}
+
+json jsonOf(const Finding& finding) {
+    json entry{{"kind", idOf(finding.kind)},
+               {"line", finding.line},
+               {"place_mm", jsonOf(finding.place)},
+               {"amount", finding.amount}};
+    if (finding.limit > 0.0) {
+        entry["limit"] = finding.limit;
+        entry["unit"] = unitOf(finding.kind);
+        entry["count"] = finding.count;
+    }
+    return entry;
 }
 
 glm::dvec3 placeFrom(const json& place) {
@@ -68,9 +100,15 @@ glm::dvec3 placeFrom(const json& place) {
 
 /// Throws nlohmann's exceptions where the id is none.
 FindingKind findingKindFrom(const json& id) {
-    for (int kind = 0; kind <= static_cast<int>(FindingKind::obstacleCollision); ++kind)
+    for (int kind = 0; kind <= static_cast<int>(lastFindingKind); ++kind)
         if (id.get<std::string>() == idOf(static_cast<FindingKind>(kind))) return static_cast<FindingKind>(kind);
     throw json::other_error::create(501, "finding", &id);
+}
+
+Finding findingFrom(const json& entry) {
+    return {findingKindFrom(entry.at("kind")), entry.at("line").get<std::uint32_t>(),
+            placeFrom(entry.at("place_mm")),   entry.at("amount").get<double>(),
+            entry.value("limit", 0.0),         entry.value("count", 1U)};
 }
 
 NearPass nearPassFrom(const json& entry) {
@@ -92,11 +130,9 @@ NearPass nearPassFrom(const json& entry) {
 
 std::string toJson(const VerifyReport& report) {
     json findings = json::array();
-    for (const Finding& finding : report.findings)
-        findings.push_back({{"kind", idOf(finding.kind)},
-                            {"line", finding.line},
-                            {"place_mm", json::array({finding.place.x, finding.place.y, finding.place.z})},
-                            {"amount", finding.amount}});
+    for (const Finding& finding : report.findings) findings.push_back(jsonOf(finding));
+    json loadWarnings = json::array();
+    for (const Finding& warning : report.warnings) loadWarnings.push_back(jsonOf(warning));
     json warnings = json::array();
     for (const NearPass& pass : report.nearPasses)
         warnings.push_back({{"kind", idOf(pass)},
@@ -118,11 +154,42 @@ std::string toJson(const VerifyReport& report) {
                 {"samples_exact", report.exactSamples},
                 {"machining_s", report.machiningSeconds},
                 {"machining_without_acceleration_s", report.secondsWithoutAcceleration},
+                {"machining_contains", {"accelerations", "corners", "dwells", "tool_changes"}},
+                {"tool_changes", report.toolChanges},
                 {"rapids", idOf(report.rapids)},
                 {"path_modes", modesOf(report.pathModes)},
                 {"peak_load", peakOf(report)},
                 {"findings", findings},
+                {"load_warnings", loadWarnings},
                 {"warnings", warnings}}
+        .dump();
+}
+
+std::string loadsToJson(const VerifyReport& report) {
+    json blocks = json::array();
+    for (const MotionLoad& load : report.loads)
+        blocks.push_back({{"line", load.line},
+                          {"start_s", load.start},
+                          {"duration_s", load.duration},
+                          {"removed_mm3", load.volume},
+                          {"mean_removal_rate_mm3_s", load.removalRate},
+                          {"mean_force_n", load.force},
+                          {"mean_power_w", load.power},
+                          {"peak", jsonOf(load.peak)}});
+    constexpr std::size_t intervals = 500;
+    std::vector<double> force(intervals), power(intervals);
+    const auto intervalAt = [&](double time) {
+        const double share = report.machiningSeconds > 0.0 ? time / report.machiningSeconds : 0.0;
+        return static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * (intervals - 1.0));
+    };
+    for (const LoadStep& step : report.loadSteps)
+        for (std::size_t i = intervalAt(step.start); i <= intervalAt(step.start + step.duration); ++i) {
+            force[i] = std::max(force[i], static_cast<double>(step.force));
+            power[i] = std::max(power[i], static_cast<double>(step.power));
+        }
+    return json{{"load_by_block", blocks},
+                {"load_over_time",
+                 {{"interval_s", report.machiningSeconds / (intervals - 1.0)}, {"force_n", force}, {"power_w", power}}}}
         .dump();
 }
 
@@ -141,9 +208,10 @@ std::optional<VerifyReport> reportFromJson(std::string_view text) try {
     record.at("samples_exact").get_to(report.exactSamples);
     record.at("machining_s").get_to(report.machiningSeconds);
     record.at("machining_without_acceleration_s").get_to(report.secondsWithoutAcceleration);
-    for (const json& entry : record.at("findings"))
-        report.findings.push_back({findingKindFrom(entry.at("kind")), entry.at("line").get<std::uint32_t>(),
-                                   placeFrom(entry.at("place_mm")), entry.at("amount").get<double>()});
+    for (const json& entry : record.at("findings")) report.findings.push_back(findingFrom(entry));
+    for (const json& entry : record.value("load_warnings", json::array())) // since loads are judged
+        report.warnings.push_back(findingFrom(entry));
+    report.toolChanges = record.value("tool_changes", 0);
     for (const json& entry : record.at("warnings")) report.nearPasses.push_back(nearPassFrom(entry));
     if (record.at("passed").get<bool>() != report.passed()) return std::nullopt;
     return report;

@@ -18,4 +18,8 @@ std::string toJson(const VerifyReport& report);
 /// Nothing: it wrote no such text.
 std::optional<VerifyReport> reportFromJson(std::string_view text);
 
+/// The load of a program as JSON: "load_by_block", an entry for each block that removes something, with its mean and
+/// its peak; and "load_over_time", the greatest force and power in equal intervals. Not part of a stored report.
+std::string loadsToJson(const VerifyReport& report);
+
 } // namespace burin

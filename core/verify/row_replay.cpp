@@ -66,6 +66,9 @@ void RowReplay::make(std::uint32_t number) {
     const ReplayTool& tool = tools_[move.tool];
     const glm::dvec3 from = inLineFrame(grid_, move.begin()), to = inLineFrame(grid_, move.to);
     UnitSum removed;
+    metered_ = meters_ && !move.rapid;
+    if (metered_)
+        meter_.begin(number, std::span(tool.stack).first(tool.fluteCount), from, to, inLineFrame(grid_, toolAxis));
     const std::size_t contacts = result_.contacts.size();
     if (!mayTouch(tool, from, to)) {
         if (tool.upright)
@@ -83,7 +86,17 @@ void RowReplay::make(std::uint32_t number) {
         }
     }
     if (removed.units > 0) result_.cuts.push_back({number, removed});
+    if (metered_) meter_.finish(result_.steps);
     if (tool.near > 0.0 && result_.contacts.size() == contacts) lookNear(tool, from, to, number);
+}
+
+void RowReplay::take(LineIndex line, RunPosition from, RunPosition to, UnitSum& removed) {
+    const std::uint64_t units = removed.units, along = removed.along;
+    stock_.cut(line, from, to, removed);
+    if (!metered_ || removed.units == units) return;
+    const auto taken = static_cast<double>(removed.units - units);
+    const double middle = 0.5 * static_cast<double>(removed.along - along) / taken;
+    meter_.add(line, middle - 0.5 * taken, middle + 0.5 * taken);
 }
 
 void RowReplay::cutUpright(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed) {
@@ -138,7 +151,7 @@ void RowReplay::cutBrick(std::int32_t brick, std::uint64_t lines, UnitSum& remov
                 from = positionOf(span->low);
                 to = positionOf(span->high);
             }
-            if (from < to) stock_.cut(line, from, to, removed);
+            if (from < to) take(line, from, to, removed);
         }
     }
     if (removed.units > before) stock_.settle(brick);
@@ -148,15 +161,15 @@ void RowReplay::cutSwept(const ReplayTool& tool, const glm::dvec3& from, const g
     const glm::dvec3 axis = inLineFrame(grid_, toolAxis);
     for (std::size_t i = 0; i < tool.fluteCount; ++i) {
         std::int32_t brick = -1;
-        const auto take = [&](LineIndex line, RunPosition low, RunPosition high) {
+        const auto cut = [&](LineIndex line, RunPosition low, RunPosition high) {
             const std::uint64_t before = removed.units;
-            stock_.cut(line, low, high, removed);
+            take(line, low, high, removed);
             if (removed.units == before || line.u / brickSide == brick) return true;
             if (brick >= 0) stock_.settle(brick);
             brick = line.u / brickSide;
             return true;
         };
-        forEachSpanInRows(SweptPiece(tool.stack[i], from, to, axis), grid_, rows(), take);
+        forEachSpanInRows(SweptPiece(tool.stack[i], from, to, axis), grid_, rows(), cut);
         if (brick >= 0) stock_.settle(brick);
     }
 }

@@ -6,6 +6,7 @@
 #include "core/cutting/footprint.h"
 #include "core/verify/cut_filter.h"
 #include "core/verify/row_stock.h"
+#include "core/verify/step_meter.h"
 #include "core/verify/tool_moves.h"
 
 #include <span>
@@ -49,6 +50,7 @@ struct RowResult {
     std::vector<MoveUnits> cuts;
     std::vector<StockPass> passes;
     std::vector<StepContact> contacts;
+    std::vector<StepCut> steps; ///< of the feed moves, where they are asked for; rising move and step
 };
 
 /// Distances to stock are told to so much, mm, beside what the runs themselves know it to.
@@ -62,8 +64,16 @@ inline constexpr double passResolution = 1.0 / 32.0;
 /// most a voxel, each cut before it is looked at.
 class RowReplay {
 public:
-    RowReplay(RowStock& stock, const Grid& grid, std::span<const ToolMove> moves, std::span<const ReplayTool> tools)
-        : stock_(stock), grid_(grid), moves_(moves), tools_(tools), reach_(stock.reach()) {}
+    /// @param meters whether RowResult::steps is asked for
+    RowReplay(RowStock& stock, const Grid& grid, std::span<const ToolMove> moves, std::span<const ReplayTool> tools,
+              bool meters = false)
+        : stock_(stock)
+        , grid_(grid)
+        , moves_(moves)
+        , tools_(tools)
+        , reach_(stock.reach())
+        , meter_(grid)
+        , meters_(meters) {}
 
     /// @param turns places in the moves, rising
     RowResult run(std::span<const std::uint32_t> turns, const Progress& progress);
@@ -76,6 +86,7 @@ private:
     void make(std::uint32_t number);
     void cutUpright(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed);
     void cutSwept(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed);
+    void take(LineIndex line, RunPosition from, RunPosition to, UnitSum& removed);
     void cutBrick(std::int32_t brick, std::uint64_t lines, UnitSum& removed);
     bool mayTouch(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to) const;
     bool touches(const SweptPiece& piece, RunPosition tolerance) const;
@@ -93,6 +104,9 @@ private:
     std::span<const ReplayTool> tools_;
     std::int32_t reach_;        ///< run units, of all that the row holds
     std::vector<Flute> flutes_; ///< of the move
+    StepMeter meter_;
+    bool meters_;          ///< asked for at all
+    bool metered_ = false; ///< of this move
     RowResult result_;
 };
 

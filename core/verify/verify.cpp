@@ -8,6 +8,7 @@
 #include "core/verify/gouge.h"
 #include "core/verify/limits.h"
 #include "core/verify/load_chart.h"
+#include "core/verify/load_limits.h"
 #include "core/verify/near_pass.h"
 #include "core/verify/obstacles.h"
 #include "core/verify/outline.h"
@@ -79,6 +80,18 @@ void take(const GougeJudgement& gouges, VerifyReport& report) {
         report.onPartShare = static_cast<double>(gouges.onPart) / static_cast<double>(gouges.finishSamples);
 }
 
+void judgeLoads(const ReplayedProgram& replayed, const VerifyRequest& request, const PropertyList& properties,
+                PropertyIndex material, Findings& findings, VerifyReport& report) {
+    LoadJudge judge(request.machine, replayed.tools, request.gougeTolerance);
+    LoadRecord record =
+        recordLoads(replayed, properties, material, [&](const NcMotion& motion, std::size_t tool, const CutLoad& load) {
+            judge.look(motion, tool, load);
+        });
+    report.loads = std::move(record.motions);
+    report.loadSteps = std::move(record.steps);
+    judge.conclude(findings, report.warnings);
+}
+
 } // namespace
 
 Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, VolumeSnapshot* machined) {
@@ -108,13 +121,15 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     report.pathModes = statedPathModes(*request.program);
 
     progress.stage(0.05, 0.4);
+    std::vector<StepCut> steps;
     const Result<std::vector<MoveCut>> cuts =
-        replay(moves, tools->tools, workpiece, findings, progress, {request.nearDistance, &passes});
+        replay(moves, tools->tools, workpiece, findings, progress, {request.nearDistance, &passes}, &steps);
     if (!cuts) return cuts.error();
     for (const MoveCut& cut : *cuts) report.removed += cut.volume;
-    report.loads =
-        loadChart(*request.program, moves, *cuts, tools->tools, time, workpiece.properties(), embedded->stockProperty);
+    const ReplayedProgram replayed{request.program, &moves, &*cuts, &steps, tools->tools, &time, request.setup.voxel};
+    judgeLoads(replayed, request, workpiece.properties(), embedded->stockProperty, findings, report);
     report.times = time.motions;
+    report.toolChanges = time.toolChanges;
 
     progress.stage(0.4, 0.9);
     const Result<GougeJudgement> gouges = judgeGouges(moves, tools->tools, outlines, request, findings, progress);

@@ -54,7 +54,16 @@ enum class FindingKind : std::uint8_t {
     spindleLimit,      ///< amount: 1/min
     unknownStart,      ///< a feed move from a place that the program has not set; amount: 0
     obstacleCollision, ///< the tool enters a fixture or a keep-out volume; amount: mm of depth
+    // What the cut asks of spindle and tool, beyond `Finding::limit`:
+    spindlePower,  ///< amount: W at the cutter
+    spindleTorque, ///< amount: N m
+    toolBreakage,  ///< amount: N/mm² of bending stress; limit: strength over `breakingReserve`
+    toolBending,   ///< amount: mm that the tool gives way where it cuts
+    chipLoad,      ///< amount: mm, thickest chip of a tooth
+    depthOfCut,    ///< amount: mm along the tool's axis
+    widthOfCut,    ///< amount: mm across it
 };
+inline constexpr FindingKind lastFindingKind = FindingKind::widthOfCut;
 /// Stable id of a kind, for JSON: "gouge", "rapid_in_stock", …
 const char* idOf(FindingKind kind);
 /// What a kind's amount is counted in, in ASCII: "mm", "mm^3"; empty where the amount says nothing.
@@ -62,9 +71,11 @@ const char* unitOf(FindingKind kind);
 
 struct Finding {
     FindingKind kind = FindingKind::gouge;
-    std::uint32_t line = 0; ///< of the program's text, from 1
-    glm::dvec3 place{0.0};  ///< mm, setup frame
-    double amount = 0.0;    ///< in the unit that the kind states
+    std::uint32_t line = 0;  ///< of the program's text, from 1
+    glm::dvec3 place{0.0};   ///< mm, setup frame
+    double amount = 0.0;     ///< in the unit that the kind states
+    double limit = 0.0;      ///< in the same unit, that was to be kept; 0: the kind has none
+    std::uint32_t count = 1; ///< lines that it stands for, where one is told for many near by
 };
 
 /// What shank or holder comes near to.
@@ -107,9 +118,12 @@ struct VerifyReport {
     double secondsWithoutAcceleration = 0.0;    ///< at the programmed feeds and the machine's rapids alone
     std::vector<MotionTime> times;              ///< by place in ParsedProgram::motions
     std::vector<MotionLoad> loads;              ///< of what removes something, in program order
+    std::vector<LoadStep> loadSteps;            ///< the same over time
+    int toolChanges = 0;                        ///< that the time contains, the first tool's included
     RapidMode rapids = RapidMode::synchronised; ///< the way that rapids were judged on
     std::vector<StatedPathMode> pathModes;      ///< what the program itself says of corners, and the time counts
     std::vector<Finding> findings;              ///< the worst of each kind on each line, in program order
+    std::vector<Finding> warnings;              ///< of loads beyond estimated limits, and of bending; the worst first
     std::vector<NearPass> nearPasses;           ///< one a place, the nearest first
     std::vector<DeviationSample> deviations;
 

@@ -4,6 +4,7 @@
 #include "tests/ui/panel_examples.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/job_line.h"
+#include "ui/panels/meter_bar.h"
 #include "ui/panels/meters.h"
 #include "ui/panels/mill_panel.h"
 #include "ui/panels/notice.h"
@@ -218,6 +219,25 @@ private slots:
         QCOMPARE(valueOf(meters, "positionZ"), QStringLiteral("-11.380"));
         meters.setUnit(LengthUnit::inch);
         QCOMPARE(valueOf(meters, "positionZ"), QStringLiteral("-0.4480"));
+    }
+
+    /// Below what tool and spindle bear the bar is not red, above it is.
+    void theForceTurnsRedAtTheLimit() {
+        Meters meters;
+        MeterState state = examples::meters();
+        state.forceLimit = 250.0;
+        state.forceLimitOf = QStringLiteral("the tool may break");
+        state.force = 200.0;
+        meters.setState(state);
+        QCOMPARE(valueOf(meters, "forceMeter"), QStringLiteral("200.0 N, limit 250.0 N"));
+        const MeterBar* const bar = meters.findChildren<MeterBar*>().constFirst();
+        QVERIFY(bar->role() == &Palette::accent);
+        QVERIFY(std::abs(bar->share() - 0.8) < 1e-9);
+        state.force = 260.0;
+        meters.setState(state);
+        QVERIFY(bar->role() == &Palette::force);
+        QCOMPARE(bar->share(), 1.0);
+        QVERIFY(child<QWidget>(meters, "forceMeter").toolTip().contains(QStringLiteral("the tool may break")));
     }
 
     void stepsAreChosenByMouseAndKeyboard() {

@@ -551,6 +551,27 @@ private slots:
                  QStringLiteral("Holder passes the part at 0.400\u00a0mm"));
     }
 
+    /// A limit that is exceeded stands in the list, as an error or a warning, with both values and units.
+    void loadsBeyondLimitsAreInTheList() {
+        ProgramPanel panel;
+        ProgramState state = examples::failedProgram();
+        VerifyReport report;
+        report.findings = {{FindingKind::spindlePower, 12, {}, 918.0, 900.0, 4}};
+        report.warnings = {{FindingKind::toolBending, 21, {}, 0.055, 0.02, 1}};
+        state.report = std::make_shared<const VerifyReport>(report);
+        panel.setState(state);
+        show(panel);
+        const std::vector<ListRow>& rows = child<RowList>(panel, "findingList").rows();
+        QVERIFY(rows.size() >= 2);
+        QCOMPARE(rows[0].title, QStringLiteral("The cut takes 918 W, the spindle has 900 W (and on 3 more lines)"));
+        QCOMPARE(rows[0].icon, QStringLiteral("error"));
+        QVERIFY2(rows[1].title.startsWith(QStringLiteral("The tool bends by 0.055")), qPrintable(rows[1].title));
+        QCOMPARE(rows[1].icon, QStringLiteral("warning"));
+        QSignalSpy line(&panel, &ProgramPanel::lineChosen);
+        clickRow(panel, "findingList", 1);
+        QCOMPARE(line[0][0].toInt(), 21);
+    }
+
     void findingsLeadToTheirLine() {
         ProgramPanel panel;
         panel.setState(examples::failedProgram());
@@ -602,6 +623,7 @@ private slots:
             load.duration = 1.0;
             load.force = i == 6 ? 42.5 : 10.0;
             report.loads.push_back(load);
+            report.loadSteps.push_back({static_cast<float>(i), 1.0F, static_cast<float>(load.force), 0.0F, i});
         }
         chart.setReport(std::make_shared<const VerifyReport>(report));
         chart.show();
@@ -635,6 +657,7 @@ private slots:
             load.duration = 1.0;
             load.force = 10.0;
             report.loads.push_back(load);
+            report.loadSteps.push_back({static_cast<float>(start), 1.0F, 10.0F, 0.0F, i});
             report.times.push_back({start, 1.0, 20.0});
         }
         report.machiningSeconds = 140.0;

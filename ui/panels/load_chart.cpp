@@ -42,7 +42,7 @@ void LoadChart::setReport(std::shared_ptr<const VerifyReport> report) {
             end = motion.start + motion.duration;
         }
     peak_ = 0.0;
-    for (const MotionLoad& load : loads()) peak_ = std::max(peak_, load.force);
+    for (const LoadStep& load : loads()) peak_ = std::max(peak_, static_cast<double>(load.force));
     setAccessibleDescription(tr("Peak %1 N").arg(QLocale().toString(peak_, 'f', 1)));
     update();
 }
@@ -57,9 +57,9 @@ QSize LoadChart::sizeHint() const {
     return {200, chartHeight};
 }
 
-std::span<const MotionLoad> LoadChart::loads() const {
+std::span<const LoadStep> LoadChart::loads() const {
     if (!report_) return {};
-    return report_->loads;
+    return report_->loadSteps;
 }
 
 double LoadChart::seconds() const {
@@ -85,9 +85,9 @@ std::vector<double> LoadChart::columns(int count) const {
     const auto columnOf = [&](double time) {
         return static_cast<std::size_t>(std::clamp(static_cast<int>(time / seconds() * count), 0, count - 1));
     };
-    for (const MotionLoad& load : loads())
+    for (const LoadStep& load : loads())
         for (std::size_t i = columnOf(shownAt(load.start)); i <= columnOf(shownAt(load.start + load.duration)); ++i)
-            greatest[i] = std::max(greatest[i], load.force);
+            greatest[i] = std::max(greatest[i], static_cast<double>(load.force));
     return greatest;
 }
 
@@ -123,7 +123,8 @@ void LoadChart::paintEvent(QPaintEvent*) {
 }
 
 const MotionLoad* LoadChart::at(double seconds) const {
-    const std::span<const MotionLoad> all = loads();
+    if (!report_) return nullptr;
+    const std::vector<MotionLoad>& all = report_->loads;
     const auto behind = std::ranges::upper_bound(all, seconds, {}, &MotionLoad::start);
     return behind == all.begin() ? nullptr : &*std::prev(behind);
 }

@@ -34,7 +34,7 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
 
 private:
-    std::span<const MotionLoad> loads() const;
+    std::span<const LoadStep> loads() const;
     /// A tool change, while which nothing is cut.
     struct Pause {
         double start = 0.0, length = 0.0; ///< s, of the program

@@ -27,6 +27,12 @@ void MeterBar::setShare(double share) {
     update();
 }
 
+void MeterBar::setRole(ColourRole role) {
+    if (role == role_) return;
+    role_ = role;
+    update();
+}
+
 QSize MeterBar::sizeHint() const {
     return {64, barHeight};
 }

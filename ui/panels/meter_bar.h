@@ -14,7 +14,9 @@ class MeterBar : public QWidget {
 public:
     explicit MeterBar(ColourRole role, QWidget* parent = nullptr);
     void setShare(double share); ///< 0 … 1; more and less is cut off
+    void setRole(ColourRole role);
     double share() const noexcept { return share_; }
+    ColourRole role() const noexcept { return role_; }
 
     QSize sizeHint() const override;
 

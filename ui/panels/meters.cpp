@@ -46,6 +46,7 @@ private:
     MeterBar* addBar(ColourRole role);
     void addTitle();
     void addPosition();
+    void showForce();
 
     Meters* meters_;
     QVBoxLayout* column_;
@@ -98,8 +99,8 @@ void Meters::Fields::fold(bool wanted) {
     for (ValueRow* row : {rate_, interval_, work_, missed_, late_, scheduling_, stylus_}) row->setVisible(!folded);
     unfold_->setIcon(
         themedIcon(folded ? QStringLiteral("chevron-right") : QStringLiteral("chevron-down"), &Palette::quietText));
-    const QString does = folded ? Meters::tr("Show the values of the haptic loop")
-                                : Meters::tr("Hide the values of the haptic loop");
+    const QString does =
+        folded ? Meters::tr("Show the values of the haptic loop") : Meters::tr("Hide the values of the haptic loop");
     unfold_->setToolTip(does);
     unfold_->setAccessibleName(does);
 }
@@ -131,13 +132,28 @@ MeterBar* Meters::Fields::addBar(ColourRole role) {
     return bar;
 }
 
+/// Against what tool and spindle bear, red from there on; against the highest so far where nobody knows that.
+void Meters::Fields::showForce() {
+    const QLocale locale;
+    const auto newtons = [&locale](double force) { return locale.toString(force, 'f', 1); };
+    const bool limited = state.forceLimit > 0.0;
+    const double scale = limited ? state.forceLimit : state.forceScale;
+    const QString text = limited ? Meters::tr("%1 N, limit %2 N").arg(newtons(state.force), newtons(scale))
+                                 : Meters::tr("%1 N of %2").arg(newtons(state.force), newtons(scale));
+    force_->setValue(state.running ? text : QStringLiteral("–"));
+    forceBar_->setShare(state.running && scale > 0.0 ? state.force / scale : 0.0);
+    forceBar_->setRole(limited && state.force < scale ? &Palette::accent : &Palette::force);
+    force_->setToolTip(limited ? Meters::tr("Cutting force at the speed of the hand, not scaled. At the limit the bar "
+                                            "turns red: %1")
+                                     .arg(state.forceLimitOf)
+                               : Meters::tr("Cutting force, not scaled; next to it the highest so far"));
+}
+
 void Meters::Fields::refresh() {
     const QString none = QStringLiteral("–");
     const bool runs = state.running;
     const QLocale locale;
-    const auto newtons = [&locale](double force) { return locale.toString(force, 'f', 1); };
-    force_->setValue(runs ? Meters::tr("%1 N of %2").arg(newtons(state.force), newtons(state.forceScale)) : none);
-    forceBar_->setShare(runs && state.forceScale > 0.0 ? state.force / state.forceScale : 0.0);
+    showForce();
     removal_->setValue(runs ? rateText(state.removalRate, unit) : none);
     removalBar_->setShare(runs && state.removalScale > 0.0 ? state.removalRate / state.removalScale : 0.0);
     rate_->setValue(runs ? locale.toString(state.rateHz, 'f', 0) + QStringLiteral(" Hz") : none);

@@ -225,6 +225,8 @@ struct MeterState {
     SchedulingClass scheduling = SchedulingClass::normal;
     double force = 0.0;       ///< N, unscaled cutting force
     double forceScale = 5.0;  ///< N, full scale so far
+    double forceLimit = 0.0;  ///< N that tool and spindle bear; 0: not known
+    QString forceLimitOf;     ///< what bears no more
     double removalRate = 0.0; ///< mm³/s
     double removalScale = 100.0;
     glm::dvec3 tip{0.0}; ///< mm, program coordinates

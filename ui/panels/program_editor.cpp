@@ -115,6 +115,9 @@ void ProgramEditor::gather() {
     if (state_.report)
         for (const Finding& finding : state_.report->findings)
             marks_.push_back({static_cast<int>(finding.line), LineMark::Kind::error, findingText(finding, unit_)});
+    if (state_.report)
+        for (const Finding& warning : state_.report->warnings)
+            marks_.push_back({static_cast<int>(warning.line), LineMark::Kind::warning, findingText(warning, unit_)});
     for (const LintMark& mark : state_.lint)
         marks_.push_back({static_cast<int>(mark.line),
                           mark.severity == LintSeverity::error ? LineMark::Kind::error : LineMark::Kind::warning,

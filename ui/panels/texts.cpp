@@ -176,6 +176,40 @@ QString durationText(double seconds) {
     return QString::number(whole / 3600) + QLatin1Char(':') + two(whole / 60 % 60) + QLatin1Char(':') + two(whole % 60);
 }
 
+namespace {
+
+/// What a cut asks of spindle or tool, beside the limit.
+QString loadText(const Finding& finding, LengthUnit unit) {
+    const auto number = [](double value, int decimals) { return QLocale().toString(value, 'f', decimals); };
+    switch (finding.kind) {
+    case FindingKind::spindlePower:
+        return PanelTexts::tr("The cut takes %1 W, the spindle has %2 W")
+            .arg(number(finding.amount, 0), number(finding.limit, 0));
+    case FindingKind::spindleTorque:
+        return PanelTexts::tr("The cut takes %1 N m, the spindle has %2 N m at this speed")
+            .arg(number(finding.amount, 1), number(finding.limit, 1));
+    case FindingKind::toolBreakage:
+        return PanelTexts::tr("The tool may break: bending stress of %1 N/mm², it bears %2 N/mm²")
+            .arg(number(finding.amount, 0), number(finding.limit, 0));
+    case FindingKind::toolBending:
+        return PanelTexts::tr("The tool bends by %1, the tolerance is %2")
+            .arg(lengthText(finding.amount, unit), lengthText(finding.limit, unit));
+    case FindingKind::chipLoad:
+        return PanelTexts::tr("Chip of %1 a tooth, the tool bears %2")
+            .arg(lengthText(finding.amount, unit), lengthText(finding.limit, unit));
+    case FindingKind::depthOfCut:
+        return PanelTexts::tr("Depth of cut of %1, the tool bears %2")
+            .arg(lengthText(finding.amount, unit), lengthText(finding.limit, unit));
+    case FindingKind::widthOfCut:
+        return PanelTexts::tr("Width of cut of %1, the tool bears %2")
+            .arg(lengthText(finding.amount, unit), lengthText(finding.limit, unit));
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
 QString findingText(const Finding& finding, LengthUnit unit) {
     const QString volume = volumeText(finding.amount, unit);
     const QString length = lengthText(finding.amount, unit);
@@ -200,8 +234,18 @@ QString findingText(const Finding& finding, LengthUnit unit) {
         return PanelTexts::tr("Cuts from an unknown position");
     case FindingKind::obstacleCollision:
         return PanelTexts::tr("In a fixture by %1").arg(length);
+    case FindingKind::spindlePower:
+    case FindingKind::spindleTorque:
+    case FindingKind::toolBreakage:
+    case FindingKind::toolBending:
+    case FindingKind::chipLoad:
+    case FindingKind::depthOfCut:
+    case FindingKind::widthOfCut:
+        break;
     }
-    return {};
+    const QString text = loadText(finding, unit);
+    if (finding.count < 2) return text;
+    return PanelTexts::tr("%1 (and on %n more lines)", nullptr, static_cast<int>(finding.count) - 1).arg(text);
 }
 
 namespace {

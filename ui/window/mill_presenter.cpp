@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/mill_presenter.h"
 
+#include "core/verify/load_limits.h"
 #include "ui/panels/texts.h"
 #include "ui/window/session_words.h"
 
@@ -203,10 +204,22 @@ void MeterPresenter::tick() {
     state_.scheduling = session.scheduling;
     state_.force = glm::length(session.sample.cuttingForce);
     state_.forceScale = std::max(state_.forceScale, state_.force);
+    takeForceLimit();
     state_.removalRate = session.removalRate;
     state_.removalScale = std::max(state_.removalScale, state_.removalRate);
     if (workbench_.bench.bench()) state_.tip = session.sample.proxy.tip - workbench_.bench.bench()->setup.workOffset;
     presentSoon();
+}
+
+/// Of the tool that mills, at the spindle speed of its tables.
+void MeterPresenter::takeForceLimit() {
+    const auto bench = workbench_.bench.bench();
+    if (!bench || !(bench->conditions.spindleSpeed > 0.0)) return;
+    const ForceLimit limit = forceLimit(bench->tool, bench->machine, bench->conditions.spindleSpeed);
+    state_.forceLimit = limit.force;
+    state_.forceLimitOf = limit.kind == FindingKind::spindlePower    ? tr("the spindle's power")
+                          : limit.kind == FindingKind::spindleTorque ? tr("the spindle's torque")
+                                                                     : tr("the tool may break");
 }
 
 void MeterPresenter::present() {

@@ -52,6 +52,7 @@ signals:
 private:
     void present() override;
     void tick();
+    void takeForceLimit();
     Meters& meters_;
     MeterState state_;
 };

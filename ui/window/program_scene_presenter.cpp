@@ -157,8 +157,9 @@ QString ProgramScenePresenter::loadText(std::size_t motion) const {
     if (load == loads.end() || load->motion != motion) return {};
     const QString separator = QStringLiteral(" · ");
     return separator + rateText(load->removalRate, unit()) + separator +
-           tr("%1 N").arg(QLocale().toString(load->force, 'f', 1)) + separator +
-           tr("%1 W").arg(QLocale().toString(load->power, 'f', 0));
+           tr("%1 N, peak %2 N")
+               .arg(QLocale().toString(load->force, 'f', 1), QLocale().toString(load->peak.force, 'f', 1)) +
+           separator + tr("peak %1 W").arg(QLocale().toString(load->peak.power, 'f', 0));
 }
 
 QString ProgramScenePresenter::handText(std::size_t motion) const {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/calibration.h"
+#include "core/cutting/cutting_force.h"
 #include "tests/core/cutting/measured_cuts.h"
 
 #include <QtTest>
@@ -147,6 +148,66 @@ private slots:
         const double acrossFeed = (243.8 + 4.0 / pi * 7.5 / fz) / 1000.0;
         QVERIFY2(std::abs(found->specificEnergy.value / acrossFeed - 1.0) < 1e-3,
                  qPrintable(QString::number(found->specificEnergy.value)));
+    }
+
+    /// The whole set comes back where the edge is fitted: slots and both sides, noise, and one record far off.
+    void aPublishedSetWithItsEdgeComesBack() {
+        Noise noise(11);
+        std::vector<ForceRecord> records;
+        for (std::size_t i = 0; i < 24; ++i) {
+            ForceRecord record = conditions(i);
+            record.axis = glm::normalize(glm::dvec3(0.2, -0.4, 0.8));
+            record.feedDirection = glm::normalize(glm::cross(record.axis, glm::dvec3(1.0, 0.3, 0.1)));
+            if (i % 3 != 0) {
+                record.immersion = i % 3 == 1 ? Immersion::up : Immersion::down;
+                record.radialDepth = 1.5 + 0.15 * static_cast<double>(i);
+            }
+            record.force = forceOfTurningTeeth(record, {631.0, 13.0, 99.0, 10.0}) + noise.vector(0.3);
+            records.push_back(record);
+        }
+        records[7].force *= 6.0;
+        const auto found = calibrate(records, "test", with(ChipLaw::edge, ForceProjection::turningTeeth), "forces.csv");
+        QVERIFY2(found.hasValue(), found ? "" : found.error().detail.c_str());
+        QCOMPARE(found->leftOut.size(), std::size_t{1});
+        QCOMPARE(found->leftOut.front().line, records[7].line);
+        QVERIFY(found->specificEnergy.holds(0.631) && std::abs(found->specificEnergy.value / 0.631 - 1.0) < 0.02);
+        QVERIFY(found->radialRatio.holds(99.0 / 631.0));
+        QVERIFY(found->edgeForce.holds(13.0) && std::abs(found->edgeForce.value / 13.0 - 1.0) < 0.05);
+        QVERIFY(found->radialEdgeForce.holds(10.0));
+        QVERIFY(found->tangentialNoise > 0.2 && found->tangentialNoise < 0.4);
+        Property basis;
+        basis.id = "test";
+        basis.values[std::string(kienzleForce)] = {1.0, "N/mm^2", "old", false};
+        const Property material = calibratedMaterial(basis, *found, "forces.csv");
+        QCOMPARE(material.valueOr(tangentialEdgeForce, 0.0), found->edgeForce.value);
+        QVERIFY(!material.values.contains(kienzleForce));
+        // Another law has the edge's force in its K.
+        const auto constant =
+            calibrate(records, "test", with(ChipLaw::constant, ForceProjection::turningTeeth), "forces.csv");
+        QVERIFY(!calibratedMaterial(material, *constant, "forces.csv").values.contains(tangentialEdgeForce));
+    }
+    /// 95 % of the intervals hold the truth.
+    void confidenceOfTheEdgeIsWhatItSays() {
+        std::vector<ForceRecord> records;
+        for (std::size_t i = 0; i < 12; ++i) {
+            records.push_back(conditions(i));
+            records.back().force = forceOfTurningTeeth(records.back(), {631.0, 13.0, 99.0, 10.0});
+        }
+        int energy = 0, ratio = 0, edge = 0, radial = 0;
+        for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+            Noise noise(seed);
+            std::vector<ForceRecord> measured = records;
+            for (ForceRecord& record : measured) record.force += noise.vector(0.5);
+            const auto found =
+                calibrate(measured, "test", with(ChipLaw::edge, ForceProjection::turningTeeth), "forces.csv");
+            QVERIFY2(found.hasValue(), found ? "" : found.error().detail.c_str());
+            energy += found->specificEnergy.holds(0.631);
+            ratio += found->radialRatio.holds(99.0 / 631.0);
+            edge += found->edgeForce.holds(13.0);
+            radial += found->radialEdgeForce.holds(10.0);
+        }
+        for (const int held : {energy, ratio, edge, radial})
+            QVERIFY2(Coverage::good(held, 2000), qPrintable(QString::number(held)));
     }
 
     void forcesOnTheWorkpieceAreTheOthersTurnedRound() {

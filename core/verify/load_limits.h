@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cutting/tool_beam.h"
+#include "core/verify/findings.h"
+#include "core/verify/load.h"
+
+#include <map>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// Judges what a program asks of spindle and tools, step by step: power and torque against the machine, bending stress,
+/// chip, depth and width against the tool's limits, bending against a tolerance. Limits that are not stated are not
+/// judged. One thread.
+class LoadJudge {
+public:
+    /// All outlive the judge. @param bending mm that a tool may give way by
+    LoadJudge(const MachineProfile& machine, std::span<const Tool> tools, double bending);
+
+    /// @param tool place in the tools
+    void look(const NcMotion& motion, std::size_t tool, const CutLoad& load);
+    /// Beyond a stated limit: a finding. Beyond an estimated one, or bending: a warning. One of a kind within a
+    /// tool's diameter (10 mm of a smaller one), with its worst line; `Finding::count` tells how many lines it
+    /// stands for; at most 20 of a kind, the worst first, the last of which counts those left out.
+    void conclude(Findings& findings, std::vector<Finding>& warnings) const;
+
+private:
+    struct Excess {
+        Finding finding;
+        double diameter = 0.0; ///< mm, of the tool
+        bool warns = false;
+        double share() const noexcept { return finding.amount / finding.limit; }
+    };
+    void judge(FindingKind kind, const NcMotion& motion, std::size_t tool, const CutLoad& load, double amount,
+               double limit, bool warns);
+    static std::vector<Excess> gathered(std::vector<Excess> all);
+
+    const MachineProfile* machine_;
+    std::span<const Tool> tools_;
+    double bending_;
+    std::vector<ToolBeam> beams_;                                   ///< by tool
+    std::map<std::pair<FindingKind, std::uint32_t>, Excess> worst_; ///< by kind and line
+};
+
+/// The tangential force that tool and spindle bear at most, and which of their limits that is.
+struct ForceLimit {
+    double force = 0.0;                           ///< N; 0: nothing is stated
+    FindingKind kind = FindingKind::toolBreakage; ///< or spindlePower, spindleTorque
+};
+/// The tool as if all of the force attacked its tip. @param spindleSpeed 1/min, > 0
+ForceLimit forceLimit(const Tool& tool, const MachineProfile& machine, double spindleSpeed);
+
+} // namespace burin

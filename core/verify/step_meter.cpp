@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/verify/step_meter.h"
+
+#include "core/cutting/line_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+constexpr double leastFacing = 0.05; // n · d of a surface that only grazes: 3 degrees
+constexpr double stepsPerRadius = 16.0, slicesPerRadius = 8.0;
+
+double widestOf(std::span<const RevolvedPiece> flutes) {
+    double widest = 0.0;
+    for (const RevolvedPiece& piece : flutes) widest = std::max(widest, piece.widestRadius());
+    return widest;
+}
+
+} // namespace
+
+std::uint32_t loadStepsOf(double length, double edge, double radius) noexcept {
+    return static_cast<std::uint32_t>(std::max(1.0, std::ceil(length / std::max(edge, radius / stepsPerRadius))));
+}
+
+void StepCut::add(const StepCut& other) noexcept {
+    const float both = volume + other.volume;
+    if (both > 0.0F) place = (place * volume + other.place * other.volume) / both;
+    volume = both;
+    surface += other.surface;
+    bottom = std::min(bottom, other.bottom);
+    top = std::max(top, other.top);
+    tangentChip += other.tangentChip;
+    tangentEdge += other.tangentEdge;
+    normalChip += other.normalChip;
+    normalEdge += other.normalEdge;
+}
+
+void StepMeter::begin(std::uint32_t move, std::span<const RevolvedPiece> flutes, const glm::dvec3& from,
+                      const glm::dvec3& to, const glm::dvec3& axis) {
+    move_ = move;
+    flutes_ = flutes;
+    from_ = from;
+    axis_ = axis;
+    length_ = glm::distance(from, to);
+    direction_ = length_ > 0.0 ? (to - from) / length_ : -axis;
+    steps_ = 0;
+}
+
+/// Most moves come near a row of bricks without taking anything of it.
+void StepMeter::prepare() {
+    const double widest = widestOf(flutes_);
+    steps_ = loadStepsOf(length_, grid_->edge(), widest);
+    if (sums_.size() < steps_) sums_.resize(steps_);
+    slice_ = std::max(1.0, widest / slicesPerRadius / grid_->edge()) * unitsPerVoxel;
+    // Upright walls on a level move meet all of a run at once.
+    const RevolvedPiece& lowest = flutes_.front();
+    const bool walls = flutes_.size() == 1 && !lowest.bulges() && lowest.cornerRadius == 0.0 &&
+                       lowest.bottomRadius == lowest.topRadius;
+    if (walls && std::abs(axis_.z) > 0.5 && std::abs(glm::dot(direction_, axis_)) < 1e-9)
+        slice_ = static_cast<double>(grid_->lineEnd());
+}
+
+void StepMeter::add(LineIndex line, double low, double high) {
+    if (steps_ == 0) prepare();
+    const glm::dvec3 corner = inLineFrame(*grid_, grid_->low());
+    const double edge = grid_->edge();
+    const glm::dvec2 centre = grid_->lineCentre(line);
+    const double slices = std::max(1.0, std::ceil((high - low) / slice_));
+    const double units = (high - low) / slices;
+    const double halfHeight = 0.5 * edge * (std::abs(axis_.z) > 0.5 ? units / unitsPerVoxel : 1.0);
+    for (double i = 0.0; i < slices; ++i)
+        addSlice({centre.x, centre.y, corner.z + (low + (i + 0.5) * units) / unitsPerVoxel * edge},
+                 units * grid_->unitVolume(), halfHeight);
+}
+
+/// The signed distance to a convex piece is convex along the move, so that Newton's steps from its start never pass
+/// the first zero.
+StepMeter::Met StepMeter::meet(const glm::dvec3& place) const {
+    constexpr int mostSteps = 12;
+    constexpr double near = 1e-6; // mm
+    const glm::dvec3 offset = place - from_;
+    Met first;
+    first.way = length_;
+    bool found = false;
+    double nearest = 0.0;
+    for (const RevolvedPiece& piece : flutes_) {
+        double way = 0.0;
+        for (int i = 0; i < mostSteps; ++i) {
+            const glm::dvec3 at = offset - way * direction_;
+            const double height = glm::dot(at, axis_);
+            const glm::dvec3 across = at - height * axis_;
+            const double radius = glm::length(across);
+            const glm::dvec3 outward = radius > 0.0 ? across / radius : glm::dvec3(0.0);
+            const PieceDistance distance = signedDistanceAndSlope(piece, radius, height);
+            const glm::dvec3 normal = distance.alongRadius * outward + distance.alongHeight * axis_;
+            const double closing = glm::dot(normal, direction_);
+            const bool in = distance.distance <= near;
+            if (in || i + 1 == mostSteps || closing <= 0.0) {
+                // Where no piece is met to rounding, the one that comes nearest is.
+                const bool better = in ? !found || way < first.way
+                                       : !found && (first.normal == glm::dvec3(0.0) || distance.distance < nearest);
+                if (better) first = {way, height, radius, outward, normal, 0.0};
+                if (better && !in) nearest = distance.distance;
+                found = found || in;
+                break;
+            }
+            way = std::min(length_, way + distance.distance / closing);
+        }
+    }
+    return first;
+}
+
+/// 1 / (n · d); where the side of the flutes only grazes the line, its mean over the width of the line.
+double StepMeter::surfaceFor(const Met& met) const {
+    const double along = glm::dot(direction_, axis_);
+    const glm::dvec3 level = direction_ - along * axis_;
+    const double pace = glm::length(level), side = glm::dot(met.normal, met.outward);
+    double facing = glm::dot(met.normal, axis_) * along;
+    if (pace > 1e-9 && side > 0.0) {
+        const double half = 0.5 * grid_->edge(), radius = std::max(met.radius, half);
+        const double aside = std::abs(glm::dot(met.outward * met.radius, glm::cross(axis_, level / pace)));
+        const auto angle = [&](double at) { return std::asin(std::clamp(at / radius, -1.0, 1.0)); };
+        const double spread = radius * (angle(aside + half) - angle(aside - half)) / (2.0 * half);
+        facing += side * pace / std::max(spread, leastFacing);
+    }
+    return 1.0 / std::max(facing, leastFacing);
+}
+
+/// A piece of a run stands for a voxel: what it gives is spread over as much of the move, so that a slot's load does
+/// not ripple with the columns of voxels that it takes.
+void StepMeter::addSlice(const glm::dvec3& place, double volume, double halfHeight) {
+    Met met = meet(place);
+    met.surface = surfaceFor(met);
+    const double half = 0.5 * grid_->edge(), step = length_ / steps_;
+    const double first = std::clamp(met.way - half, 0.0, length_), last = std::clamp(met.way + half, 0.0, length_);
+    if (!(last > first) || steps_ == 1) return addTo(0, met, place, volume, halfHeight);
+    const auto number = [&](double way) {
+        return static_cast<std::uint32_t>(std::clamp(std::floor(way / step), 0.0, steps_ - 1.0));
+    };
+    for (std::uint32_t i = number(first); i <= number(last); ++i) {
+        const double within = std::min(last, (i + 1.0) * step) - std::max(first, i * step);
+        if (within > 0.0) addTo(i, met, place, volume * within / (last - first), halfHeight);
+    }
+}
+
+void StepMeter::addTo(std::uint32_t step, const Met& met, const glm::dvec3& place, double volume, double halfHeight) {
+    Sum& sum = sums_[step];
+    if (!(sum.volume > 0.0)) {
+        touched_.push_back(step);
+        sum.bottom = sum.top = met.height;
+    }
+    const double seen = length_ > 0.0 ? volume * steps_ / length_ : 0.0; // mm², along the move
+    const double surface = seen * met.surface, radius = std::max(met.radius, 0.5 * grid_->edge());
+    const glm::dvec3 tangent = -glm::cross(axis_, met.outward);
+    sum.volume += volume;
+    sum.surface += surface;
+    sum.moment += volume * place;
+    sum.bottom = std::max(0.0, std::min(sum.bottom, met.height - halfHeight));
+    sum.top = std::min(flutes_.back().top, std::max(sum.top, met.height + halfHeight));
+    sum.tangentChip += seen / radius * tangent;
+    sum.tangentEdge += surface / radius * tangent;
+    sum.normalChip += seen / radius * met.normal;
+    sum.normalEdge += surface / radius * met.normal;
+}
+
+void StepMeter::finish(std::vector<StepCut>& cuts) {
+    std::ranges::sort(touched_);
+    for (const std::uint32_t step : touched_) {
+        const Sum sum = std::exchange(sums_[step], Sum{});
+        const auto ofSetup = [&](const glm::dvec3& v) { return glm::vec3(inSetupFrame(*grid_, v)); };
+        StepCut cut;
+        cut.move = move_;
+        cut.step = step;
+        cut.steps = steps_;
+        cut.volume = static_cast<float>(sum.volume);
+        cut.surface = static_cast<float>(sum.surface);
+        cut.bottom = static_cast<float>(sum.bottom);
+        cut.top = static_cast<float>(sum.top);
+        cut.place = ofSetup(sum.moment / sum.volume);
+        cut.tangentChip = ofSetup(sum.tangentChip);
+        cut.tangentEdge = ofSetup(sum.tangentEdge);
+        cut.normalChip = ofSetup(sum.normalChip);
+        cut.normalEdge = ofSetup(sum.normalEdge);
+        cuts.push_back(cut);
+    }
+    touched_.clear();
+    steps_ = 0;
+}
+
+} // namespace burin

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/revolved_piece.h"
+#include "core/volume/grid.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// What the flutes met in one of the equal steps that a move is looked at in. n: outward normal of the flutes where
+/// they met it; t: direction in which a tooth of a clockwise spindle goes there; r: distance from the tool's axis; d:
+/// direction of the move. Sums over the surface that met material, in the mean over the step. Setup frame.
+struct StepCut {
+    std::uint32_t move = 0;
+    std::uint32_t step = 0;   ///< from 0 of `steps`
+    std::uint32_t steps = 1;  ///< of the move
+    float volume = 0.0F;      ///< mm³
+    float surface = 0.0F;     ///< mm²
+    float bottom = 0.0F;      ///< mm above the tip, of what was met
+    float top = 0.0F;         ///< mm above the tip
+    glm::vec3 place{0.0F};    ///< mm, middle of what was removed
+    glm::vec3 tangentChip{0}; ///< mm: sum of t (n · d) / r
+    glm::vec3 tangentEdge{0}; ///< mm: sum of t / r
+    glm::vec3 normalChip{0};  ///< mm: sum of n (n · d) / r
+    glm::vec3 normalEdge{0};  ///< mm: sum of n / r
+
+    /// Takes what another row of bricks met in the same step.
+    void add(const StepCut& other) noexcept;
+};
+
+/// Finds when on a move, and where on the flutes, each piece of a removed run was met: at the first point of the move
+/// at which the flutes hold it, which is exact, as the pieces of a tool are convex. One thread.
+class StepMeter {
+public:
+    explicit StepMeter(const Grid& grid) : grid_(&grid) {}
+
+    /// @param flutes outlive the move. @param from, to tips, mm, line frame. @param axis of the tool, line frame
+    void begin(std::uint32_t move, std::span<const RevolvedPiece> flutes, const glm::dvec3& from, const glm::dvec3& to,
+               const glm::dvec3& axis);
+    /// A run that the move took. @param low, high run units
+    void add(LineIndex line, double low, double high);
+    /// Appends what the steps of the move met, in their order.
+    void finish(std::vector<StepCut>& cuts);
+
+private:
+    struct Met {
+        double way = 0.0;      ///< mm along the move
+        double height = 0.0;   ///< mm above the tip
+        double radius = 0.0;   ///< mm from the axis
+        glm::dvec3 outward{0}; ///< unit, away from the axis
+        glm::dvec3 normal{0};  ///< unit, of the flutes, outwards
+        double surface = 0.0;  ///< mm² of flutes for each mm² seen along the move
+    };
+    struct Sum {
+        double volume = 0.0, surface = 0.0, bottom = 0.0, top = 0.0;
+        glm::dvec3 moment{0.0}, tangentChip{0.0}, tangentEdge{0.0}, normalChip{0.0}, normalEdge{0.0};
+    };
+    void prepare();
+    Met meet(const glm::dvec3& place) const;
+    double surfaceFor(const Met& met) const;
+    void addSlice(const glm::dvec3& place, double volume, double halfHeight);
+    void addTo(std::uint32_t step, const Met& met, const glm::dvec3& place, double volume, double halfHeight);
+
+    const Grid* grid_;
+    std::span<const RevolvedPiece> flutes_;
+    std::uint32_t move_ = 0;
+    glm::dvec3 from_{0.0}, direction_{0.0}, axis_{0.0};
+    double length_ = 0.0;     ///< mm
+    double slice_ = 1.0;      ///< run units of a removed run that are looked at by themselves, at most
+    std::uint32_t steps_ = 0; ///< of the move; 0: it has taken nothing yet
+    std::vector<Sum> sums_;   ///< by step; all zero but those touched
+    std::vector<std::uint32_t> touched_;
+};
+
+/// Steps that the load of a move is told in: of a voxel, or a 16th of the radius where that is more.
+std::uint32_t loadStepsOf(double length, double edge, double radius) noexcept;
+
+} // namespace burin
