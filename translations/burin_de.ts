@@ -501,6 +501,57 @@
     </message>
 </context>
 <context>
+    <name>Command</name>
+    <message>
+        <source>what was recorded is kept, and the next command that opens the project recovers it</source>
+        <translation>das Aufgezeichnete ist erhalten; der nächste Befehl, der das Projekt öffnet, stellt es wieder her</translation>
+    </message>
+    <message>
+        <source>neither &quot;%1&quot; nor the project was changed</source>
+        <translation>weder „%1“ noch das Projekt wurde geändert</translation>
+    </message>
+    <message>
+        <source>state a reason</source>
+        <translation>ein Grund</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; needs a value.</source>
+        <translation>„%1“ braucht einen Wert.</translation>
+    </message>
+    <message>
+        <source>A command is missing; &quot;burin --help&quot; lists the commands.</source>
+        <translation>Ein Befehl fehlt; „burin --help“ nennt die Befehle.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing; &quot;burin COMMAND --help&quot; shows what a command needs.</source>
+        <translation>„%1“ fehlt; „burin BEFEHL --help“ zeigt, was ein Befehl braucht.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no argument of this command; &quot;burin COMMAND --help&quot; lists them.</source>
+        <translation>„%1“ ist kein Argument dieses Befehls; „burin BEFEHL --help“ nennt sie.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; and &quot;%2&quot; can&apos;t be used together.</source>
+        <translation>„%1“ und „%2“ schließen einander aus.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; can only be used with &quot;%2&quot;.</source>
+        <translation>„%1“ geht nur zusammen mit „%2“.</translation>
+    </message>
+    <message>
+        <source>The arguments can&apos;t be understood (%1).</source>
+        <translation>Die Argumente sind nicht zu verstehen (%1).</translation>
+    </message>
+</context>
+<context>
     <name>Device</name>
     <message>
         <source>Mouse</source>
@@ -1717,10 +1768,6 @@
         <translation>Die Bahn „%1“ enthält keine Bewegung; fügen Sie eine Aufnahme hinzu, die schneidet, oder schalten Sie die Bearbeitung ab, die alles entfernt.</translation>
     </message>
     <message>
-        <source>The path &quot;%1&quot; cuts into the part (%2); keep it out of the part before it is posted.</source>
-        <translation>Die Bahn „%1“ schneidet in das Teil (%2); halten Sie sie vom Teil fern, bevor Sie sie ausgeben.</translation>
-    </message>
-    <message>
         <source>No dialect is called &quot;%1&quot;; choose one of these: %2.</source>
         <translation>Den Dialekt „%1“ gibt es nicht; zur Wahl stehen: %2.</translation>
     </message>
@@ -1796,6 +1843,10 @@
         <source>&quot;%1&quot; can&apos;t be read (%2); check that it is the right one and that you have permission to read it.</source>
         <translation>„%1“ lässt sich nicht lesen (%2); prüfen Sie, ob es das Richtige ist und ob Sie es lesen dürfen.</translation>
     </message>
+    <message>
+        <source>No part of the path &quot;%1&quot; can be milled (%2). %3</source>
+        <translation>Kein Abschnitt der Bahn „%1“ kann gefräst werden (%2). %3</translation>
+    </message>
 </context>
 <context>
     <name>Migration</name>
@@ -1865,6 +1916,44 @@
     <message>
         <source>The motors are hot: forces go down until they have cooled.</source>
         <translation>Die Motoren sind heiß: Die Kräfte gehen zurück, bis sie abgekühlt sind.</translation>
+    </message>
+</context>
+<context>
+    <name>Omission</name>
+    <message>
+        <source>The tool finds no motion past the part here. Use a smaller tool or a smaller allowance.</source>
+        <translation>Hier führt keine Bewegung am Teil vorbei. Nehmen Sie ein kleineres Werkzeug oder ein kleineres Aufmaß.</translation>
+    </message>
+    <message>
+        <source>The tool cannot get here from above without entering the part. Use a smaller tool, or mill this from another side.</source>
+        <translation>Von oben kommt das Werkzeug nicht hierher, ohne in das Teil einzudringen. Nehmen Sie ein kleineres Werkzeug, oder fräsen Sie hier von einer anderen Seite.</translation>
+    </message>
+    <message>
+        <source>The shank would enter material here. Mill the material around it first, or use a tool with longer flutes.</source>
+        <translation>Der Schaft würde hier in Material eindringen. Fräsen Sie zuerst das Material ringsum, oder nehmen Sie ein Werkzeug mit längeren Schneiden.</translation>
+    </message>
+    <message>
+        <source>The holder would enter material here. Mill the material around it first, or use a tool with a longer stick-out.</source>
+        <translation>Der Halter würde hier in Material eindringen. Fräsen Sie zuerst das Material ringsum, oder nehmen Sie ein Werkzeug mit größerer Auskragung.</translation>
+    </message>
+</context>
+<context>
+    <name>OmissionTexts</name>
+    <message>
+        <source>%1 from X %2, Y %3, Z %4: %5</source>
+        <translation>%1 ab X %2, Y %3, Z %4: %5</translation>
+    </message>
+    <message>
+        <source>%1 left out</source>
+        <translation>%1 ausgelassen</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>%1 of the path are left out (red in the view).</source>
+        <translation>%1 der Bahn sind ausgelassen (rot in der Ansicht).</translation>
     </message>
 </context>
 <context>
@@ -1975,6 +2064,49 @@
     <message>
         <source>Holder passes a fixture at %1</source>
         <translation>Halter geht in %1 an einer Vorrichtung vorbei</translation>
+    </message>
+    <message>
+        <source>The cut takes %1 W, the spindle has %2 W</source>
+        <translation>Der Schnitt braucht %1 W, die Spindel hat %2 W</translation>
+    </message>
+    <message>
+        <source>The cut takes %1 N m, the spindle has %2 N m at this speed</source>
+        <translation>Der Schnitt braucht %1 N m, die Spindel hat bei dieser Drehzahl %2 N m</translation>
+    </message>
+    <message>
+        <source>The tool may break: bending stress of %1 N/mm², it bears %2 N/mm²</source>
+        <translation>Das Werkzeug kann brechen: Biegespannung %1 N/mm², zulässig sind %2 N/mm²</translation>
+    </message>
+    <message>
+        <source>The tool bends by %1, the tolerance is %2</source>
+        <translation>Das Werkzeug biegt sich um %1, die Toleranz ist %2</translation>
+    </message>
+    <message>
+        <source>Chip of %1 a tooth, the tool bears %2</source>
+        <translation>Spandicke %1 je Zahn, das Werkzeug verträgt %2</translation>
+    </message>
+    <message>
+        <source>Depth of cut of %1, the tool bears %2</source>
+        <translation>Schnitttiefe %1, das Werkzeug verträgt %2</translation>
+    </message>
+    <message>
+        <source>Width of cut of %1, the tool bears %2</source>
+        <translation>Schnittbreite %1, das Werkzeug verträgt %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (and on %n more lines)</source>
+        <translation>
+            <numerusform>%1 (und in %n weiterer Zeile)</numerusform>
+            <numerusform>%1 (und in %n weiteren Zeilen)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines near there</source>
+        <comment>near pass</comment>
+        <translation>
+            <numerusform>%n Zeile in der Nähe</numerusform>
+            <numerusform>%n Zeilen in der Nähe</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2531,6 +2663,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>obstacle</source>
         <translation>Hindernis</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>Datei</translation>
     </message>
 </context>
 <context>
@@ -3719,6 +3855,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Virtual operator %1 ×</source>
         <translation>Virtueller Bediener, %1 ×</translation>
     </message>
+    <message>
+        <source>the spindle&apos;s power</source>
+        <translation>die Leistung der Spindel</translation>
+    </message>
+    <message>
+        <source>the spindle&apos;s torque</source>
+        <translation>das Drehmoment der Spindel</translation>
+    </message>
+    <message>
+        <source>the tool may break</source>
+        <translation>das Werkzeug kann brechen</translation>
+    </message>
 </context>
 <context>
     <name>burin::Meters</name>
@@ -3829,6 +3977,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Hide the values of the haptic loop</source>
         <translation>Die Werte der Haptikschleife verbergen</translation>
+    </message>
+    <message>
+        <source>%1 N, limit %2 N</source>
+        <translation>%1 N, Grenze %2 N</translation>
+    </message>
+    <message>
+        <source>Cutting force at the speed of the hand, not scaled. At the limit the bar turns red: %1</source>
+        <translation>Schnittkraft bei der Geschwindigkeit der Hand, nicht skaliert. An der Grenze wird der Balken rot: %1</translation>
     </message>
 </context>
 <context>
@@ -4862,16 +5018,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>bei %1</translation>
     </message>
     <message>
-        <source>%1 N</source>
-        <translation>%1 N</translation>
-    </message>
-    <message>
-        <source>%1 W</source>
-        <translation>%1 W</translation>
-    </message>
-    <message>
         <source>the hand: %1</source>
         <translation>die Hand: %1</translation>
+    </message>
+    <message>
+        <source>%1 N, peak %2 N</source>
+        <translation>%1 N, Spitze %2 N</translation>
+    </message>
+    <message>
+        <source>peak %1 W</source>
+        <translation>Spitze %1 W</translation>
     </message>
 </context>
 <context>
