@@ -10,6 +10,7 @@
 #include <QOpenGLFunctions>
 #include <QOpenGLWidget>
 #include <QPainter>
+#include <QTimer>
 
 #include <algorithm>
 #include <cstring>
@@ -95,8 +96,11 @@ public:
     void doneCurrent() override { context_->doneCurrent(); }
 
 private:
+    void showEvent(QShowEvent*) override { appears_ = true; }
     void paintEvent(QPaintEvent*) override {
-        const bool draws = std::exchange(stale_, false) || rows_.size() != pixelSize();
+        if (std::exchange(appears_, false) && isDue()) return waitForTurn();
+        const bool draws = isDue();
+        stale_ = false;
         if (draws) draw();
         {
             QPainter painter(this);
@@ -106,6 +110,13 @@ private:
         if (!draws) return;
         if (!picture_.isNull()) painter_.painted();
         doneCurrent();
+    }
+    bool isDue() const { return stale_ || rows_.size() != pixelSize(); }
+    /// Much else appears together with the canvas, all of it laid out and painted for the first time: the picture
+    /// follows it.
+    void waitForTurn() {
+        QPainter(this).fillRect(rect(), palette().window());
+        QTimer::singleShot(0, this, [this] { refresh(); });
     }
     QSize pixelSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
     void draw() {
@@ -142,7 +153,8 @@ private:
     std::unique_ptr<QOpenGLFramebufferObject> buffer_;
     QImage rows_, picture_;
     bool begun_ = false;
-    bool stale_ = true; ///< the picture isn't the newest
+    bool stale_ = true;    ///< the picture isn't the newest
+    bool appears_ = false; ///< is to be painted for the first time since it was hidden
 };
 
 } // namespace

@@ -68,10 +68,6 @@ std::size_t WorkpieceMesher::Layer::staleCount() const {
     return static_cast<std::size_t>(std::count(staleGroups.begin(), staleGroups.end(), 1));
 }
 
-bool WorkpieceMesher::Layer::tooMany(std::size_t limit) const {
-    return triangleCount() > limit;
-}
-
 std::size_t WorkpieceMesher::Layer::triangleCount() const {
     return std::accumulate(triangles.begin(), triangles.end(), std::size_t{0});
 }
@@ -272,12 +268,15 @@ void WorkpieceMesher::makeTile(SurfaceLayer which, SurfaceTile tile) {
     const double edge = shown_.grid().edge();
     const std::size_t place = groups_.place(tile);
     SurfaceMesh& mesh = layer(which).tiles[place];
-    extract(tile, wanted.level, mesh);
+    const auto extract = [&](SurfaceTile of, SurfaceMesh& to) {
+        extractor_.extract(shown_, of, {wanted.level, 0.0}, to);
+        sharpening_.sharpen(of, wanted.level, to);
+    };
+    extract(tile, mesh);
     layer(which).bare[place].clear();
     if (withoutPart_) {
         findBareBricks(shown_, wanted.level, mesh, layer(which).bare[place]);
-        const auto other = [&](SurfaceTile beside, SurfaceMesh& beyond) { extract(beside, wanted.level, beyond); };
-        border_.draw(shown_, tile, wanted.level, other, layer(which).rims, mesh);
+        border_.draw(shown_, tile, wanted.level, extract, layer(which).rims, mesh);
     }
     simplifier_.simplify(mesh, 0.5 * wanted.tolerance * edge, // the other half is for the whole group
                          edge * (1 << wanted.level), sharpening_.faces());
@@ -287,11 +286,6 @@ void WorkpieceMesher::makeTile(SurfaceLayer which, SurfaceTile tile) {
         const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
         fullTileSeconds_ += 0.1 * (seconds - fullTileSeconds_);
     }
-}
-
-void WorkpieceMesher::extract(SurfaceTile tile, int level, SurfaceMesh& mesh) {
-    extractor_.extract(shown_, tile, {level, 0.0}, mesh);
-    sharpening_.sharpen(tile, level, mesh);
 }
 
 /// @param mixed of tiles at full detail where there are such, as they are

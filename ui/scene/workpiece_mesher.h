@@ -88,7 +88,7 @@ private:
         bool hasStale() const;
         std::size_t staleCount() const;
         std::size_t triangleCount() const;
-        bool tooMany(std::size_t limit) const;
+        bool tooMany(std::size_t limit) const { return triangleCount() > limit; }
     };
     using Moment = std::chrono::steady_clock::time_point;
 
@@ -103,7 +103,6 @@ private:
     void refreshRest();
     bool refreshTiles(SurfaceLayer which, std::size_t group);
     void makeTile(SurfaceLayer which, SurfaceTile tile);
-    void extract(SurfaceTile tile, int level, SurfaceMesh& mesh);
     SurfaceUpdate makeGroup(SurfaceLayer which, std::size_t group, bool mixed);
     bool fullFitsInTime();
     bool roomForFull();
