@@ -1,7 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/machine/machine_library.h"
+#include "core/nc/parser.h"
 #include "core/nc/program_lines.h"
 #include "tests/ui/window_steps.h"
+#include "ui/panels/notice.h"
+#include "ui/panels/quantity_field.h"
+#include "ui/panels/row_list.h"
 
 #include <QCheckBox>
 #include <QDockWidget>
@@ -66,9 +71,132 @@ private slots:
     void aNewTextToolAndValuesStandOnOneLine();
     void theTextOpensNextToTheView();
     void findingsStandBesideTheText();
+    void theRestIsExportedFromTheSelectedLine();
+    void aMachineIsCopiedChangedUsedAndDeleted();
+    void aMachineThatIsGoneHasAStandIn();
     void lettersInTheTextAreNoShortcuts_data();
     void lettersInTheTextAreNoShortcuts();
 };
+
+/// After a broken tool: the key of the action, a file, and what is in it goes on with the cut of that line.
+void TestWindowProgram::theRestIsExportedFromTheSelectedLine() {
+    WindowDriver driver;
+    QVERIFY(!menuAction(driver, "restartAction")->isEnabled());
+    QVERIFY(mill(driver) && post(driver));
+    Workbench& bench = driver.window().workbench();
+    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
+    auto* text = driver.visible<QPlainTextEdit>("programText");
+    const std::string whole = bench.program.program()->text;
+    const NcMotion cut = *longestCut(bench.program.program()->parsed);
+    text->setTextCursor(QTextCursor(text->document()->findBlockByNumber(static_cast<int>(cut.line) - 1)));
+    text->setFocus();
+    const QString file = driver.folder().filePath("rest.ngc");
+    chooseFile(driver, file);
+    driver.key(Qt::Key_F8);
+    QVERIFY(driver.waitFor([&] { return driver.message().contains("rest.ngc"); }));
+    QVERIFY2(driver.message().contains(QString::number(cut.line)), qPrintable(driver.message()));
+    driver.shoot("47-rest-of-the-program");
+    QFile written(file);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    const Result<ParsedProgram> rest = parseProgram(written.readAll().toStdString(), "rest.ngc");
+    QVERIFY(rest);
+    const NcMotion* again = longestCut(*rest);
+    QVERIFY(again != nullptr && again->to == cut.to && again->feed == cut.feed);
+    QVERIFY(again->tool == cut.tool && again->spindleSpeed == cut.spindleSpeed);
+    QVERIFY(bench.program.program()->text == whole); // it stays the program of the project
+    QVERIFY(bench.program.exportable());
+
+    // Behind the last cut there is nothing to restart: one sentence says so.
+    text->setTextCursor(QTextCursor(text->document()->findBlockByNumber(text->document()->blockCount() - 2)));
+    driver.key(Qt::Key_F8);
+    QVERIFY(driver.waitFor([&] { return driver.message().contains("the line of the last cut"); }));
+}
+
+/// By mouse and keys, with an undo; the verdict of a program is that of the machine as it was.
+void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
+    WindowDriver driver;
+    QVERIFY(mill(driver) && post(driver));
+    Workbench& bench = driver.window().workbench();
+    const QString own = driver.folder().filePath("data/burin/machines/linuxcnc-mill-copy.json");
+    QVERIFY(driver.visible<QLabel>("machineNote")->accessibleName().startsWith("Typical values"));
+    bool typicalIsLocked = false, tooLittleIsRefused = false, isSaved = false;
+    driver.whenDialogStands([&](QWidget& dialog) {
+        const auto field = [&](const char* name) { return dialog.findChild<QuantityField*>(name); };
+        const auto enter = [&](const char* name, const char* value) {
+            QTest::mouseClick(field(name), Qt::LeftButton);
+            field(name)->selectAll();
+            QTest::keyClicks(field(name), value);
+            QTest::keyClick(field(name), Qt::Key_Return);
+        };
+        QApplication::setActiveWindow(&dialog); // its keys hold, as under a window manager
+        typicalIsLocked = field("maximum_feed_mm_per_min")->isReadOnly() &&
+                          !dialog.findChild<QPushButton*>("deleteMachineButton")->isEnabled();
+        QTest::keyClick(&dialog, Qt::Key_D, Qt::ControlModifier); // copies, and its name is chosen then
+        if (!driver.waitFor([&] { return dialog.focusWidget()->objectName() == "name"; }, 3000)) return;
+        QTest::keyClicks(dialog.focusWidget(), "Mill in the shop");
+        enter("tool_change_height_mm", "400"); // the travel of Z is less
+        QTest::keyClick(&dialog, Qt::Key_S, Qt::ControlModifier);
+        const auto* notice = dialog.findChild<Notice*>("machineNotice");
+        tooLittleIsRefused = driver.waitFor([&] { return notice->sentence().contains("tool_change_height_mm"); }, 3000);
+        enter("tool_change_height_mm", "60");
+        enter("maximum_feed_mm_per_min", "3500");
+        auto* source = dialog.findChild<QLineEdit*>("spindle_power_wSource");
+        source->selectAll();
+        QTest::keyClicks(source, "nameplate");
+        isSaved = answer(dialog, "saveMachineButton");
+        driver.shoot("48-machines");
+        answer(dialog, "useMachineButton");
+        answer(dialog, "closeMachinesButton");
+    });
+    QVERIFY(driver.clickOn("machinesButton"));
+    QVERIFY(typicalIsLocked && tooLittleIsRefused && isSaved);
+    QCOMPARE(bench.target.target().machine, std::string("linuxcnc-mill-copy"));
+    Result<MachineProfile> kept = loadMachine("linuxcnc-mill-copy");
+    QVERIFY(kept && kept->name == "Mill in the shop" && kept->maximumFeed == 3500.0);
+    QCOMPARE(kept->sources.at("spindle_power_w"), std::string("nameplate"));
+    QVERIFY(kept->sources.contains("maximum_feed_mm_per_min")); // the user's own value now
+    QVERIFY(driver.waitFor(
+        [&] { return driver.visible<QLabel>("machineNote")->accessibleName() == "Your own machine."; }, 3000));
+    QVERIFY(bench.program.outdated());
+
+    // The values as they were, by undo: use, values, copy.
+    for (int i = 0; i < 2; ++i) driver.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(bench.target.target().machine, std::string("linuxcnc-mill"));
+    kept = loadMachine("linuxcnc-mill-copy");
+    QVERIFY(kept && kept->maximumFeed != 3500.0);
+    driver.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(!QFile::exists(own));
+    driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(QFile::exists(own));
+
+    driver.whenDialogStands([&](QWidget& dialog) {
+        QApplication::setActiveWindow(&dialog);
+        auto* list = dialog.findChild<RowList*>("machineList");
+        list->setFocus();
+        QTest::keyClick(list, Qt::Key_Down); // from the one in use to its copy
+        QTest::keyClick(list, Qt::Key_Delete);
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+    });
+    driver.key(Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(!QFile::exists(own));
+    QVERIFY(driver.settle());
+}
+
+/// One sentence says which machine is missing and which one is used; work goes on.
+void TestWindowProgram::aMachineThatIsGoneHasAStandIn() {
+    WindowDriver driver;
+    QVERIFY(saveMachine(copyOf(*loadMachine("haas-mill"), "gone", "Gone"), false));
+    QVERIFY(mill(driver));
+    Workbench& bench = driver.window().workbench();
+    bench.target.load({"gone", {}, NcUnits::millimetre});
+    QCOMPARE(bench.target.machine().id, std::string("gone"));
+    bench.target.deleteMachine("gone");
+    QVERIFY(post(driver));
+    const QString note = driver.visible<QLabel>("machineNote")->accessibleName();
+    QVERIFY2(note.contains("gone") && note.contains("LinuxCNC"), qPrintable(note));
+    QVERIFY(bench.program.exportable());
+    driver.shoot("49-machine-that-is-gone");
+}
 
 /// By a key, as a window of its own, after a restart, and back into the panel.
 void TestWindowProgram::theTextOpensNextToTheView() {

@@ -48,6 +48,7 @@ void ActionStates::update() {
     enable(ActionId::post, bench.program.postable());
     enable(ActionId::findInProgram, !bench.program.storedText().isEmpty());
     enable(ActionId::overrideCheck, bench.program.refused() && !bench.program.busy());
+    enable(ActionId::restart, bench.program.restartable());
     updateUndo();
     actions_[ActionId::millMode]->setChecked(bench.mill.active());
     actions_[ActionId::guides]->setChecked(bench.guides.on());

@@ -146,6 +146,12 @@ constexpr std::array rows{
     Row{ActionId::overrideCheck, "overrideAction", QT_TRANSLATE_NOOP("Actions", "&Override the check…"),
         QT_TRANSLATE_NOOP("Actions", "Export a program that failed its check; you must state a reason."),
         "Ctrl+Shift+E"},
+    Row{ActionId::restart, "restartAction", QT_TRANSLATE_NOOP("Actions", "&Restart at the selected line…"),
+        QT_TRANSLATE_NOOP("Actions", "Export the rest of the program from the selected line on, with a safe way back "
+                                     "into the cut: after a broken tool."),
+        "F8"},
+    Row{ActionId::machines, "machinesAction", QT_TRANSLATE_NOOP("Actions", "&Machines…"),
+        QT_TRANSLATE_NOOP("Actions", "Look at the machines; copy, change and delete your own."), "Ctrl+Shift+M"},
     Row{ActionId::welcome, "welcomeAction", QT_TRANSLATE_NOOP("Actions", "&Welcome page"),
         QT_TRANSLATE_NOOP("Actions", "Show how to begin."), "F1"},
     Row{ActionId::keyList, "keyListAction", QT_TRANSLATE_NOOP("Actions", "&Keys and mouse"),

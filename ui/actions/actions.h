@@ -71,6 +71,8 @@ enum class ActionId : std::size_t {
     findInProgram,
     programDock,
     overrideCheck,
+    restart,
+    machines,
     welcome,
     keyList,
     about,

@@ -59,6 +59,10 @@ QString askFixtureToImport(QWidget* parent, const QString& folder) {
     return askToOpen(parent, FileDialogs::tr("Import a fixture"), folder, models());
 }
 
+QString askMachineToAdd(QWidget* parent, const QString& folder) {
+    return askToOpen(parent, FileDialogs::tr("Add a machine"), folder, FileDialogs::tr("Machines (*.json)"));
+}
+
 QString askProjectToSave(QWidget* parent, const QString& folder, const QString& name) {
     return askToSave(parent, FileDialogs::tr("Save the project"), folder, name, QStringLiteral("burin"),
                      FileDialogs::tr("Burin projects (*.burin)"));

@@ -13,6 +13,7 @@ namespace burin {
 QString askProjectToOpen(QWidget* parent, const QString& folder);
 QString askPartToImport(QWidget* parent, const QString& folder);
 QString askFixtureToImport(QWidget* parent, const QString& folder);
+QString askMachineToAdd(QWidget* parent, const QString& folder);
 /// With the ending .burin.
 QString askProjectToSave(QWidget* parent, const QString& folder, const QString& name);
 /// With the ending .ngc unless the user gave another.

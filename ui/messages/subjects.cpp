@@ -31,6 +31,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "material"),
     BURIN_TEXT("Subject", "obstacle"),
     BURIN_TEXT("Subject", "path"),
+    BURIN_TEXT("Subject", "program"),
     BURIN_TEXT("Subject", "stylus"),
     BURIN_TEXT("Subject", "take"),
     BURIN_TEXT("Subject", "tool"),
@@ -47,6 +48,11 @@ constexpr std::array subjects{
     // what this version can't do
     BURIN_TEXT("Subject", "tilted tool axis"),
     BURIN_TEXT("Subject", "a program with a tool change"),
+    BURIN_TEXT("Subject", "a restart of a program that sets its own zero"),
+    BURIN_TEXT("Subject", "a restart over a change of the path mode (G61, G64)"),
+    BURIN_TEXT("Subject", "a restart over a change of the work offset"),
+    // what a user gives
+    BURIN_TEXT("Subject", "restart line"),
 };
 
 } // namespace

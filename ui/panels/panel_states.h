@@ -201,6 +201,8 @@ struct ProgramState {
     NcUnits units = NcUnits::millimetre;
     std::vector<NamedChoice> machines, dialects;
     std::string machine, dialect; ///< ids of those in force
+    bool typicalMachine = false;  ///< the one in force is shipped with Burin
+    QString missingMachine;       ///< that the project names, and that is not here; empty: it is
     QString text;                 ///< empty: not posted
     bool edited = false;          ///< by hand, after it was posted, and not checked since
     std::size_t blocks = 0;

@@ -58,6 +58,8 @@ public:
 
 private:
     void addTarget();
+    void addMachineFoot();
+    QString machineNote() const;
     void addNotices();
     void addPaths();
     void refreshPaths();
@@ -75,6 +77,7 @@ private:
     LengthUnit unit_ = LengthUnit::millimetre;
     QPushButton *post_, *export_, *override_;
     ChoiceBox *machine_, *dialect_, *units_;
+    QLabel* machineNote_;
     QWidget* paths_; ///< the rows of the list
     std::vector<NamedSwitch*> pathSwitches_;
     LengthField* tolerance_;
@@ -149,6 +152,7 @@ void ProgramPanel::Fields::addTarget() {
     column_->addWidget(new FieldRow(ProgramPanel::tr("Machine"), machine_,
                                     ProgramPanel::tr("Its feeds, speeds and travel limit the program"), panel_,
                                     FieldRow::wholeWidth));
+    addMachineFoot();
     dialect_ = new ChoiceBox(panel_);
     dialect_->setObjectName(QStringLiteral("dialectChoice"));
     column_->addWidget(new FieldRow(ProgramPanel::tr("Dialect"), dialect_,
@@ -166,6 +170,33 @@ void ProgramPanel::Fields::addTarget() {
             [this](int index) { emit panel_->machineChosen(state.machines[static_cast<std::size_t>(index)].id); });
     connect(dialect_, &QComboBox::activated, this,
             [this](int index) { emit panel_->dialectChosen(state.dialects[static_cast<std::size_t>(index)].id); });
+}
+
+/// Whose values they are, and the way to change them.
+void ProgramPanel::Fields::addMachineFoot() {
+    auto* foot = new QHBoxLayout;
+    foot->setSpacing(8);
+    machineNote_ = makeWrappedLabel(panel_);
+    machineNote_->setObjectName(QStringLiteral("machineNote"));
+    machineNote_->setProperty("look", "small");
+    auto* machines =
+        makeButton(ProgramPanel::tr("Machines…"), QStringLiteral("edit"), QStringLiteral("machinesButton"), panel_);
+    machines->setToolTip(ProgramPanel::tr("Look at the machines; copy, change and delete your own"));
+    foot->addWidget(machineNote_, 1);
+    foot->addWidget(machines, 0, Qt::AlignTop);
+    column_->addLayout(foot);
+    connect(machines, &QPushButton::clicked, panel_, &ProgramPanel::machinesRequested);
+}
+
+QString ProgramPanel::Fields::machineNote() const {
+    if (!state.missingMachine.isEmpty()) {
+        const auto used = std::ranges::find(state.machines, state.machine, &NamedChoice::id);
+        return ProgramPanel::tr("The project's machine “%1” is not on this computer; “%2” is used in its place.")
+            .arg(state.missingMachine, used == state.machines.end() ? QString() : used->name);
+    }
+    return state.typicalMachine
+               ? ProgramPanel::tr("Typical values, not those of your machine: copy it and enter yours.")
+               : ProgramPanel::tr("Your own machine.");
 }
 
 /// As high as a few rows, whether they are there or not: what is below stays where it is when a path comes.
@@ -328,6 +359,8 @@ void ProgramPanel::Fields::refresh() {
                  ProgramPanel::tr("Write the program, read it back and mill it again on a fresh workpiece"));
     enableUnless(export_, reasonAgainstExport(), ProgramPanel::tr("Write the program to a file for the machine"));
     showChoices(*machine_, state.machines, state.machine);
+    setWrappedText(machineNote_, machineNote());
+    setLook(machineNote_, state.missingMachine.isEmpty() ? "small" : "accent");
     showChoices(*dialect_, state.dialects, state.dialect);
     units_->setCurrentIndex(static_cast<int>(state.units));
     refreshPaths();

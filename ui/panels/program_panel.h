@@ -35,6 +35,7 @@ signals:
     void exportRequested();
     void textEdited(const QString& text); ///< by the user
     void textCheckRequested();            ///< of the text as it was edited
+    void machinesRequested();             ///< to look at them and to change them
     void overrideRequested();             ///< the program is wanted although its check refuses it
     void gougeToleranceEdited(double millimetres);
     void machineChosen(const std::string& id);

@@ -48,6 +48,21 @@ constexpr std::array namedUnits{
     NamedUnit{Quantity::removalRate, "in³/min", cubicInch / 60.0},
     NamedUnit{Quantity::ratio, "×", 1.0},
     NamedUnit{Quantity::ratio, "x", 1.0},
+    NamedUnit{Quantity::feed, "mm/min", 1.0},
+    NamedUnit{Quantity::feed, "m/min", 1000.0},
+    NamedUnit{Quantity::feed, "mm/s", 60.0},
+    NamedUnit{Quantity::feed, "in/min", millimetresPerInch},
+    NamedUnit{Quantity::acceleration, "mm/s²", 1.0},
+    NamedUnit{Quantity::acceleration, "m/s²", 1000.0},
+    NamedUnit{Quantity::acceleration, "in/s²", millimetresPerInch},
+    NamedUnit{Quantity::jerk, "mm/s³", 1.0},
+    NamedUnit{Quantity::jerk, "m/s³", 1000.0},
+    NamedUnit{Quantity::jerk, "in/s³", millimetresPerInch},
+    NamedUnit{Quantity::rotation, "1/min", 1.0},
+    NamedUnit{Quantity::rotation, "rpm", 1.0},
+    NamedUnit{Quantity::power, "w", 1.0},
+    NamedUnit{Quantity::power, "kw", 1000.0},
+    NamedUnit{Quantity::rate, "1/s", 1.0},
 };
 
 std::optional<double> unitSize(const QString& text, Quantity quantity, LengthUnit unit) {
@@ -80,6 +95,20 @@ DisplayUnit displayUnit(Quantity quantity, LengthUnit unit) {
                     : DisplayUnit{QStringLiteral("mm³/s"), 1.0, 2, false};
     case Quantity::ratio:
         return {QStringLiteral("×"), 1.0, 3, false};
+    case Quantity::feed:
+        return {unitText(unit) + QStringLiteral("/min"), size, inch ? 2 : 1, false};
+    case Quantity::acceleration:
+        return {unitText(unit) + QStringLiteral("/s²"), size, inch ? 2 : 1, false};
+    case Quantity::jerk:
+        return {unitText(unit) + QStringLiteral("/s³"), size, inch ? 2 : 1, false};
+    case Quantity::rotation:
+        return {QStringLiteral("1/min"), 1.0, 1, false};
+    case Quantity::power:
+        return {QStringLiteral("W"), 1.0, 1, false};
+    case Quantity::rate:
+        return {QStringLiteral("1/s"), 1.0, 1, false};
+    case Quantity::count:
+        return {{}, 1.0, 0, false};
     }
     return {};
 }
@@ -94,12 +123,13 @@ QString quantityNumber(double value, Quantity quantity, LengthUnit unit, const Q
 }
 
 QString quantityText(double value, Quantity quantity, LengthUnit unit, const QLocale& locale) {
-    return quantityNumber(value, quantity, unit, locale) + QChar(QChar::Nbsp) + displayUnit(quantity, unit).text;
+    const QString number = quantityNumber(value, quantity, unit, locale), text = displayUnit(quantity, unit).text;
+    return text.isEmpty() ? number : number + QChar(QChar::Nbsp) + text;
 }
 
 std::optional<double> readQuantity(const QString& text, Quantity quantity, LengthUnit unit) {
     static const QRegularExpression form(
-        QStringLiteral("^\\s*([-+−]?)\\s*([0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)\\s*([^\\s0-9.,+−-]*)\\s*$"));
+        QStringLiteral("^\\s*([-+−]?)\\s*([0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)\\s*((?:1/)?[^\\s0-9.,+−-]*)\\s*$"));
     const QRegularExpressionMatch match = form.match(text);
     if (!match.hasMatch()) return std::nullopt;
     const std::optional<double> size = unitSize(match.captured(3), quantity, unit);

@@ -8,8 +8,24 @@
 
 namespace burin {
 
-/// What a number on a panel measures. Inside: mm, mm/s, s, Hz, rad, N, mm³/s, 1.
-enum class Quantity { length, speed, time, frequency, angle, force, removalRate, ratio };
+/// What a number on a panel measures. Inside: mm, mm/s, s, Hz, rad, N, mm³/s, 1; mm/min, mm/s², mm/s³, 1/min, W, 1/s.
+enum class Quantity {
+    length,
+    speed,
+    time,
+    frequency,
+    angle,
+    force,
+    removalRate,
+    ratio,
+    feed,
+    acceleration,
+    jerk,
+    rotation,
+    power,
+    rate, ///< of blocks
+    count
+};
 
 /// How a quantity is shown.
 struct DisplayUnit {

@@ -88,7 +88,8 @@ void QuantityField::setLengthUnit(LengthUnit unit) {
     const QSignalBlocker quiet(this);
     if (isTyping()) restore();
     unit_ = unit;
-    setSuffix(QChar(QChar::Nbsp) + displayUnit(quantity_, unit).text);
+    const QString text = displayUnit(quantity_, unit).text;
+    setSuffix(text.isEmpty() ? QString() : QChar(QChar::Nbsp) + text);
 }
 
 void QuantityField::setQuantity(Quantity quantity) {
@@ -118,7 +119,7 @@ QString QuantityField::textFromValue(double value) const {
 
 std::optional<double> QuantityField::read(const QString& text) const {
     QString bare = text;
-    if (bare.endsWith(suffix())) bare.chop(suffix().size());
+    if (!suffix().isEmpty() && bare.endsWith(suffix())) bare.chop(suffix().size());
     return readQuantity(bare, quantity_, unit_);
 }
 
@@ -140,7 +141,7 @@ QValidator::State QuantityField::validate(QString& text, int&) const {
     const std::optional<double> typed = read(text);
     if (!typed) {
         const bool possible = std::ranges::all_of(text, [](QChar c) {
-            return c.isDigit() || c.isLetter() || c.isSpace() || QStringLiteral(".,+-−/\"″°×³").contains(c);
+            return c.isDigit() || c.isLetter() || c.isSpace() || QStringLiteral(".,+-−/\"″°×²³").contains(c);
         });
         return possible ? QValidator::Intermediate : QValidator::Invalid;
     }

@@ -24,6 +24,12 @@ std::filesystem::path pathOf(const QString& text) {
     return {text.toStdString()};
 }
 
+/// "part.ngc" becomes "part-from-120.ngc".
+QString restartName(const QString& program, int line) {
+    const QFileInfo file(program);
+    return QStringLiteral("%1-from-%2.%3").arg(file.completeBaseName(), QString::number(line), file.suffix());
+}
+
 } // namespace
 
 QString samplePart() {
@@ -34,6 +40,10 @@ DocumentFlow::DocumentFlow(Workbench& workbench, UserSettings& settings, QWidget
     : QObject(&window), workbench_(workbench), settings_(settings), window_(window) {
     connect(&workbench.document, &DocumentController::opened, this, [this] { noteSaved(); });
     connect(&workbench.program, &ProgramController::exported, this, &DocumentFlow::exported);
+    connect(&workbench.program, &ProgramController::restarted, this,
+            [this](const std::shared_ptr<const RestartedProgram>& rest) { exportRestart(*rest); });
+    connect(&workbench.program, &ProgramController::restartExported, this,
+            [this](std::uint32_t line, const QString& file) { emit restartExported(static_cast<int>(line), file); });
 }
 
 void DocumentFlow::connectActions(const Actions& actions) {
@@ -223,6 +233,31 @@ void DocumentFlow::exportProgram() {
     if (file.isEmpty()) return;
     keepFolder(file);
     workbench_.program.exportTo(pathOf(file));
+}
+
+void DocumentFlow::restartProgram(int line) {
+    workbench_.collectText(); // what is being typed is not what was checked
+    if (line < 1) return;
+    workbench_.program.restart(static_cast<std::uint32_t>(line), restartName(programName(workbench_), line));
+}
+
+void DocumentFlow::exportRestart(const RestartedProgram& rest) {
+    const int line = static_cast<int>(rest.from);
+    if (!rest.program.released()) {
+        const auto count = static_cast<int>(rest.program.errorCount());
+        emit refused(
+            count == 1
+                ? tr("The rest from line %1 on did not pass its check (1 finding); nothing was written.").arg(line)
+                : tr("The rest from line %1 on did not pass its check (%n findings); nothing was "
+                     "written.",
+                     nullptr, count)
+                      .arg(line));
+        return;
+    }
+    const QString file = askProgramToExport(&window_, folder(), restartName(programName(workbench_), line));
+    if (file.isEmpty()) return;
+    keepFolder(file);
+    workbench_.program.exportRestart(pathOf(file), rest);
 }
 
 void DocumentFlow::settle(std::function<void(bool)> then) {

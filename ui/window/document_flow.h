@@ -34,6 +34,8 @@ public:
     void save();
     void saveAs();
     void exportProgram();
+    /// The rest of the program from a line of its text on; asks for the file once it passed its check.
+    void restartProgram(int line);
 
     /// Asks about unsaved changes and calls `then` unless the user cancels or saving fails.
     /// @param then is told whether the changes are not wanted
@@ -47,6 +49,7 @@ signals:
     void alreadyOpen();                    ///< what was to be opened is the open project
     void refused(const QString& sentence); ///< a file, and why; nothing has changed
     void exported(const QString& file);
+    void restartExported(int line, const QString& file);
 
 private:
     void openProject(const QString& file);
@@ -56,6 +59,7 @@ private:
     void noteSaved();
     QString folder() const;
     void keepFolder(const QString& file);
+    void exportRestart(const RestartedProgram& rest);
 
     Workbench& workbench_;
     UserSettings& settings_;

@@ -8,6 +8,7 @@
 #include "ui/panels/program_editor.h"
 #include "ui/panels/texts.h"
 #include "ui/scene/view_cube_room.h"
+#include "ui/window/machine_dialog.h"
 #include "ui/window/program_dock.h"
 
 #include <QApplication>
@@ -196,6 +197,12 @@ void MainWindow::connectActions() {
         if (docked) showStep(JobStep::program); // where one sees what it did
     });
     on(ActionId::overrideCheck, [this] { overrideCheck(); });
+    on(ActionId::restart, [this] {
+        showStep(JobStep::program);
+        flow_.restartProgram(panels_->program->line());
+    });
+    on(ActionId::machines, [this] { showMachines(); });
+    connect(panels_->program, &ProgramPanel::machinesRequested, actions_[ActionId::machines], &QAction::trigger);
     connect(panels_->program, &ProgramPanel::overrideRequested, actions_[ActionId::overrideCheck], &QAction::trigger);
     on(ActionId::welcome, [this] {
         if (pages_->currentWidget() != welcome_) {
@@ -262,6 +269,11 @@ void MainWindow::connectWorkbench() {
     });
     connect(&flow_, &DocumentFlow::exported, this, [this](const QString& file) {
         message_->tell(Notice::Kind::passed, tr("The program was written to “%1”.").arg(QFileInfo(file).fileName()));
+    });
+    connect(&flow_, &DocumentFlow::restartExported, this, [this](int line, const QString& file) {
+        message_->tell(Notice::Kind::passed,
+                       tr("The rest of the program from line %1 on passed its check and was written to “%2”.")
+                           .arg(QString::number(line), QFileInfo(file).fileName()));
     });
     connect(viewport_, &Viewport::drawingFailed, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::error, sentence); });
@@ -457,6 +469,11 @@ void MainWindow::removeTake(qint64 take) {
     if (confirm(this, tr("Delete “%1”?").arg(takeName(found->name)),
                 tr("The workpiece is milled again without it. This can't be undone."), tr("Delete")))
         workbench_.mill.removeTake(take);
+}
+
+void MainWindow::showMachines() {
+    MachineDialog dialog(workbench_.target, settings_.preferences().unit, this);
+    dialog.exec();
 }
 
 void MainWindow::overrideCheck() {

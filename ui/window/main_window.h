@@ -65,6 +65,7 @@ private:
     void showKeys();
     void removeTake(qint64 take);
     void overrideCheck();
+    void showMachines();
     void tellAboutOpened();
     LeftAt leftAt() const;
     void goTo(const LeftAt& left);

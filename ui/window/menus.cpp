@@ -49,7 +49,7 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
              recentre,    alignHand,      finerHand,  coarserHand, rateControl, line,       showMe,      stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions, {newPath, evaluatePath, line, drawStretch, drawEdit});
     addMenu(bar, tr("P&rogram"), "programMenu", actions,
-            {post, exportProgram, overrideCheck, line, findInProgram, programDock});
+            {post, exportProgram, overrideCheck, restart, line, findInProgram, programDock, line, machines});
     addMenu(bar, tr("&Help"), "helpMenu", actions, {welcome, keyList, about});
     setRecentFiles({});
 }

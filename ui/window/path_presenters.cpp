@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/path_presenters.h"
 
+#include "core/machine/machine_library.h"
 #include "core/path/hand_stretch.h"
 #include "core/path/milling_side.h"
 #include "ui/messages/messages.h"
@@ -152,6 +153,8 @@ void ProgramPresenter::present() {
     for (const DialectDescription& dialect : target.dialects())
         state.dialects.push_back({dialect.id, QCoreApplication::translate("Resource", dialect.name.c_str())});
     state.machine = target.machine().id;
+    state.typicalMachine = isTypicalMachine(state.machine);
+    state.missingMachine = QString::fromStdString(target.missingMachine());
     state.dialect = target.dialect();
     state.units = target.target().units;
     state.text = program.storedText();

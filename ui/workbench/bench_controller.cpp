@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/bench_controller.h"
 
+#include "core/machine/machine_library.h"
 #include "core/project/bench_materials.h"
 #include "core/recording/stroke_count.h"
 #include "ui/workbench/setup_controller.h"
@@ -78,7 +79,7 @@ void BenchController::switchObstacles() {
 }
 
 void BenchController::setWanted(const MachineProfile& machine) {
-    if (machine.id == machine_.id) return;
+    if (toJson(machine) == toJson(machine_)) return; // its values may have changed under the same id
     machine_ = machine;
     if (!bench_) return;
     emit machineChanged();

@@ -348,6 +348,38 @@ void ProgramController::show(const Shown& shown) {
     emit changed();
 }
 
+void ProgramController::restart(std::uint32_t line, const QString& name) {
+    if (!restartable()) return;
+    ProgramRequest wanted = request(name);
+    wanted.dialect = program_->dialect;
+    wanted.units = reopened_ ? reopened_->kept.units : basis_.units;
+    wanted.tools = program_->tools;
+    desk_.tasks.start(
+        TaskKind::program, tr("Making and checking the rest of the program"),
+        [bench = bench_.bench(), text = program_->text, line, wanted](Progress& progress) {
+            return makeRestart(*bench, text, line, wanted, progress);
+        },
+        [this](Result<RestartedProgram> rest) {
+            emit changed();
+            if (rest)
+                emit restarted(std::make_shared<const RestartedProgram>(std::move(*rest)));
+            else
+                emit failed(rest.error());
+        });
+    emit changed();
+}
+
+void ProgramController::exportRestart(const std::filesystem::path& file, const RestartedProgram& rest) {
+    if (!rest.program.released()) return;
+    desk_.project.ask([file, text = rest.program.text](Project&) { return writeFileAtomically(file, text); },
+                      [this, file, line = rest.from](const Result<void>& written) {
+                          if (written)
+                              emit restartExported(line, QString::fromStdString(file.string()));
+                          else
+                              emit failed(written.error());
+                      });
+}
+
 void ProgramController::exportTo(const std::filesystem::path& file) {
     if (!exportable()) return;
     // A program is some hundred kilobytes; still the disk is the project thread's.

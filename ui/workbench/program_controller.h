@@ -4,6 +4,7 @@
 
 #include "core/project/job_paths.h"
 #include "core/project/kept_program.h"
+#include "core/project/restart_job.h"
 #include "ui/workbench/bench_controller.h"
 #include "ui/workbench/path_controller.h"
 #include "ui/workbench/target_controller.h"
@@ -56,6 +57,13 @@ public:
     void checkText(const QString& name); ///< @param name of the program
     void setGougeTolerance(double millimetres);
     void exportTo(const std::filesystem::path& file);
+    /// There is a program whose rest can be made: one that was checked and that nobody changed since.
+    bool restartable() const { return program_ && !edited_ && bench_.bench() && !bench_.changing() && !busy(); }
+    /// Makes the rest of the program from a line of its text on, and checks it on the stock that is left then; ends
+    /// with `restarted` or `failed`. The program itself stays as it is. @param name of the rest
+    void restart(std::uint32_t line, const QString& name);
+    /// Writes the rest of a program. @param rest passed its check
+    void exportRestart(const std::filesystem::path& file, const RestartedProgram& rest);
 
     /// @return whether there was something to keep
     bool keepDraft(); ///< of what the user wrote and nobody checked: now, not in a moment
@@ -67,6 +75,8 @@ public:
 
 signals:
     void exported(const QString& file);
+    void restarted(const std::shared_ptr<const burin::RestartedProgram>& rest);
+    void restartExported(std::uint32_t line, const QString& file);
     void textWanted(); ///< who has text that was not told yet tells it now
 
 private:

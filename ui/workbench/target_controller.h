@@ -6,6 +6,8 @@
 #include "core/project/program_target.h"
 #include "ui/workbench/controller.h"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace burin {
@@ -25,8 +27,16 @@ public:
     const std::vector<DialectDescription>& dialects() const noexcept { return dialects_; }
     const std::string& dialect() const noexcept { return target_.dialectFor(machine()); }
 
-    // Entries of the undo stack.
-    void chooseMachine(const std::string& id); ///< with the dialect of its control
+    /// The project's machine where it is not known here, so that `machine` stands in for it; empty: it is.
+    std::string missingMachine() const;
+
+    // Entries of the undo stack. The machines are the user's, not the project's: who undoes a change of one has the
+    // file as it was.
+    /// @return id of the copy, which is not chosen
+    std::string copyMachine(const MachineProfile& machine, const QString& name);
+    void keepMachine(const MachineProfile& machine); ///< one of the user's own, new or changed
+    void deleteMachine(const std::string& id);       ///< one of the user's own
+    void chooseMachine(const std::string& id);       ///< with the dialect of its control
     void chooseDialect(const std::string& dialect);
     void chooseUnits(NcUnits units); ///< of the programs' texts
 
@@ -36,6 +46,13 @@ private:
     void readLibraries();
     void push(const QString& text, const ProgramTarget& wanted);
     void apply(const ProgramTarget& target);
+    /// A machine's file, or that there is none.
+    struct OwnMachine {
+        std::string id;
+        std::optional<MachineProfile> profile;
+    };
+    void pushMachine(const QString& text, const OwnMachine& wanted);
+    void applyMachine(const OwnMachine& machine);
 
     std::vector<MachineProfile> machines_;
     std::vector<DialectDescription> dialects_;

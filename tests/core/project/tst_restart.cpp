@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/arc.h"
+#include "core/project/job_paths.h"
 #include "core/project/restart_job.h"
 #include "tests/core/geometry/shapes.h"
+#include "tests/core/path/path_fixture.h"
 #include "tests/core/project/session_bench.h"
 #include "tests/oracles/canonical_program.h"
 
 #include <QtTest>
 
 #include <cmath>
+#include <random>
 #include <sstream>
 
 using namespace burin;
@@ -207,6 +210,48 @@ HeightMap milled(double cutterRadius, std::initializer_list<const CanonicalProgr
     return map;
 }
 
+/// What is wrong with the rest of a program from a line on: it does not pass, LinuxCNC's interpreter refuses it, or
+/// what that makes of the lines before and of the rest is another workpiece. Empty: nothing.
+std::string faultOfRestart(const Bench& block, const std::string& text, std::uint32_t line,
+                           const ProgramRequest& wanted, const HeightMap& whole) {
+    const std::string told = "line " + std::to_string(line) + ": ";
+    Progress progress;
+    const Result<RestartedProgram> rest = makeRestart(block, text, line, wanted, progress);
+    if (!rest) return told + rest.error().place + " " + rest.error().detail;
+    const std::string shown = "\n" + rest->program.text;
+    if (!rest->program.passed()) return told + "not passed" + shown;
+    const CanonicalProgram before = CanonicalProgram::ofText(textBefore(text, line));
+    const CanonicalProgram after = CanonicalProgram::ofText(rest->program.text);
+    if (after.exitCode != 0) return told + after.complaint.toStdString() + shown;
+    if (milled(radius - tolerance, {&before, &after}).below(whole) > tolerance) return told + "cuts more" + shown;
+    if (whole.below(milled(radius + tolerance, {&before, &after})) > tolerance) return told + "cuts less" + shown;
+    HeightMap narrow = milled(radius - tolerance, {&before});
+    return narrow.cut(after) > 0.0 ? told + "a rapid cuts" + shown : std::string();
+}
+
+/// Rows of a hand that wavers, with the links and feeds of a path, as a program.
+Result<CheckedProgram> postedRows(const Bench& block, const Tool& tool) {
+    std::vector<glm::dvec3> corners;
+    for (int row = 0; row < 7; ++row)
+        for (int i = 0; i <= 20; ++i) {
+            const double along = row % 2 == 0 ? i : 20.0 - i;
+            corners.emplace_back(4.0 + 1.5 * along, 8.0 + 3.5 * row + 0.4 * std::sin(1.7 * along + row),
+                                 8.2 - 0.15 * row + 0.1 * std::cos(2.3 * along));
+        }
+    PathMatter matter;
+    matter.path.id = 1;
+    matter.path.takes = {1};
+    matter.path.edits = {{Simplify{}}, {Link{}}, {SetFeed{}}};
+    matter.tool = tool;
+    Take take = takeOf(along(corners, 50.0));
+    take.info.toolId = tool.id;
+    matter.takes = {take};
+    Progress progress;
+    const Result<EvaluatedPaths> paths = evaluateInOrder(block, {matter}, progress);
+    if (!paths) return paths.error();
+    return makeProgram(block, paths->program, request({tool}), progress);
+}
+
 } // namespace
 
 /// A program that goes on behind a broken tool makes the part that the first one would have made.
@@ -231,28 +276,39 @@ private slots:
         std::uint32_t restarted = 0;
         const auto lines = static_cast<std::uint32_t>(linesOfText(program).size());
         for (std::uint32_t line = 1; line <= lines; ++line) {
-            const std::string told = "line " + std::to_string(line) + ": ";
-            Progress progress;
-            const Result<RestartedProgram> rest = makeRestart(block, program, line, wanted, progress);
             if (line > 56) { // behind the last cut
-                QVERIFY2(!rest && rest.error().code == ErrorCode::argumentInvalid, told.c_str());
+                Progress progress;
+                const Result<RestartedProgram> rest = makeRestart(block, program, line, wanted, progress);
+                QVERIFY(!rest && rest.error().code == ErrorCode::argumentInvalid);
                 QCOMPARE(rest.error().detail, std::string("1 to 56, the line of the last cut"));
                 continue;
             }
-            QVERIFY2(rest, rest ? "" : (told + rest.error().place + " " + rest.error().detail).c_str());
-            QVERIFY2(rest->program.passed(), (told + "not passed\n" + rest->program.text).c_str());
-            const CanonicalProgram before = CanonicalProgram::ofText(textBefore(program, line));
-            const CanonicalProgram after = CanonicalProgram::ofText(rest->program.text);
-            QVERIFY2(after.exitCode == 0, (told + after.complaint.toStdString() + rest->program.text).c_str());
-            QVERIFY2(milled(radius - tolerance, {&before, &after}).below(wholeMap) <= tolerance,
-                     (told + "cuts more\n" + rest->program.text).c_str());
-            QVERIFY2(wholeMap.below(milled(radius + tolerance, {&before, &after})) <= tolerance,
-                     (told + "cuts less\n" + rest->program.text).c_str());
-            HeightMap narrow = milled(radius - tolerance, {&before});
-            QVERIFY2(narrow.cut(after) == 0.0, (told + "a rapid cuts\n" + rest->program.text).c_str());
+            const std::string fault = faultOfRestart(block, program, line, wanted, wholeMap);
+            QVERIFY2(fault.empty(), fault.c_str());
             ++restarted;
         }
         QCOMPARE(restarted, 56U);
+    }
+
+    /// What Burin posts of a hand's path, from 20 lines of it by chance.
+    void aPostedProgramGoesOnFromAnyLine() {
+        if (!CanonicalProgram::available()) QSKIP("rs274 (package linuxcnc-uspace) is not installed");
+        const Bench block = bench(flat(1));
+        const Result<CheckedProgram> posted = postedRows(block, flat(1));
+        QVERIFY2(posted && posted->passed(), posted ? posted->text.c_str() : posted.error().detail.c_str());
+        const CanonicalProgram whole = CanonicalProgram::ofText(posted->text);
+        QCOMPARE(whole.exitCode, 0);
+        const HeightMap wholeMap = milled(radius, {&whole});
+        std::mt19937 random(7);
+        std::vector<std::uint32_t> cuts;
+        for (const NcMotion& motion : posted->parsed.motions)
+            if (motion.kind == NcMotionKind::line) cuts.push_back(motion.line);
+        QVERIFY(cuts.size() > 100);
+        for (int i = 0; i < 20; ++i) {
+            const std::uint32_t line = cuts[random() % cuts.size()];
+            const std::string fault = faultOfRestart(block, posted->text, line, request({flat(1)}), wholeMap);
+            QVERIFY2(fault.empty(), fault.c_str());
+        }
     }
 
     /// The tool is on the path before the line, with the spindle, coolant and offsets that the program had there.

@@ -1,0 +1,407 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/machine_form.h"
+
+#include "core/base/numbers.h"
+#include "core/machine/machine_ranges.h"
+#include "ui/panels/choice_box.h"
+#include "ui/panels/panel_layout.h"
+
+#include <QGridLayout>
+#include <QLineEdit>
+
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+constexpr int machineFieldWidth = 116, sourceFieldWidth = 200, formColumns = 5; // pixels
+enum Column { labelColumn, firstField, sourceColumn = 4 };
+
+double valueOf(const MachineProfile& machine, double MachineProfile::*member) {
+    return machine.*member;
+}
+
+QString rangeText(Quantity quantity, NumberRange range, bool optional, LengthUnit unit) {
+    const QString both = MachineForm::tr("%1 to %2")
+                             .arg(quantityText(range.low, quantity, unit), quantityText(range.high, quantity, unit));
+    return optional ? MachineForm::tr("%1, or 0: not stated").arg(both) : both;
+}
+
+} // namespace
+
+QString torqueText(const std::vector<SpindlePoint>& torque) {
+    QStringList points;
+    for (const SpindlePoint& point : torque)
+        points.push_back(QString::fromStdString(formatShortest(point.speed)) + QStringLiteral(": ") +
+                         QString::fromStdString(formatShortest(point.torque)));
+    return points.join(QStringLiteral("; "));
+}
+
+std::optional<std::vector<SpindlePoint>> torqueFromText(const QString& text) {
+    std::vector<SpindlePoint> torque;
+    if (text.trimmed().isEmpty()) return torque;
+    for (const QString& point : text.split(QLatin1Char(';'), Qt::SkipEmptyParts)) {
+        if (point.trimmed().isEmpty()) continue;
+        const QStringList numbers = point.split(QLatin1Char(':'));
+        if (numbers.size() != 2) return std::nullopt;
+        const auto numberOf = [](const QString& number) {
+            return parseNumber(number.trimmed().replace(QLatin1Char(','), QLatin1Char('.')).toStdString());
+        };
+        const std::optional<double> speed = numberOf(numbers[0]), newtonMetres = numberOf(numbers[1]);
+        if (!speed || !newtonMetres) return std::nullopt;
+        if (!(*speed > (torque.empty() ? 0.0 : torque.back().speed)) || !(*newtonMetres > 0.0)) return std::nullopt;
+        torque.push_back({*speed, *newtonMetres});
+    }
+    return torque;
+}
+
+MachineForm::MachineForm(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
+    setObjectName(QStringLiteral("machineForm"));
+    grid_->setContentsMargins(16, 8, 16, 16);
+    grid_->setHorizontalSpacing(8);
+    grid_->setVerticalSpacing(6);
+    grid_->setColumnStretch(labelColumn, 1);
+    grid_->setColumnStretch(sourceColumn, 1);
+    addGeneral();
+    addTravel();
+    addFeeds();
+    addAccelerations();
+    addSpindle();
+    addCoolant();
+    addControl();
+    addArcs();
+    grid_->setRowStretch(grid_->rowCount(), 1);
+    refresh();
+}
+
+void MachineForm::addGeneral() {
+    addText("name", tr("Name"), tr("As it stands in the list of machines"), &MachineProfile::name);
+    dialect_ = new ChoiceBox(this);
+    dialect_->setObjectName(QStringLiteral("dialect"));
+    const QString tip = tr("NC dialect that the machine's control reads");
+    const int row = beginRow(tr("Dialect"), dialect_, tip);
+    grid_->addWidget(dialect_, row, firstField, 1, 3);
+    connect(dialect_, &QComboBox::activated, this, [this](int index) {
+        machine_.dialect = dialectIds_[index].toStdString();
+        emit edited();
+    });
+    refreshers_.emplace_back(
+        [this] { dialect_->offer(dialectNames_, dialectIds_, QString::fromStdString(machine_.dialect)); });
+    addText("source", tr("Source"), tr("Where the values come from that have no source of their own"),
+            &MachineProfile::source);
+}
+
+void MachineForm::addTravel() {
+    using namespace machine_range;
+    addTitle(tr("Travel"));
+    const auto axis = [](int i) {
+        return Number{Quantity::length, travel, false, [i](const MachineProfile& m) { return m.travel[i]; },
+                      [i](MachineProfile& m, double value) { m.travel[i] = value; }};
+    };
+    addNumbers("travel_mm", tr("Travel X, Y, Z"), tr("How far each axis can move"), {axis(0), axis(1), axis(2)});
+    const auto own = [](Quantity quantity, NumberRange range, bool optional, double MachineProfile::*member) {
+        return Number{quantity, range, optional, [member](const MachineProfile& m) { return valueOf(m, member); },
+                      [member](MachineProfile& m, double value) { m.*member = value; }};
+    };
+    addNumbers("tool_change_height_mm", tr("Tool change height"),
+               tr("Height above program zero that is always free; below the travel of Z"),
+               {own(Quantity::length, machine_range::height, false, &MachineProfile::toolChangeHeight)});
+    addNumbers("tool_change_s", tr("Tool change time"), tr("From chip to chip"),
+               {own(Quantity::time, toolChange, false, &MachineProfile::toolChangeSeconds)});
+}
+
+void MachineForm::addFeeds() {
+    using namespace machine_range;
+    addTitle(tr("Feeds and rapids"));
+    addNumbers("maximum_feed_mm_per_min", tr("Greatest feed"), tr("While it cuts"),
+               {{Quantity::feed, feed, false, [](const MachineProfile& m) { return m.maximumFeed; },
+                 [](MachineProfile& m, double value) { m.maximumFeed = value; }}});
+    addNumbers("rapid_feed_mm_per_min", tr("Rapid feed"), tr("Of the fastest axis"),
+               {{Quantity::feed, feed, false, [](const MachineProfile& m) { return m.rapidFeed; },
+                 [](MachineProfile& m, double value) { m.rapidFeed = value; }}});
+    const auto axis = [](int i) {
+        return Number{Quantity::feed, feed, true, [i](const MachineProfile& m) { return m.axisRates[i]; },
+                      [i](MachineProfile& m, double value) { m.axisRates[i] = value; }};
+    };
+    addNumbers("axis_rates_mm_per_min", tr("Greatest rate X, Y, Z"),
+               tr("Of each axis; at most the rapid feed, which stands for those that are not stated"),
+               {axis(0), axis(1), axis(2)});
+    addChoice("rapids", tr("Rapids"), tr("How the control moves several axes in a rapid"),
+              {{tr("Straight, all axes arrive together"), tr("Each axis at its own rate (with bends)"),
+                tr("Straight, the tip at the rapid feed")},
+               [](const MachineProfile& m) { return static_cast<int>(m.rapids); },
+               [](MachineProfile& m, int index) { m.rapids = static_cast<RapidMode>(index); }});
+}
+
+void MachineForm::addAccelerations() {
+    using namespace machine_range;
+    addTitle(tr("Accelerations"));
+    addNumbers("acceleration_mm_per_s2", tr("Acceleration"), tr("Of an axis that has none of its own"),
+               {{Quantity::acceleration, acceleration, false, [](const MachineProfile& m) { return m.acceleration; },
+                 [](MachineProfile& m, double value) { m.acceleration = value; }}});
+    const auto axis = [](Quantity quantity, NumberRange range, glm::dvec3 MachineProfile::*member, int i) {
+        return Number{quantity, range, true, [member, i](const MachineProfile& m) { return (m.*member)[i]; },
+                      [member, i](MachineProfile& m, double value) { (m.*member)[i] = value; }};
+    };
+    std::vector<Number> accelerations, jerks;
+    for (int i = 0; i < 3; ++i) {
+        accelerations.push_back(axis(Quantity::acceleration, acceleration, &MachineProfile::axisAccelerations, i));
+        jerks.push_back(axis(Quantity::jerk, jerk, &MachineProfile::axisJerks, i));
+    }
+    addNumbers("axis_accelerations_mm_per_s2", tr("Acceleration X, Y, Z"), tr("Of each axis"),
+               std::move(accelerations));
+    addNumbers("axis_jerks_mm_per_s3", tr("Jerk X, Y, Z"), tr("Limit of each axis"), std::move(jerks));
+}
+
+void MachineForm::addSpindle() {
+    using namespace machine_range;
+    addTitle(tr("Spindle"));
+    const auto own = [](Quantity quantity, NumberRange range, bool optional, double MachineProfile::*member) {
+        return Number{quantity, range, optional, [member](const MachineProfile& m) { return valueOf(m, member); },
+                      [member](MachineProfile& m, double value) { m.*member = value; }};
+    };
+    addNumbers("minimum_spindle_speed_rpm", tr("Lowest speed"), tr("At most the highest speed"),
+               {own(Quantity::rotation, spindleSpeed, false, &MachineProfile::minimumSpindleSpeed)});
+    addNumbers("maximum_spindle_speed_rpm", tr("Highest speed"), tr("Above 0"),
+               {own(Quantity::rotation, spindleSpeed, false, &MachineProfile::maximumSpindleSpeed)});
+    addNumbers("spindle_power_w", tr("Power"), tr("That the spindle gives for as long as a cut takes"),
+               {own(Quantity::power, spindlePower, true, &MachineProfile::spindlePower)});
+    addTorque();
+}
+
+void MachineForm::addCoolant() {
+    addTitle(tr("Coolant"));
+    static constexpr Coolant mist = Coolant::mist, flood = Coolant::flood;
+    const auto index = [](const MachineProfile& m) {
+        if (!m.coolants) return 0;
+        return 1 + (m.has(mist) ? 1 : 0) + (m.has(flood) ? 2 : 0);
+    };
+    const auto choose = [](MachineProfile& m, int chosen) {
+        m.coolants.reset();
+        if (chosen == 0) return;
+        m.coolants.emplace();
+        if (((chosen - 1) & 1) != 0) m.coolants->push_back(mist);
+        if (((chosen - 1) & 2) != 0) m.coolants->push_back(flood);
+    };
+    addChoice("coolant", tr("Coolant"), tr("What the machine can switch on"),
+              {{tr("Not stated"), tr("None"), tr("Mist"), tr("Flood"), tr("Mist and flood")}, index, choose});
+}
+
+void MachineForm::addControl() {
+    using namespace machine_range;
+    addTitle(tr("Control"));
+    addChoice("junctions", tr("Corners"), tr("How the control moves from one block to the next"),
+              {{tr("Exact stop"), tr("As an arc within the tolerance"), tr("Blended within the tolerance")},
+               [](const MachineProfile& m) { return static_cast<int>(m.junctions); },
+               [](MachineProfile& m, int index) { m.junctions = static_cast<JunctionRule>(index); }});
+    addNumbers("junctions.tolerance_mm", tr("Tolerance of corners"),
+               tr("How far the control may leave a corner; above 0 unless it stops"),
+               {{Quantity::length, tolerance, false, [](const MachineProfile& m) { return m.junctionTolerance; },
+                 [](MachineProfile& m, double value) { m.junctionTolerance = value; }}},
+               false);
+    addNumbers("blocks_per_second", tr("Blocks a second"), tr("That the control carries out at most"),
+               {{Quantity::rate, blockRate, true, [](const MachineProfile& m) { return m.blocksPerSecond; },
+                 [](MachineProfile& m, double value) { m.blocksPerSecond = value; }}});
+    addNumbers(
+        "coordinate_decimals", tr("Decimal places"), tr("Digits behind the point of a coordinate in mm"),
+        {{Quantity::count,
+          {fewestDecimals, mostDecimals},
+          false,
+          [](const MachineProfile& m) { return static_cast<double>(m.coordinateDecimals); },
+          [](MachineProfile& m, double value) { m.coordinateDecimals = static_cast<int>(std::lround(value)); }}});
+    addNumbers("maximum_line_length", tr("Characters a line"), tr("That the control reads at most"),
+               {{Quantity::count,
+                 {shortestLine, longestLine},
+                 false,
+                 [](const MachineProfile& m) { return static_cast<double>(m.maximumLineLength); },
+                 [](MachineProfile& m, double value) { m.maximumLineLength = static_cast<int>(std::lround(value)); }}});
+}
+
+void MachineForm::addArcs() {
+    using namespace machine_range;
+    addTitle(tr("Arcs"));
+    constexpr double degree = pi / 180.0;
+    const auto rule = [](Quantity quantity, NumberRange range, double ArcRules::*member) {
+        return Number{quantity, range, false, [member](const MachineProfile& m) { return m.arcs.*member; },
+                      [member](MachineProfile& m, double value) { m.arcs.*member = value; }};
+    };
+    addNumbers("arcs", tr("Largest sweep"), tr("Of one block; 360° is a full circle"),
+               {rule(Quantity::angle, {sweep.low * degree, sweep.high * degree}, &ArcRules::largestSweep)});
+    addNumbers("arcs.smallest_radius_mm", tr("Smallest radius"), tr("Below the largest radius"),
+               {rule(Quantity::length, radius, &ArcRules::smallestRadius)}, false);
+    addNumbers("arcs.largest_radius_mm", tr("Largest radius"), tr("Larger arcs are written as lines"),
+               {rule(Quantity::length, radius, &ArcRules::largestRadius)}, false);
+    addNumbers("arcs.radius_mismatch_mm", tr("Difference of the radii"), tr("Allowed between start and end of an arc"),
+               {rule(Quantity::length, tolerance, &ArcRules::radiusMismatch)}, false);
+}
+
+void MachineForm::addTitle(const QString& text) {
+    const int row = grid_->rowCount();
+    grid_->addWidget(makeSectionTitle(text, this), row, labelColumn, 1, formColumns - 1);
+    grid_->addWidget(makeSectionTitle(tr("Source"), this), row, sourceColumn);
+}
+
+int MachineForm::beginRow(const QString& label, QWidget* buddy, const QString& toolTip) {
+    const int row = grid_->rowCount();
+    auto* name = new QLabel(label, this);
+    name->setProperty("look", "quiet");
+    name->setBuddy(buddy);
+    name->setToolTip(toolTip);
+    buddy->setAccessibleName(label);
+    buddy->setToolTip(toolTip);
+    grid_->addWidget(name, row, labelColumn);
+    fields_.push_back(buddy);
+    return row;
+}
+
+void MachineForm::addNumbers(const char* key, const QString& label, const QString& toolTip, std::vector<Number> numbers,
+                             bool withSource) {
+    const std::string name(key);
+    int row = 0;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const Number& number = numbers[i];
+        auto* field = new QuantityField(number.quantity, this);
+        field->setObjectName(QString::fromLatin1(key) + (numbers.size() > 1 ? QString::number(i) : QString()));
+        field->limit(number.optional ? 0.0 : number.range.low, number.range.high);
+        field->setFixedWidth(machineFieldWidth);
+        if (i == 0)
+            row = beginRow(label, field, toolTip);
+        else
+            fields_.push_back(field);
+        grid_->addWidget(field, row, firstField + static_cast<int>(i));
+        numbers_.push_back(field);
+        connect(field, &QuantityField::valueEdited, this, [this, name, set = number.set](double value) {
+            set(machine_, value);
+            changed(name.substr(0, name.find('.')));
+        });
+        refreshers_.emplace_back([this, field, label, toolTip, number] {
+            field->showValue(number.get(machine_));
+            field->setToolTip(toolTip + QStringLiteral(" (") +
+                              rangeText(number.quantity, number.range, number.optional, unit_) + QLatin1Char(')'));
+            field->setAccessibleName(label);
+        });
+    }
+    if (withSource) addSource(key, row);
+}
+
+void MachineForm::addChoice(const char* key, const QString& label, const QString& toolTip, Choice choice) {
+    auto* box = new ChoiceBox(this);
+    box->setObjectName(QString::fromLatin1(key));
+    box->addItems(choice.texts);
+    const int row = beginRow(label, box, toolTip);
+    grid_->addWidget(box, row, firstField, 1, 3);
+    connect(box, &QComboBox::activated, this, [this, key = std::string(key), set = choice.set](int index) {
+        set(machine_, index);
+        changed(key);
+    });
+    refreshers_.emplace_back([this, box, get = choice.get] { box->setCurrentIndex(get(machine_)); });
+    addSource(key, row);
+}
+
+QLineEdit* MachineForm::addText(const char* name, const QString& label, const QString& toolTip,
+                                std::string MachineProfile::*text) {
+    auto* field = new QLineEdit(this);
+    field->setObjectName(QString::fromLatin1(name));
+    const int row = beginRow(label, field, toolTip);
+    grid_->addWidget(field, row, firstField, 1, formColumns - 1);
+    connect(field, &QLineEdit::textEdited, this, [this, text](const QString& typed) {
+        machine_.*text = typed.trimmed().toStdString();
+        emit edited();
+    });
+    refreshers_.emplace_back([this, field, text] {
+        const QString said = QString::fromStdString(machine_.*text);
+        if (field->text().trimmed() != said) field->setText(said);
+        field->setCursorPosition(0);
+    });
+    return field;
+}
+
+void MachineForm::addTorque() {
+    auto* field = new QLineEdit(this);
+    field->setObjectName(QStringLiteral("spindle_torque"));
+    field->setPlaceholderText(tr("not stated"));
+    const QString tip = tr("Torque in N m by rising speed in 1/min, as “2000: 107; 8100: 26.4”. Between two points the "
+                           "power follows a straight line. Empty: not stated");
+    const int row = beginRow(tr("Torque over speed"), field, tip);
+    grid_->addWidget(field, row, firstField, 1, 3);
+    connect(field, &QLineEdit::editingFinished, this, [this, field] {
+        const auto torque = torqueFromText(field->text());
+        if (torque && torqueText(*torque) != torqueText(machine_.spindleTorque)) {
+            machine_.spindleTorque = *torque;
+            changed("spindle_torque");
+        }
+        refresh(); // what can't be read is not taken
+    });
+    refreshers_.emplace_back([this, field] {
+        field->setText(torqueText(machine_.spindleTorque));
+        field->setCursorPosition(0);
+    });
+    addSource("spindle_torque", row);
+}
+
+/// Where the values of a key come from.
+void MachineForm::addSource(const char* key, int row) {
+    auto* field = new QLineEdit(this);
+    field->setObjectName(QString::fromLatin1(key) + QStringLiteral("Source"));
+    field->setPlaceholderText(tr("as the machine's source says"));
+    field->setAccessibleName(tr("Source"));
+    field->setMinimumWidth(sourceFieldWidth);
+    field->setProperty("look", "quiet");
+    grid_->addWidget(field, row, sourceColumn);
+    fields_.push_back(field);
+    connect(field, &QLineEdit::textEdited, this, [this, key = std::string(key)](const QString& typed) {
+        if (typed.trimmed().isEmpty())
+            machine_.sources.erase(key);
+        else
+            machine_.sources[key] = typed.trimmed().toStdString();
+        emit edited();
+    });
+    refreshers_.emplace_back([this, field, key = std::string(key)] {
+        const auto found = machine_.sources.find(key);
+        const QString said = found == machine_.sources.end() ? QString() : QString::fromStdString(found->second);
+        if (field->text().trimmed() != said) field->setText(said);
+        field->setCursorPosition(0);
+        field->setToolTip(said.isEmpty() ? tr("Where this value comes from, e.g. the nameplate or a measurement")
+                                         : said);
+    });
+}
+
+/// The user stands for what they changed.
+void MachineForm::changed(const std::string& key) {
+    machine_.sources[key] = tr("entered by the user").toStdString();
+    refresh();
+    emit edited();
+}
+
+void MachineForm::refresh() {
+    for (const auto& show : refreshers_) show();
+}
+
+void MachineForm::setUnit(LengthUnit unit) {
+    unit_ = unit;
+    for (QuantityField* field : numbers_) field->setLengthUnit(unit);
+    refresh();
+}
+
+void MachineForm::setDialects(const QStringList& names, const QStringList& ids) {
+    dialectNames_ = QStringList{tr("Not stated")} + names;
+    dialectIds_ = QStringList{QString()} + ids;
+    refresh();
+}
+
+void MachineForm::showMachine(const MachineProfile& machine, bool locked) {
+    machine_ = machine;
+    for (QWidget* field : fields_) {
+        if (auto* text = qobject_cast<QLineEdit*>(field))
+            text->setReadOnly(locked);
+        else if (auto* number = qobject_cast<QuantityField*>(field))
+            number->setReadOnly(locked);
+        else
+            field->setEnabled(!locked);
+    }
+    refresh();
+}
+
+} // namespace burin
