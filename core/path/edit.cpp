@@ -114,7 +114,8 @@ std::optional<Edit> updated(const Edit& edit) {
 }
 
 std::vector<Edit> standardEdits() {
-    return {{DropAirCuts{}}, {DropDwells{}}, {SmoothShape{}}, {HoldOut{}}, {FitArcs{}}, {Link{}}, {SetFeed{}}};
+    return {{DropAirCuts{}}, {DropDwells{}}, {SmoothShape{}}, {HoldOut{}},
+            {FitArcs{}},     {Link{}},       {SetFeed{}},     {LevelFeed{.goal = LevelFeed::Goal::limits}}};
 }
 
 std::vector<Edit> everyEdit() {

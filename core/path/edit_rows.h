@@ -285,7 +285,7 @@ struct EditRow<LevelFeed> {
                                        .title = BURIN_TEXT("Edit", "Feed by engagement"),
                                        .group = EditGroup::feeds,
                                        .step = EditStep::tuning};
-    static constexpr std::array<std::string_view, 2> goals{"force", "removal"};
+    static constexpr std::array<std::string_view, 3> goals{"force", "removal", "limits"};
     static constexpr std::tuple fields{choice("goal", &LevelFeed::goal, goals),
                                        number("target", &LevelFeed::target, 0.0, 1e6),
                                        number("smallest_chip_mm", &LevelFeed::smallestChip, 0.0001, 1.0),

@@ -49,9 +49,9 @@ void add(MetStretch& met, const CutResult& cut) {
 }
 
 /// @return false where the memory is used up
-bool cutStretch(MaterialRemoval& removal, RunVolume& stock, MetStretch& met) {
+bool cutStretch(MaterialRemoval& removal, RunVolume& stock, MetStretch& met, RecordGrain grain) {
     const double step = longestStep * stock.grid().edge();
-    const auto steps = static_cast<int>(std::max(1.0, std::ceil(met.length / step)));
+    const auto steps = grain == RecordGrain::coarse ? 1 : static_cast<int>(std::max(1.0, std::ceil(met.length / step)));
     glm::dvec3 at = met.from;
     for (int i = 1; i <= steps; ++i) {
         const glm::dvec3 next = glm::mix(met.from, met.to, static_cast<double>(i) / steps);
@@ -75,7 +75,8 @@ CutResult MetStretch::cut() const {
 }
 
 Result<std::vector<MetStretch>> recordEngagement(const std::vector<PathPoint>& points, const Tool& tool,
-                                                 RunVolume& stock, double sampling, Progress& progress) {
+                                                 RunVolume& stock, double sampling, Progress& progress,
+                                                 RecordGrain grain) {
     MaterialRemoval removal(tool.cutter, stock.grid());
     std::vector<MetStretch> record;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -84,7 +85,7 @@ Result<std::vector<MetStretch>> recordEngagement(const std::vector<PathPoint>& p
         glm::dvec3 from = points[i - 1].tip;
         for (const auto& [to, share] : stretchesOf(from, points[i], sampling)) {
             MetStretch met{i, share, glm::distance(from, to), from, to, {}, 0.0, {}, {}};
-            if (!cutStretch(removal, stock, met))
+            if (!cutStretch(removal, stock, met, grain))
                 return Error{ErrorCode::volumeOutOfMemory, std::to_string(stock.reservedBytes()), "", ""};
             record.push_back(std::move(met));
             from = to;

@@ -24,10 +24,15 @@ struct MetStretch {
     CutResult cut() const; ///< as the force wants it; kept in short, as a path has many stretches
 };
 
-/// Cuts a path out of a stock again, stretch by stretch of `sampling` mm at most; rapids cut nothing. The way is gone
-/// in steps of a quarter of a voxel, so that what is reported has little of the voxels' grain.
+/// How finely a path is cut again.
+enum class RecordGrain {
+    fine,  ///< in steps of a quarter of a voxel, so that what is reported has little of the voxels' grain
+    coarse ///< each interval at once: many times faster, its volume exact but off by a layer of voxels at its ends
+};
+/// Cuts a path out of a stock again, stretch by stretch of `sampling` mm at most; rapids cut nothing.
 /// Errors: volumeOutOfMemory, cancelled.
 Result<std::vector<MetStretch>> recordEngagement(const std::vector<PathPoint>& points, const Tool& tool,
-                                                 RunVolume& stock, double sampling, Progress& progress);
+                                                 RunVolume& stock, double sampling, Progress& progress,
+                                                 RecordGrain grain = RecordGrain::fine);
 
 } // namespace burin

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/cutting/tool_beam.h"
 #include "core/path/engagement_record.h"
 
 #include <algorithm>
@@ -12,13 +13,16 @@ namespace {
 /// What is aimed at, as a function of the feed.
 class Load {
 public:
-    /// @param fluteSpeed mm/s
-    Load(const LevelFeed& edit, const PathContext& context, double fluteSpeed, const PropertyList& materials)
-        : force_(edit.goal == LevelFeed::Goal::force)
+    /// @param fluteSpeed mm/s. @param spindleSpeed 1/min
+    Load(const LevelFeed& edit, const PathContext& context, double fluteSpeed, double spindleSpeed,
+         const PropertyList& materials)
+        : force_(edit.goal != LevelFeed::Goal::removal)
         , coefficients_(cuttingCoefficients(materials, context.tool.cutter.diameter))
         , tool_(spinningTool(context.tool, fluteSpeed))
         , fluteSpeed_(fluteSpeed)
-        , spindlePower_(context.machine.spindlePower) {}
+        , spindlePower_(context.machine.powerAt(spindleSpeed))
+        , beam_(context.tool)
+        , stress_(context.tool.strength / breakingReserve) {}
 
     /// N or mm³/s. @param feed mm/min, > 0
     double at(const MetStretch& met, double feed) const {
@@ -29,7 +33,7 @@ public:
 
     /// The feed between both at which the load is as wanted, or the spindle does what it can; both rise with the feed.
     double feedFor(const MetStretch& met, double wanted, double low, double high) const {
-        const auto allowed = [&](double feed) { return at(met, feed) <= wanted && spindleTurns(met, feed); };
+        const auto allowed = [&](double feed) { return at(met, feed) <= wanted && isBorne(met, feed); };
         if (allowed(high)) return high;
         if (!allowed(low)) return low;
         for (int i = 0; i < 40; ++i) {
@@ -43,10 +47,16 @@ private:
     double forceIn(const MetStretch& met, double period) const {
         return cuttingForce(met.cut(), coefficients_, tool_, ToolPose{met.from}, ToolPose{met.to}, period).tangential;
     }
-    bool spindleTurns(const MetStretch& met, double feed) const {
-        if (!(spindlePower_ > 0.0) || !(met.length > 0.0) || !(met.reported > 0.0)) return true;
+    /// By spindle and tool.
+    bool isBorne(const MetStretch& met, double feed) const {
+        if (!(met.length > 0.0) || !(met.reported > 0.0)) return true;
         constexpr double millimetresPerMetre = 1000.0;
-        return forceIn(met, met.length / (feed / 60.0)) * fluteSpeed_ / millimetresPerMetre <= spindlePower_;
+        const CuttingForce force = cuttingForce(met.cut(), coefficients_, tool_, ToolPose{met.from}, ToolPose{met.to},
+                                                met.length / (feed / 60.0));
+        if (spindlePower_ > 0.0 && force.tangential * fluteSpeed_ / millimetresPerMetre > spindlePower_) return false;
+        if (!(stress_ > 0.0)) return true;
+        const double side = std::hypot(force.tangential, force.radial);
+        return beam_.stressUnder(side, std::max(0.0, met.centroid.z - met.to.z)) <= stress_;
     }
 
     bool force_;
@@ -54,6 +64,8 @@ private:
     SpinningTool tool_;
     double fluteSpeed_;   ///< mm/s
     double spindlePower_; ///< W; 0: not stated
+    ToolBeam beam_;
+    double stress_; ///< N/mm² that the tool bears; 0: not stated
 };
 
 /// Over time, where the path cuts at the feeds that it has.
@@ -130,10 +142,35 @@ private:
     bool open_ = false, ends_ = false;
 };
 
+/// An interval's volume is off by a layer of voxels, and what comes next may be harder: an interval comes down by as
+/// much as its neighbours do.
+std::vector<double> leastOfNeighbours(const std::vector<MetStretch>& record, const std::vector<PathPoint>& points,
+                                      const std::vector<double>& feeds) {
+    const auto isCut = [&](std::size_t i) { return points[record[i].move].kind == MoveKind::cut; };
+    const auto shareOf = [&](std::size_t i) { return feeds[i] / points[record[i].move].feed; };
+    std::vector<double> least = feeds;
+    const auto follow = [&](std::size_t i, std::size_t other) {
+        least[i] = std::min(least[i], points[record[i].move].feed * shareOf(other));
+    };
+    for (std::size_t i = 0; i + 1 < feeds.size(); ++i) {
+        if (record[i + 1].from != record[i].to || !isCut(i) || !isCut(i + 1)) continue; // a rapid lies between
+        follow(i, i + 1);
+        follow(i + 1, i);
+    }
+    return least;
+}
+
+bool statesLimits(const PathContext& context) {
+    return context.machine.spindlePower > 0.0 || !context.machine.spindleTorque.empty() ||
+           context.tool.strength > 0.0 || context.tool.maximumChipLoad > 0.0;
+}
+
 } // namespace
 
 Result<Deviation> apply(const LevelFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
     const CuttingConditions& conditions = context.conditions;
+    const bool limitsAlone = edit.goal == LevelFeed::Goal::limits;
+    if (limitsAlone && (!context.lendStock || !statesLimits(context))) return Deviation{};
     if (!context.lendStock)
         return Error{ErrorCode::argumentInvalid, "stock", "", "feeds by engagement need the stock that is cut"};
     for (const PathPoint& point : state.points)
@@ -144,7 +181,8 @@ Result<Deviation> apply(const LevelFeed& edit, PathUnderEdit& state, const PathC
     std::vector<MetStretch> record;
     PropertyList materials;
     const auto cutAgain = [&](RunVolume& stock) -> Result<void> {
-        auto met = recordEngagement(state.points, context.tool, stock, edit.sampling, progress);
+        auto met = recordEngagement(state.points, context.tool, stock, edit.sampling, progress,
+                                    limitsAlone ? RecordGrain::coarse : RecordGrain::fine);
         if (!met) return met.error();
         record = std::move(*met);
         materials = stock.properties();
@@ -155,17 +193,25 @@ Result<Deviation> apply(const LevelFeed& edit, PathUnderEdit& state, const PathC
     // As the path turns it, whatever the tables say.
     const double spindleSpeed = state.spindleSpeed > 0.0 ? state.spindleSpeed : conditions.spindleSpeed;
     const double fluteSpeed = conditions.surfaceSpeed * spindleSpeed / conditions.spindleSpeed;
-    const Load load(edit, context, fluteSpeed, materials);
-    const double wanted = edit.target > 0.0 ? edit.target : meanLoad(record, state.points, load);
+    const Load load(edit, context, fluteSpeed, spindleSpeed, materials);
+    const double wanted = limitsAlone         ? std::numeric_limits<double>::infinity()
+                          : edit.target > 0.0 ? edit.target
+                                              : meanLoad(record, state.points, load);
     const double teeth = spindleSpeed * context.tool.fluteCount; // a minute
     const double limit = context.machine.maximumFeed > 0.0 ? context.machine.maximumFeed : 1e9;
-    const double high = std::min(limit, teeth * std::max(edit.smallestChip, edit.largestChip));
+    const double thickest = context.tool.maximumChipLoad > 0.0
+                                ? std::min(edit.largestChip, context.tool.maximumChipLoad)
+                                : edit.largestChip;
+    const double high = std::min(limit, teeth * std::max(edit.smallestChip, thickest));
     const double low = std::min(high, teeth * edit.smallestChip);
     std::vector<double> feeds;
     for (const MetStretch& met : record) {
         const PathPoint& point = state.points[met.move];
-        feeds.push_back(point.kind == MoveKind::cut ? load.feedFor(met, wanted, low, high) : point.feed);
+        const double most = limitsAlone ? std::min(point.feed, high) : high;
+        feeds.push_back(point.kind == MoveKind::cut ? load.feedFor(met, wanted, std::min(low, most), most)
+                                                    : point.feed);
     }
+    if (limitsAlone) feeds = leastOfNeighbours(record, state.points, feeds);
     slowDownInTime(record, context.machine.acceleration, feeds);
     Divider divider(state.points, edit.leastChange);
     for (std::size_t i = 0; i < feeds.size(); ++i) divider.add(record[i], feeds[i]);

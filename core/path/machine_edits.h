@@ -43,10 +43,12 @@ struct SetFeed {
 /// stretch of a straight cutting move gets the feed at which the tangential force, or the removal rate, is what is
 /// aimed at. Arcs get one feed, the least that one of their stretches asks for; plunges keep theirs. Feeds stay within
 /// the chip loads and the machine's limit, never need more than its acceleration to come down in time, nor (but for the
-/// smallest chip) more than the spindle's power where the machine states it, and change where they differ by more than
-/// `leastChange`, to the lower one.
+/// smallest chip) more than the limits of spindle and tool where they are stated: power and torque, the tool's bending
+/// stress and its chip. They change where they differ by more than `leastChange`, to the lower one. `limits` keeps the
+/// feeds that there are and only brings them down for these limits; without a stock, or where nothing is stated, it
+/// changes nothing.
 struct LevelFeed {
-    enum class Goal { force, removal };
+    enum class Goal { force, removal, limits };
     Goal goal = Goal::force;
     double target = 0.0; ///< N or mm³/s; 0: the mean over time that the path has where it cuts
     double smallestChip = 0.005, largestChip = 0.2; ///< mm a tooth

@@ -46,7 +46,7 @@ QString labelOf(std::string_view key) {
 /// Of a number. What a level of engagement measures, its goal says.
 Quantity quantityOf(const EditParameters& edit, std::string_view key) {
     if (const auto* level = std::get_if<LevelFeed>(&edit); level != nullptr && key == "target")
-        return level->goal == LevelFeed::Goal::force ? Quantity::force : Quantity::removalRate;
+        return level->goal == LevelFeed::Goal::removal ? Quantity::removalRate : Quantity::force;
     const KeyUnit* unit = unitOf(key);
     return unit != nullptr ? unit->quantity : Quantity::ratio;
 }

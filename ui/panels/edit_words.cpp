@@ -295,7 +295,9 @@ constexpr std::array rows{
     Row{"level-feed",
         "goal",
         {QT_TRANSLATE_NOOP("EditParameterTexts", "Level"),
-         QT_TRANSLATE_NOOP("EditParameterTexts", "Value to keep constant: the force or the removal rate")}},
+         QT_TRANSLATE_NOOP("EditParameterTexts",
+                           "Value to keep constant: the force or the removal rate. With the limits, feeds "
+                           "only come down where the cut asks more than spindle or tool bear")}},
     Row{"level-feed",
         "target",
         {QT_TRANSLATE_NOOP("EditParameterTexts", "Target"),
@@ -335,6 +337,7 @@ constexpr std::array choices{
     std::pair{std::string_view("around"), QT_TRANSLATE_NOOP("EditParameterTexts", "around obstacles")},
     std::pair{std::string_view("force"), QT_TRANSLATE_NOOP("EditParameterTexts", "the force")},
     std::pair{std::string_view("removal"), QT_TRANSLATE_NOOP("EditParameterTexts", "the removal rate")},
+    std::pair{std::string_view("limits"), QT_TRANSLATE_NOOP("EditParameterTexts", "within the limits alone")},
     std::pair{std::string_view("advised"), QT_TRANSLATE_NOOP("EditParameterTexts", "as advised")},
     std::pair{std::string_view("off"), QT_TRANSLATE_NOOP("EditParameterTexts", "off")},
     std::pair{std::string_view("mist"), QT_TRANSLATE_NOOP("EditParameterTexts", "mist (M7)")},

@@ -265,7 +265,7 @@ private slots:
     void theBudgetIsTheSumOfWhatMovedThePath() {
         const auto path = run({cut()}, standardEdits(), context());
         QVERIFY(path);
-        QCOMPARE(path->reports.size(), std::size_t{7});
+        QCOMPARE(path->reports.size(), std::size_t{8});
         double sum = 0.0;
         for (std::size_t i = 2; i < 5; ++i) sum += path->reports[i].largestDeviation;
         QCOMPARE(path->errorBudget, sum);

@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <array>
 
 using namespace burin;
@@ -129,6 +130,40 @@ private slots:
         const Variation free = variationOf(fed({{edit}}), forceAt), held = variationOf(fed({{edit}}, weak), forceAt);
         QVERIFY2(free.mean > 250.0, qPrintable(QString::number(free.mean)));
         QVERIFY2(held.mean > 130.0 && held.mean < 155.0, qPrintable(QString::number(held.mean)));
+    }
+
+    /// Feeds that there are come down where the cut asks for more than a limit, and nowhere else.
+    void withTheLimitsAloneFeedsOnlyComeDown() {
+        const LevelFeed edit{.goal = LevelFeed::Goal::limits};
+        const std::vector<PathPoint> constant = fed({});
+        const double feed = std::ranges::max(constant, {}, &PathPoint::feed).feed;
+        PathContext strong = barContext();
+        strong.machine.spindlePower = 1e5;
+        QCOMPARE(fed({{edit}}, strong).size(), constant.size());
+        PathContext weak = barContext();
+        const double most = 0.6 * forceAt(22.0, feed); // N: less than the hardest bands ask for, more than the softest
+        weak.machine.spindleTorque = {{spindle, most * radius / 1000.0}};
+        const std::vector<PathPoint> held = fed({{edit}}, weak);
+        bool cameDown = false, stayed = false;
+        for (std::size_t i = 1; i < held.size(); ++i) {
+            if (held[i].kind != MoveKind::cut) continue;
+            QVERIFY(held[i].feed <= feed + 1e-9);
+            cameDown = cameDown || held[i].feed < 0.7 * feed;
+            stayed = stayed || held[i].feed > 0.9 * feed; // a block has the least of what its intervals ask for
+            for (double x = std::max(radius, held[i - 1].tip.x); x < std::min(held[i].tip.x, 40.0 - radius); x += 0.25)
+                QVERIFY2(forceAt(x, held[i].feed) < 1.1 * most, qPrintable(QString::number(x)));
+        }
+        QVERIFY(cameDown && stayed);
+        // A tool that breaks: the beam of its shank and flutes, by the greatest moment, at the holder.
+        PathContext brittle = barContext();
+        brittle.tool.strength = 1.0;
+        for (const PathPoint& point : fed({{edit}}, brittle)) // as slow as the smallest chip, where it cuts
+            if (point.kind == MoveKind::cut && point.tip.x > 1.0 && point.tip.x < 37.0)
+                QVERIFY(point.feed <= 0.006 * 2.0 * spindle);
+        // Nothing is stated, or there is no stock to know of.
+        QCOMPARE(fed({{edit}}).size(), constant.size());
+        strong.lendStock = {};
+        QCOMPARE(fed({{edit}}, strong).size(), constant.size());
     }
 
     void theRemovalRateIsLevel() {
