@@ -499,6 +499,22 @@
         <source>Show the program&apos;s text and findings next to the view instead of in the panel.</source>
         <translation>Text und Befunde des Programms neben der Ansicht statt im Bedienfeld zeigen.</translation>
     </message>
+    <message>
+        <source>&amp;Restart at the selected line…</source>
+        <translation>Ab der gewählten Zeile &amp;neu beginnen …</translation>
+    </message>
+    <message>
+        <source>Export the rest of the program from the selected line on, with a safe way back into the cut: after a broken tool.</source>
+        <translation>Den Rest des Programms ab der gewählten Zeile ausgeben, mit einem sicheren Weg zurück in den Schnitt: nach einem Werkzeugbruch.</translation>
+    </message>
+    <message>
+        <source>&amp;Machines…</source>
+        <translation>&amp;Maschinen …</translation>
+    </message>
+    <message>
+        <source>Look at the machines; copy, change and delete your own.</source>
+        <translation>Die Maschinen ansehen; eigene kopieren, ändern und löschen.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -1170,10 +1186,6 @@
         <translation>Ausgleichen</translation>
     </message>
     <message>
-        <source>Value to keep constant: the force or the removal rate</source>
-        <translation>Wert, der gleich bleiben soll: die Kraft oder das Zeitspanvolumen</translation>
-    </message>
-    <message>
         <source>Target</source>
         <translation>Ziel</translation>
     </message>
@@ -1353,6 +1365,14 @@
         <source>Cut-off frequency</source>
         <translation>Grenzfrequenz</translation>
     </message>
+    <message>
+        <source>Value to keep constant: the force or the removal rate. With the limits, feeds only come down where the cut asks more than spindle or tool bear</source>
+        <translation>Größe, die gleich bleiben soll: Kraft oder Abtragsrate. Mit den Grenzen sinken Vorschübe nur dort, wo der Schnitt mehr verlangt, als Spindel oder Werkzeug vertragen</translation>
+    </message>
+    <message>
+        <source>within the limits alone</source>
+        <translation>nur innerhalb der Grenzen</translation>
+    </message>
 </context>
 <context>
     <name>EmbeddingWords</name>
@@ -1431,6 +1451,14 @@
     <message>
         <source>Import a fixture</source>
         <translation>Vorrichtung importieren</translation>
+    </message>
+    <message>
+        <source>Add a machine</source>
+        <translation>Maschine hinzufügen</translation>
+    </message>
+    <message>
+        <source>Machines (*.json)</source>
+        <translation>Maschinen (*.json)</translation>
     </message>
 </context>
 <context>
@@ -2668,6 +2696,26 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>file</source>
         <translation>Datei</translation>
     </message>
+    <message>
+        <source>program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>a restart of a program that sets its own zero</source>
+        <translation>ein Neubeginn in einem Programm mit eigenem Nullpunkt</translation>
+    </message>
+    <message>
+        <source>a restart over a change of the path mode (G61, G64)</source>
+        <translation>ein Neubeginn über einen Wechsel des Bahnmodus (G61, G64) hinweg</translation>
+    </message>
+    <message>
+        <source>a restart over a change of the work offset</source>
+        <translation>ein Neubeginn über einen Wechsel der Nullpunktverschiebung hinweg</translation>
+    </message>
+    <message>
+        <source>restart line</source>
+        <translation>Zeile des Neubeginns</translation>
+    </message>
 </context>
 <context>
     <name>Take</name>
@@ -2889,6 +2937,17 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Take it off the list</source>
         <translation>Aus der Liste entfernen</translation>
+    </message>
+    <message>
+        <source>The rest from line %1 on did not pass its check (1 finding); nothing was written.</source>
+        <translation>Der Rest ab Zeile %1 hat die Prüfung nicht bestanden (1 Befund); nichts wurde geschrieben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The rest from line %1 on did not pass its check (%n findings); nothing was written.</source>
+        <translation>
+            <numerusform>Der Rest ab Zeile %1 hat die Prüfung nicht bestanden (%n Befunde); nichts wurde geschrieben.</numerusform>
+            <numerusform>Der Rest ab Zeile %1 hat die Prüfung nicht bestanden (%n Befunde); nichts wurde geschrieben.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3644,6 +3703,440 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::MachineDialog</name>
+    <message>
+        <source>%1 (copy)</source>
+        <translation>%1 (Kopie)</translation>
+    </message>
+    <message>
+        <source>Machines</source>
+        <translation>Maschinen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy this machine to one of your own and change that</source>
+        <translation>Diese Maschine als eigene kopieren und die Kopie ändern</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Add from a file…</source>
+        <translation>Aus einer Datei hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Add a machine file to your own machines</source>
+        <translation>Eine Maschinendatei zu den eigenen Maschinen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Use for this project</source>
+        <translation>Für dieses Projekt verwenden</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this page</source>
+        <translation>Diese Seite schließen</translation>
+    </message>
+    <message>
+        <source>typical</source>
+        <translation>typisch</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>eigene</translation>
+    </message>
+    <message>
+        <source>in use</source>
+        <translation>in Gebrauch</translation>
+    </message>
+    <message>
+        <source>Typical values of its class, which can&apos;t be changed. Copy the machine and enter the values of your own.</source>
+        <translation>Typische Werte ihrer Klasse, die nicht geändert werden können. Kopieren Sie die Maschine und geben Sie die Werte Ihrer eigenen ein.</translation>
+    </message>
+    <message>
+        <source>Your own machine.</source>
+        <translation>Ihre eigene Maschine.</translation>
+    </message>
+    <message>
+        <source>Changed, and not saved yet.</source>
+        <translation>Geändert und noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>The machines that Burin is shipped with can&apos;t be deleted.</source>
+        <translation>Die mitgelieferten Maschinen können nicht gelöscht werden.</translation>
+    </message>
+    <message>
+        <source>Delete this machine; Undo brings it back (Del in the list)</source>
+        <translation>Diese Maschine löschen; Rückgängig holt sie zurück (Entf in der Liste)</translation>
+    </message>
+    <message>
+        <source>Nothing is changed.</source>
+        <translation>Nichts ist geändert.</translation>
+    </message>
+    <message>
+        <source>Keep the changed values (Ctrl+S)</source>
+        <translation>Die geänderten Werte behalten (Strg+S)</translation>
+    </message>
+    <message>
+        <source>Take the changes back (Ctrl+R)</source>
+        <translation>Die Änderungen zurücknehmen (Strg+R)</translation>
+    </message>
+    <message>
+        <source>The programs are for this machine.</source>
+        <translation>Die Programme sind für diese Maschine.</translation>
+    </message>
+    <message>
+        <source>Make the programs of this project for this machine (Ctrl+Return)</source>
+        <translation>Die Programme dieses Projekts für diese Maschine machen (Strg+Eingabe)</translation>
+    </message>
+    <message>
+        <source>Discard the changes of “%1”?</source>
+        <translation>Die Änderungen an „%1“ verwerfen?</translation>
+    </message>
+    <message>
+        <source>They are not saved. This can&apos;t be undone.</source>
+        <translation>Sie sind nicht gespeichert. Das kann nicht rückgängig gemacht werden.</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>“%1” was deleted; Undo brings it back.</source>
+        <translation>„%1“ wurde gelöscht; Rückgängig holt sie zurück.</translation>
+    </message>
+    <message>
+        <source>There is a machine with the ID “%1” already; give the one in the file another ID.</source>
+        <translation>Es gibt schon eine Maschine mit der ID „%1“; geben Sie der in der Datei eine andere ID.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::MachineForm</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1, or 0: not stated</source>
+        <translation>%1, oder 0: nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>As it stands in the list of machines</source>
+        <translation>So steht sie in der Liste der Maschinen</translation>
+    </message>
+    <message>
+        <source>NC dialect that the machine&apos;s control reads</source>
+        <translation>NC-Dialekt, den die Steuerung der Maschine liest</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>Dialekt</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Where the values come from that have no source of their own</source>
+        <translation>Woher die Werte stammen, die keine eigene Quelle haben</translation>
+    </message>
+    <message>
+        <source>Travel</source>
+        <translation>Verfahrweg</translation>
+    </message>
+    <message>
+        <source>Travel X, Y, Z</source>
+        <translation>Verfahrweg X, Y, Z</translation>
+    </message>
+    <message>
+        <source>How far each axis can move</source>
+        <translation>Wie weit sich jede Achse bewegen kann</translation>
+    </message>
+    <message>
+        <source>Tool change height</source>
+        <translation>Werkzeugwechselhöhe</translation>
+    </message>
+    <message>
+        <source>Height above program zero that is always free; below the travel of Z</source>
+        <translation>Höhe über dem Programmnullpunkt, die immer frei ist; unter dem Verfahrweg von Z</translation>
+    </message>
+    <message>
+        <source>Tool change time</source>
+        <translation>Werkzeugwechselzeit</translation>
+    </message>
+    <message>
+        <source>From chip to chip</source>
+        <translation>Von Span zu Span</translation>
+    </message>
+    <message>
+        <source>Feeds and rapids</source>
+        <translation>Vorschub und Eilgang</translation>
+    </message>
+    <message>
+        <source>Greatest feed</source>
+        <translation>Größter Vorschub</translation>
+    </message>
+    <message>
+        <source>While it cuts</source>
+        <translation>Beim Schneiden</translation>
+    </message>
+    <message>
+        <source>Rapid feed</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>Of the fastest axis</source>
+        <translation>Der schnellsten Achse</translation>
+    </message>
+    <message>
+        <source>Greatest rate X, Y, Z</source>
+        <translation>Größte Geschwindigkeit X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Of each axis; at most the rapid feed, which stands for those that are not stated</source>
+        <translation>Jeder Achse; höchstens der Eilgang, der für nicht angegebene gilt</translation>
+    </message>
+    <message>
+        <source>Rapids</source>
+        <translation>Eilgänge</translation>
+    </message>
+    <message>
+        <source>How the control moves several axes in a rapid</source>
+        <translation>Wie die Steuerung mehrere Achsen im Eilgang bewegt</translation>
+    </message>
+    <message>
+        <source>Straight, all axes arrive together</source>
+        <translation>Gerade, alle Achsen kommen gleichzeitig an</translation>
+    </message>
+    <message>
+        <source>Each axis at its own rate (with bends)</source>
+        <translation>Jede Achse mit eigener Geschwindigkeit (mit Knicken)</translation>
+    </message>
+    <message>
+        <source>Straight, the tip at the rapid feed</source>
+        <translation>Gerade, die Spitze im Eilgang</translation>
+    </message>
+    <message>
+        <source>Accelerations</source>
+        <translation>Beschleunigungen</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Of an axis that has none of its own</source>
+        <translation>Einer Achse, die keine eigene hat</translation>
+    </message>
+    <message>
+        <source>Acceleration X, Y, Z</source>
+        <translation>Beschleunigung X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Of each axis</source>
+        <translation>Jeder Achse</translation>
+    </message>
+    <message>
+        <source>Jerk X, Y, Z</source>
+        <translation>Ruck X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Limit of each axis</source>
+        <translation>Grenze jeder Achse</translation>
+    </message>
+    <message>
+        <source>Spindle</source>
+        <translation>Spindel</translation>
+    </message>
+    <message>
+        <source>Lowest speed</source>
+        <translation>Kleinste Drehzahl</translation>
+    </message>
+    <message>
+        <source>At most the highest speed</source>
+        <translation>Höchstens die größte Drehzahl</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>Größte Drehzahl</translation>
+    </message>
+    <message>
+        <source>Above 0</source>
+        <translation>Über 0</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>That the spindle gives for as long as a cut takes</source>
+        <translation>Die die Spindel auf Dauer eines Schnitts abgibt</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Kühlung</translation>
+    </message>
+    <message>
+        <source>What the machine can switch on</source>
+        <translation>Was die Maschine einschalten kann</translation>
+    </message>
+    <message>
+        <source>Not stated</source>
+        <translation>Nicht angegeben</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Mist</source>
+        <translation>Nebel</translation>
+    </message>
+    <message>
+        <source>Flood</source>
+        <translation>Flut</translation>
+    </message>
+    <message>
+        <source>Mist and flood</source>
+        <translation>Nebel und Flut</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>How the control moves from one block to the next</source>
+        <translation>Wie die Steuerung von einem Satz zum nächsten fährt</translation>
+    </message>
+    <message>
+        <source>Exact stop</source>
+        <translation>Genauhalt</translation>
+    </message>
+    <message>
+        <source>As an arc within the tolerance</source>
+        <translation>Als Bogen innerhalb der Toleranz</translation>
+    </message>
+    <message>
+        <source>Blended within the tolerance</source>
+        <translation>Innerhalb der Toleranz verschliffen</translation>
+    </message>
+    <message>
+        <source>Tolerance of corners</source>
+        <translation>Toleranz der Ecken</translation>
+    </message>
+    <message>
+        <source>How far the control may leave a corner; above 0 unless it stops</source>
+        <translation>Wie weit die Steuerung von einer Ecke abweichen darf; über 0, außer sie hält an</translation>
+    </message>
+    <message>
+        <source>Blocks a second</source>
+        <translation>Sätze je Sekunde</translation>
+    </message>
+    <message>
+        <source>That the control carries out at most</source>
+        <translation>Die die Steuerung höchstens ausführt</translation>
+    </message>
+    <message>
+        <source>Decimal places</source>
+        <translation>Nachkommastellen</translation>
+    </message>
+    <message>
+        <source>Digits behind the point of a coordinate in mm</source>
+        <translation>Stellen hinter dem Punkt einer Koordinate in mm</translation>
+    </message>
+    <message>
+        <source>Characters a line</source>
+        <translation>Zeichen je Zeile</translation>
+    </message>
+    <message>
+        <source>That the control reads at most</source>
+        <translation>Die die Steuerung höchstens liest</translation>
+    </message>
+    <message>
+        <source>Arcs</source>
+        <translation>Bögen</translation>
+    </message>
+    <message>
+        <source>Largest sweep</source>
+        <translation>Größter Winkel</translation>
+    </message>
+    <message>
+        <source>Of one block; 360° is a full circle</source>
+        <translation>Eines Satzes; 360° ist ein Vollkreis</translation>
+    </message>
+    <message>
+        <source>Smallest radius</source>
+        <translation>Kleinster Radius</translation>
+    </message>
+    <message>
+        <source>Below the largest radius</source>
+        <translation>Unter dem größten Radius</translation>
+    </message>
+    <message>
+        <source>Largest radius</source>
+        <translation>Größter Radius</translation>
+    </message>
+    <message>
+        <source>Larger arcs are written as lines</source>
+        <translation>Größere Bögen werden als Geraden geschrieben</translation>
+    </message>
+    <message>
+        <source>Difference of the radii</source>
+        <translation>Unterschied der Radien</translation>
+    </message>
+    <message>
+        <source>Allowed between start and end of an arc</source>
+        <translation>Zulässig zwischen Anfang und Ende eines Bogens</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Torque in N m by rising speed in 1/min, as “2000: 107; 8100: 26.4”. Between two points the power follows a straight line. Empty: not stated</source>
+        <translation>Drehmoment in N m nach steigender Drehzahl in 1/min, wie „2000: 107; 8100: 26.4“. Zwischen zwei Punkten folgt die Leistung einer Geraden. Leer: nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Torque over speed</source>
+        <translation>Drehmoment über Drehzahl</translation>
+    </message>
+    <message>
+        <source>as the machine&apos;s source says</source>
+        <translation>wie die Quelle der Maschine sagt</translation>
+    </message>
+    <message>
+        <source>Where this value comes from, e.g. the nameplate or a measurement</source>
+        <translation>Woher dieser Wert stammt, z. B. vom Typenschild oder einer Messung</translation>
+    </message>
+    <message>
+        <source>entered by the user</source>
+        <translation>vom Benutzer eingegeben</translation>
+    </message>
+</context>
+<context>
     <name>burin::MainWindow</name>
     <message>
         <source>Delete this work?</source>
@@ -3731,6 +4224,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Esc: back to the project</source>
         <translation>Esc: zurück zum Projekt</translation>
+    </message>
+    <message>
+        <source>The rest of the program from line %1 on passed its check and was written to “%2”.</source>
+        <translation>Der Rest des Programms ab Zeile %1 hat die Prüfung bestanden und steht in „%2“.</translation>
     </message>
 </context>
 <context>
@@ -4762,6 +5259,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>text of the program</source>
         <translation>Text des Programms</translation>
     </message>
+    <message>
+        <source>Making and checking the rest of the program</source>
+        <translation>Rest des Programms erstellen und prüfen</translation>
+    </message>
 </context>
 <context>
     <name>burin::ProgramDock</name>
@@ -4989,6 +5490,26 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Post and check again.</source>
         <translation>Geben Sie es neu aus und prüfen Sie es.</translation>
+    </message>
+    <message>
+        <source>Machines…</source>
+        <translation>Maschinen …</translation>
+    </message>
+    <message>
+        <source>Look at the machines; copy, change and delete your own</source>
+        <translation>Die Maschinen ansehen; eigene kopieren, ändern und löschen</translation>
+    </message>
+    <message>
+        <source>The project&apos;s machine “%1” is not on this computer; “%2” is used in its place.</source>
+        <translation>Die Maschine „%1“ des Projekts ist nicht auf diesem Rechner; stattdessen gilt „%2“.</translation>
+    </message>
+    <message>
+        <source>Typical values, not those of your machine: copy it and enter yours.</source>
+        <translation>Typische Werte, nicht die Ihrer Maschine: kopieren Sie sie und geben Sie Ihre ein.</translation>
+    </message>
+    <message>
+        <source>Your own machine.</source>
+        <translation>Ihre eigene Maschine.</translation>
     </message>
 </context>
 <context>
@@ -5623,6 +6144,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>units of the program</source>
         <translation>Einheit des Programms</translation>
+    </message>
+    <message>
+        <source>copy of a machine</source>
+        <translation>Kopie einer Maschine</translation>
+    </message>
+    <message>
+        <source>values of a machine</source>
+        <translation>Werte einer Maschine</translation>
+    </message>
+    <message>
+        <source>deleting a machine</source>
+        <translation>Löschen einer Maschine</translation>
     </message>
 </context>
 <context>
