@@ -2945,7 +2945,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message numerus="yes">
         <source>The rest from line %1 on did not pass its check (%n findings); nothing was written.</source>
         <translation>
-            <numerusform>Der Rest ab Zeile %1 hat die Prüfung nicht bestanden (%n Befunde); nichts wurde geschrieben.</numerusform>
+            <numerusform>Der Rest ab Zeile %1 hat die Prüfung nicht bestanden (%n Befund); nichts wurde geschrieben.</numerusform>
             <numerusform>Der Rest ab Zeile %1 hat die Prüfung nicht bestanden (%n Befunde); nichts wurde geschrieben.</numerusform>
         </translation>
     </message>
