@@ -80,10 +80,10 @@ struct Place {
     double length = 0.0;  ///< mm, of the whole move
     bool endsMove = true; ///< the others lie within it
 };
-using Run = std::vector<Place>;
+using FeedRun = std::vector<Place>;
 
 /// An arc in chords that turn by a tenth of a radian at most. @param across its axis: 0 X, 1 Y, 2 Z
-void addArc(Run& run, const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& centre, int across,
+void addArc(FeedRun& run, const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& centre, int across,
             bool clockwise) {
     const int u = (across + 1) % 3, v = (across + 2) % 3;
     const double start = std::atan2(from[v] - centre[v], from[u] - centre[u]);
@@ -104,9 +104,9 @@ void addArc(Run& run, const glm::dvec3& from, const glm::dvec3& to, const glm::d
 }
 
 /// The feed moves of a program, each with where it begins; a row for each run of them between rapids.
-std::vector<Run> feedRuns(const QString& text) {
+std::vector<FeedRun> feedRuns(const QString& text) {
     const QRegularExpression comment(R"(\([^)]*\)|;.*)"), word("([A-Z])\\s*(-?[0-9]*\\.?[0-9]+|-?[0-9]+\\.?)");
-    std::vector<Run> runs;
+    std::vector<FeedRun> runs;
     glm::dvec3 at(0.0);
     int motion = 0, across = 2;
     double unit = 1.0;
@@ -143,9 +143,9 @@ std::vector<Run> feedRuns(const QString& text) {
 }
 
 /// Turns of more than 155 degrees with a leg of less than 0.1 mm.
-QStringList backSteps(const std::vector<Run>& runs) {
+QStringList backSteps(const std::vector<FeedRun>& runs) {
     QStringList found;
-    for (const Run& run : runs)
+    for (const FeedRun& run : runs)
         for (std::size_t i = 1; i + 1 < run.size(); ++i) {
             const glm::dvec3 in = run[i].at - run[i - 1].at, out = run[i + 1].at - run[i].at;
             const double turn =
@@ -259,7 +259,7 @@ void TestWindowReversals::mouseStrokesMakeAProgramThatNeverStepsBack() {
         QVERIFY(text.contains(inch ? "G20" : "G21"));
         const auto runs = feedRuns(text);
         std::ptrdiff_t moves = 0;
-        for (const Run& run : runs) moves += std::ranges::count(run.begin() + 1, run.end(), true, &Place::endsMove);
+        for (const FeedRun& run : runs) moves += std::ranges::count(run.begin() + 1, run.end(), true, &Place::endsMove);
         const QStringList found = backSteps(runs);
         qInfo() << (inch ? "inch:" : "mm:") << runs.size() << "runs," << moves << "feed moves," << found.size()
                 << "back-steps, budget" << budget << "mm";
@@ -272,7 +272,7 @@ void TestWindowReversals::mouseStrokesMakeAProgramThatNeverStepsBack() {
         double farthest = 0.0;
         for (const glm::dvec3& place : cuts) {
             double nearest = 1e9;
-            for (const Run& run : runs)
+            for (const FeedRun& run : runs)
                 for (std::size_t i = 1; i < run.size() && nearest > 1e-3; ++i)
                     nearest = std::min(nearest, distanceTo(place, run[i - 1].at, run[i].at));
             farthest = std::max(farthest, nearest);
