@@ -1872,8 +1872,12 @@
         <translation>„%1“ lässt sich nicht lesen (%2); prüfen Sie, ob es das Richtige ist und ob Sie es lesen dürfen.</translation>
     </message>
     <message>
-        <source>No part of the path &quot;%1&quot; can be milled (%2). %3</source>
-        <translation>Kein Abschnitt der Bahn „%1“ kann gefräst werden (%2). %3</translation>
+        <source>No part of the path &quot;%1&quot; can be milled (%2); %3.</source>
+        <translation>Kein Abschnitt der Bahn „%1“ kann gefräst werden (%2); %3.</translation>
+    </message>
+    <message>
+        <source>look at what its edits leave out</source>
+        <translation>sehen Sie nach, was ihre Bearbeitungen auslassen</translation>
     </message>
 </context>
 <context>
@@ -1963,6 +1967,22 @@
     <message>
         <source>The holder would enter material here. Mill the material around it first, or use a tool with a longer stick-out.</source>
         <translation>Der Halter würde hier in Material eindringen. Fräsen Sie zuerst das Material ringsum, oder nehmen Sie ein Werkzeug mit größerer Auskragung.</translation>
+    </message>
+    <message>
+        <source>use a smaller tool or a smaller allowance</source>
+        <translation>nehmen Sie ein kleineres Werkzeug oder ein kleineres Aufmaß</translation>
+    </message>
+    <message>
+        <source>use a smaller tool, or mill it from another side</source>
+        <translation>nehmen Sie ein kleineres Werkzeug, oder fräsen Sie es von einer anderen Seite</translation>
+    </message>
+    <message>
+        <source>mill the material around it first, or use a tool with longer flutes</source>
+        <translation>fräsen Sie zuerst das Material ringsum, oder nehmen Sie ein Werkzeug mit längeren Schneiden</translation>
+    </message>
+    <message>
+        <source>mill the material around it first, or use a tool with a longer stick-out</source>
+        <translation>fräsen Sie zuerst das Material ringsum, oder nehmen Sie ein Werkzeug mit größerer Auskragung</translation>
     </message>
 </context>
 <context>

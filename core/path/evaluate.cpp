@@ -36,7 +36,7 @@ Error nothingLeft(const std::string& name, const std::vector<EditReport>& report
     const glm::dvec3& place = part.line.front();
     return {ErrorCode::pathGouges, name,
             formatFixed(place.x, 3) + " " + formatFixed(place.y, 3) + " " + formatFixed(place.z, 3) + " mm",
-            textOf(part.reason).text};
+            remedyOf(part.reason).text};
 }
 
 } // namespace

@@ -74,7 +74,7 @@ struct EvaluatedPath {
 /// are never part of a path. Without Link each stroke is reached by a straight rapid move, which only a drawing may
 /// use. Any thread; the work is shared among all cores, the result does not depend on them. Cost: 300,000 ticks on
 /// 360,000 triangles in about 8 s on two cores. Cancellable. Errors: pathEmpty, argumentInvalid, notSupported (tilted
-/// axis), pathGouges (all of it had to be left out; place: where, detail: textOf the reason), cancelled.
+/// axis), pathGouges (all of it had to be left out; place: where, detail: remedyOf the reason), cancelled.
 Result<EvaluatedPath> evaluate(const std::string& name, const std::vector<Take>& takes, const std::vector<Edit>& edits,
                                const PathContext& context, Progress& progress);
 

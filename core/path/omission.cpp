@@ -41,6 +41,20 @@ TextId textOf(OmissionReason reason) {
     return {};
 }
 
+TextId remedyOf(OmissionReason reason) {
+    switch (reason) {
+    case OmissionReason::part:
+        return BURIN_TEXT("Omission", "use a smaller tool or a smaller allowance");
+    case OmissionReason::access:
+        return BURIN_TEXT("Omission", "use a smaller tool, or mill it from another side");
+    case OmissionReason::shank:
+        return BURIN_TEXT("Omission", "mill the material around it first, or use a tool with longer flutes");
+    case OmissionReason::holder:
+        return BURIN_TEXT("Omission", "mill the material around it first, or use a tool with a longer stick-out");
+    }
+    return {};
+}
+
 double lengthOf(std::span<const Omission> parts) noexcept {
     double length = 0.0;
     for (const Omission& part : parts) length += part.length;

@@ -23,6 +23,8 @@ enum class OmissionReason : std::uint8_t {
 const char* idOf(OmissionReason reason);
 /// What prevents it, and what the user can do about it; two sentences of the user interface.
 TextId textOf(OmissionReason reason);
+/// What helps where nothing else is left of a path: the end of a sentence, marked for translation.
+TextId remedyOf(OmissionReason reason);
 
 /// A part of a path that an edit left out: the tool retracts before it, and goes on behind it.
 struct Omission {

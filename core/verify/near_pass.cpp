@@ -68,6 +68,7 @@ void NearPasses::add(const NearPass& pass) {
 }
 
 std::vector<NearPass> NearPasses::byPlace() const {
+    constexpr double alike = 1e-6; // mm: where a tool comes down and goes up again, the first line is told
     std::vector<NearPass> nearest;
     for (const auto& [key, pass] : nearest_) nearest.push_back(pass);
     std::ranges::stable_sort(nearest, {}, &NearPass::distance);
@@ -77,10 +78,12 @@ std::vector<NearPass> NearPasses::byPlace() const {
             return one.section == pass.section && one.to == pass.to &&
                    glm::distance(one.place, pass.place) <= nearPlace;
         });
-        if (place == places.end())
+        if (place == places.end()) {
             places.push_back(pass);
-        else
-            ++place->lines;
+            continue;
+        }
+        ++place->lines;
+        if (pass.distance - place->distance < alike) place->line = std::min(place->line, pass.line);
     }
     return places;
 }

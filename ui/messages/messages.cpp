@@ -154,8 +154,10 @@ QString Messages::sentence(const Error& error) {
         return tr("\"%1\" may lead the tool into the part; put \"%2\" between it and \"%3\".")
             .arg(editTitle(error.subject), editTitle(error.detail), editTitle(error.place));
     case ErrorCode::pathGouges:
-        return tr("No part of the path \"%1\" can be milled (%2). %3")
-            .arg(subject, place, QCoreApplication::translate("Omission", error.detail.c_str()));
+        return tr("No part of the path \"%1\" can be milled (%2); %3.")
+            .arg(subject, place,
+                 error.detail.empty() ? tr("look at what its edits leave out")
+                                      : QCoreApplication::translate("Omission", error.detail.c_str()));
     case ErrorCode::dialectNotFound:
         return tr("No dialect is called \"%1\"; choose one of these: %2.").arg(subject, detail);
     case ErrorCode::pluginIncompatible:
