@@ -82,7 +82,8 @@ struct Place {
 };
 using FeedRun = std::vector<Place>;
 
-/// An arc in chords that turn by a tenth of a radian at most. @param across its axis: 0 X, 1 Y, 2 Z
+/// An arc in chords that leave it by 0.001 mm and turn by a tenth of a radian at most. @param across its axis: 0 X, 1
+/// Y, 2 Z
 void addArc(FeedRun& run, const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& centre, int across,
             bool clockwise) {
     const int u = (across + 1) % 3, v = (across + 2) % 3;
@@ -92,7 +93,8 @@ void addArc(FeedRun& run, const glm::dvec3& from, const glm::dvec3& to, const gl
     while (!clockwise && sweep <= 1e-9) sweep += 2.0 * M_PI;
     const double radius = std::hypot(from[u] - centre[u], from[v] - centre[v]);
     const double length = std::hypot(radius * sweep, to[across] - from[across]);
-    const int pieces = 1 + static_cast<int>(std::abs(sweep) / 0.1);
+    const double most = std::min(0.1, 2.0 * std::acos(std::max(0.0, 1.0 - 0.001 / std::max(radius, 0.001))));
+    const int pieces = 1 + static_cast<int>(std::abs(sweep) / most);
     for (int i = 1; i < pieces; ++i) {
         const double share = static_cast<double>(i) / pieces;
         glm::dvec3 place = glm::mix(from, to, share);
@@ -200,13 +202,13 @@ void TestWindowReversals::theReaderSeesABackStep() {
     QVERIFY(sound.size() == 2 && backSteps(sound).isEmpty());
     const auto inInches = feedRuns("G20\nG0 X0 Y0\nG1 X1 F30\nX0.998\nX2\n");
     QCOMPARE(backSteps(inInches).size(), 2);
-    // A half circle by X2, above it, and back by a hundredth.
-    const auto arc = feedRuns("G0 X0 Y0\nG1 X0.5\nG17 G2 X2.5 I1\nG1 X2.51 Y0.01\nX5 Y-9\n");
+    // A half circle, and back up its end by two hundredths.
+    const auto arc = feedRuns("G0 X0 Y0\nG1 X0.5\nG17 G2 X2.5 I1\nG1 X2.5001 Y0.02\nX5 Y-9\n");
     QVERIFY(arc.size() == 1 && arc.front().size() > 30);
     QVERIFY(std::ranges::any_of(arc.front(), [](const Place& one) {
         return glm::distance(one.at, {1.5, 1, 0}) < 0.1;
     }));
-    QCOMPARE(backSteps(arc).size(), 1); // down the arc, then up
+    QCOMPARE(backSteps(arc).size(), 2);
 }
 
 void TestWindowReversals::mouseStrokesMakeAProgramThatNeverStepsBack() {
