@@ -361,7 +361,7 @@ private slots:
         wide.cutter.cornerRadius = 3.0;
         wide.cutter.fluteLength = 5.0;
         wide.cutter.shankDiameter = 3.0;
-        wide.maximumDepthOfCut = 10.0; // mm; it stands 7 mm deep
+        wide.maximumDepthOfCut = 5.0; // mm
         QVERIFY(validate(wide));
         const std::string text =
             "G17 G21 G90 G94 G54\nT1 M6\nG43 H1\nS8000 M3\nG0 Z30\nX-30 Y-21.7\nZ-7\nG1 X-18 F300\n"
