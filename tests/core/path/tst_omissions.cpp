@@ -229,7 +229,7 @@ private slots:
         QVERIFY(!watched);
         QVERIFY(watched.error().code == ErrorCode::pathGouges);
         QCOMPARE(watched.error().place, std::string("-8.000 0.000 -12.000 mm"));
-        QCOMPARE(watched.error().detail, std::string(textOf(OmissionReason::shank).text));
+        QCOMPARE(watched.error().detail, std::string(remedyOf(OmissionReason::shank).text));
         context.lendStock = {};
         const auto path = run({takeOf(ticks)}, edits, context);
         QVERIFY(path);
