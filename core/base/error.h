@@ -64,7 +64,7 @@ enum class ErrorCode : std::uint16_t {
     editUnguarded, ///< subject: title of an edit that may lead the tool into the part; place: of one that relies on its
                    ///< being held out; detail: of one that holds it out
     pathEmpty,     ///< subject: path
-    pathGouges,    ///< subject: path; place: depth with unit and where
+    pathGouges,    ///< nothing of it can be made; subject: path; place: where; detail: text of the context "Omission"
     dialectNotFound,    ///< subject: dialect id; detail: ids that exist
     pluginIncompatible, ///< subject: plugin file; place: its interface version; detail: ours
     pluginInvalid,      ///< subject: plugin file; detail

@@ -84,10 +84,4 @@ Result<std::filesystem::path> userMaterialFile(const std::string& id, bool repla
     return file;
 }
 
-Result<std::filesystem::path> saveMaterial(const Property& property, bool replace) {
-    const Result<std::filesystem::path> file = userMaterialFile(property.id, replace);
-    if (!file) return file;
-    return saveUserResource(materialResource, property.id, toJson(property));
-}
-
 } // namespace burin

@@ -88,8 +88,6 @@ std::vector<std::string> materialIds();
 /// this id would get. Without `replace` an id that any material has is refused, also one that Burin is shipped with, as
 /// it would be hidden. Errors: argumentInvalid (an id that is none or is taken), fileNotWritable.
 Result<std::filesystem::path> userMaterialFile(const std::string& id, bool replace);
-/// Adds a material to the user's own library. @return its file. Errors: those of userMaterialFile, diskFull.
-Result<std::filesystem::path> saveMaterial(const Property& property, bool replace);
 
 /// A material as JSON text and back; the form of resources/materials and of the project file.
 std::string toJson(const Property& property);
