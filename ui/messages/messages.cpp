@@ -73,7 +73,9 @@ QString Messages::sentence(const Error& error) {
         if (error.place.empty()) return tr("This version does not support \"%1\"; do without it.").arg(subject);
         return tr("This version does not support \"%1\"; use \"%2\" instead.").arg(subject, place);
     case ErrorCode::importTimedOut:
-        return tr("Reading \"%1\" took longer than %2 and was stopped; simplify the model or allow more time.")
+        return (error.detail.empty()
+                    ? tr("Reading \"%1\" took more than %2 of processor time and was stopped; simplify the model or allow more time.")
+                    : tr("Reading \"%1\" took longer than %2 and was stopped; simplify the model or allow more time."))
             .arg(file, place);
     case ErrorCode::importOutOfMemory:
         return tr("Reading \"%1\" took more memory than %2 and was stopped; simplify the model or allow more memory.")

@@ -4,6 +4,8 @@
 
 #include "ui/scene/viewport_impl.h"
 
+#include "core/base/background.h"
+
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
@@ -73,6 +75,7 @@ void Viewport::setPart(std::shared_ptr<const Model> model) {
     // the pool.
     const QPointer<Viewport> self(this);
     QThreadPool::globalInstance()->start([self, model = std::move(model), order] {
+        workInBackground();
         const auto inWindow = [&](auto change) {
             QMetaObject::invokeMethod(
                 QCoreApplication::instance(),

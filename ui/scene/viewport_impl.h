@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/background.h"
 #include "ui/scene/camera_motion.h"
 #include "ui/scene/canvas.h"
 #include "ui/scene/frame_clock.h"
@@ -79,6 +80,7 @@ public:
     void onPool(Make make, Then then) {
         const QPointer<Viewport> self(&widget);
         QThreadPool::globalInstance()->start([self, make = std::move(make), then = std::move(then)] {
+            workInBackground();
             auto made = std::make_shared<const std::invoke_result_t<const Make&>>(make());
             QMetaObject::invokeMethod(
                 QCoreApplication::instance(),

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/deviation_presenter.h"
 
+#include "core/base/background.h"
+
 #include <QCoreApplication>
 #include <QPointer>
 #include <QThreadPool>
@@ -83,6 +85,7 @@ bool DeviationPresenter::take(std::shared_ptr<const CheckedProgram> program) {
 void DeviationPresenter::makeMap() {
     const QPointer<DeviationPresenter> self(this);
     QThreadPool::globalInstance()->start([self, program = program_, cell = voxel()]() mutable {
+        workInBackground();
         auto made = std::make_shared<const Mapped>(std::move(program), cell);
         QMetaObject::invokeMethod(
             QCoreApplication::instance(),

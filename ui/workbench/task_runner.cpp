@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/task_runner.h"
 
+#include "core/base/background.h"
+
 #include <algorithm>
 #include <chrono>
 
 namespace burin {
 
 TaskRunner::TaskRunner(QObject* parent) : QObject(parent) {
+    helpInBackground();
     poll_.setInterval(std::chrono::milliseconds(50));
     connect(&poll_, &QTimer::timeout, this, &TaskRunner::changed);
 }
@@ -44,6 +47,7 @@ void TaskRunner::launch(std::unique_ptr<Task> task) {
     Task* started = task.get();
     tasks_.push_back(std::move(task));
     started->thread = std::thread([this, started] {
+        if (started->kind != TaskKind::device) workInBackground(); // its reader must not wait for its turn
         started->delivery = started->run(started->progress);
         QMetaObject::invokeMethod(
             this, [this, id = started->id] { ended(id); }, Qt::QueuedConnection);

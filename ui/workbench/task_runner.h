@@ -28,7 +28,7 @@ struct TaskRow {
     bool cancelling = false;
 };
 
-/// Long work on worker threads, with progress and cancel. A task that is started while another of its kind runs
+/// Long work on worker threads, with progress and cancel, behind what the window draws and the hand does. A task that is started while another of its kind runs
 /// replaces it: the old one is cancelled, its outcome dropped. User interface's thread.
 class TaskRunner : public QObject {
     Q_OBJECT

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/background.h"
+#include "core/base/parallel.h"
+
+#include <QtTest>
+
+#include <atomic>
+#include <sys/resource.h>
+#include <thread>
+#include <unistd.h>
+
+using namespace burin;
+
+namespace {
+
+/// As the system has it, of the calling thread.
+int niceness() {
+    return ::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()));
+}
+
+} // namespace
+
+/// Long work leaves the cores to what the user sees and feels.
+class TestBackground : public QObject {
+    Q_OBJECT
+private slots:
+    void onlyTheThreadThatAsksStepsBack() {
+        const int before = niceness();
+        int behind = 0, child = 0;
+        std::thread([&] {
+            workInBackground();
+            behind = niceness();
+            std::thread([&] { child = niceness(); }).join();
+        }).join();
+        QVERIFY(behind > before);
+        QCOMPARE(child, behind);
+        QCOMPARE(niceness(), before);
+    }
+    void helpersStepBackAndTheOneThatAsksStays() {
+        if (std::thread::hardware_concurrency() < 2) QSKIP("one core: nobody helps");
+        helpInBackground();
+        const int before = niceness();
+        const pid_t asking = ::gettid();
+        std::atomic<int> helped{0}, inFront{0};
+        for (int attempt = 0; attempt < 50 && helped == 0; ++attempt)
+            parallelFor(0, 16, [&](int) {
+                if (::gettid() != asking) {
+                    ++helped;
+                    if (niceness() <= before) ++inFront;
+                }
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            });
+        QVERIFY(helped > 0);
+        QCOMPARE(inFront.load(), 0);
+        QCOMPARE(niceness(), before);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestBackground)
+#include "tst_background.moc"
