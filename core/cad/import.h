@@ -13,7 +13,8 @@
 namespace burin {
 
 struct ImportLimits {
-    double seconds = 120.0;              ///< CPU and wall time of the child process
+    double seconds = 120.0;      ///< processor time of the child process: what a busy machine does not stretch
+    double waitSeconds = 1200.0; ///< from its start to its end, for one that waits instead of working
     std::size_t memoryBytes = 4ULL << 30; ///< address space of the child process
 };
 

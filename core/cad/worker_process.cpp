@@ -10,6 +10,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
@@ -102,13 +103,22 @@ void limit(pid_t process, __rlimit_resource resource, rlim_t amount) {
     ::prlimit(process, resource, &limits, nullptr);
 }
 
-/// Set from outside, so that they hold for whatever program is started.
+/// Set from outside, so that they hold for whatever program is started. The system's own limit of processor time counts
+/// whole seconds: it is there for a caller that is stopped or killed.
 void setLimits(pid_t process, const ImportLimits& limits) {
     limit(process, RLIMIT_CORE, 0);
     limit(process, RLIMIT_CPU, static_cast<rlim_t>(std::ceil(std::max(limits.seconds, 0.0))) + 1);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // their shadow memory alone is terabytes
     limit(process, RLIMIT_AS, limits.memoryBytes);
 #endif
+}
+
+/// That a running process has used; zero where the system does not tell.
+double processorSeconds(pid_t process) {
+    clockid_t clock{};
+    timespec used{};
+    if (process <= 0 || ::clock_getcpuclockid(process, &clock) != 0 || ::clock_gettime(clock, &used) != 0) return 0.0;
+    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
 } // namespace
@@ -139,7 +149,7 @@ Result<WorkerProcess> WorkerProcess::start(const WorkerRequest& request, const I
     worker.limits_ = options.limits;
     worker.deadline_ = std::chrono::steady_clock::now() +
                        std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                           std::chrono::duration<double>(std::clamp(options.limits.seconds, 0.0, 1e8)));
+                           std::chrono::duration<double>(std::clamp(options.limits.waitSeconds, 0.0, 1e8)));
     return worker;
 }
 
@@ -176,7 +186,7 @@ void WorkerProcess::finish(WorkerAnswer answer) {
     stop();
 }
 
-Error WorkerProcess::timedOut() const {
+Error WorkerProcess::outOfProcessorTime() const {
     return {ErrorCode::importTimedOut, subject_, formatShortest(limits_.seconds) + " s", {}};
 }
 
@@ -187,7 +197,13 @@ Error WorkerProcess::crashed(std::string detail) const {
 void WorkerProcess::advance() {
     if (!finished()) readOutput();
     if (!finished() && output_ < 0) checkEnd();
-    if (!finished() && std::chrono::steady_clock::now() >= deadline_) finish(timedOut());
+    if (!finished()) checkTime();
+}
+
+void WorkerProcess::checkTime() {
+    if (processorSeconds(process_) >= limits_.seconds) return finish(outOfProcessorTime());
+    if (std::chrono::steady_clock::now() >= deadline_)
+        finish(Error{ErrorCode::importTimedOut, subject_, formatShortest(limits_.waitSeconds) + " s", "no answer"});
 }
 
 void WorkerProcess::readOutput() {
@@ -227,7 +243,8 @@ void WorkerProcess::checkEnd() {
     if (ended == 0 || (ended < 0 && errno == EINTR)) return;
     ::kill(-process_, SIGKILL); // what it may have started
     process_ = -1;
-    if (ended > 0 && WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return finish(timedOut());
+    if (ended > 0 && WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+        return finish(outOfProcessorTime());
     if (ended > 0 && WIFSIGNALED(status))
         return finish(
             crashed("signal " + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")"));

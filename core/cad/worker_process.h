@@ -11,7 +11,7 @@
 
 namespace burin {
 
-/// One run of the import program: a child process in a group of its own, with limits on memory, CPU and wall time.
+/// One run of the import program: a child process in a group of its own, with limits on memory, processor time and wall time.
 /// It is killed, with all that it started, when the object goes. Thread: the one that made it.
 class WorkerProcess {
 public:
@@ -39,12 +39,13 @@ private:
     void checkEnd();
     void finish(WorkerAnswer answer);
     void stop() noexcept;
-    Error timedOut() const;
+    void checkTime();
+    Error outOfProcessorTime() const;
     Error crashed(std::string detail) const;
 
     std::string subject_;
     ImportLimits limits_;
-    std::chrono::steady_clock::time_point deadline_;
+    std::chrono::steady_clock::time_point deadline_; ///< of the wall time
     pid_t process_ = -1;
     int output_ = -1;
     FrameReader frames_;

@@ -42,21 +42,35 @@ private:
 private slots:
     void hangingProgramTimesOut() {
         ImportOptions options = scripted("exec sleep 1000");
-        options.limits.seconds = 0.3;
+        options.limits.waitSeconds = 0.3;
         const Error error = errorOf(options);
         QVERIFY2(error.code == ErrorCode::importTimedOut, describe(error).c_str());
         QCOMPARE(error.place, std::string("0.3 s"));
         QVERIFY(error.subject.find("cube.brep") != std::string::npos);
     }
+    /// As under a high load: it waits for its turn far longer than it works.
+    void waitingIsNoWork() {
+        ImportOptions options = scripted("sleep 1; exit 3");
+        options.limits.seconds = 0.5;
+        QVERIFY(errorOf(options).code == ErrorCode::importCrashed);
+    }
+    void workingWithoutEndTimesOut() {
+        ImportOptions options = scripted("while :; do :; done");
+        options.limits.seconds = 0.3;
+        const Error error = errorOf(options);
+        QVERIFY2(error.code == ErrorCode::importTimedOut, describe(error).c_str());
+        QCOMPARE(error.place, std::string("0.3 s"));
+        QVERIFY(error.detail.empty());
+    }
     void programThatClosedItsOutputTimesOutToo() {
         ImportOptions options = scripted("exec >&-; sleep 1000");
-        options.limits.seconds = 0.3;
+        options.limits.waitSeconds = 0.3;
         QVERIFY(errorOf(options).code == ErrorCode::importTimedOut);
     }
     void nothingThatItStartedSurvives() {
         const fs::path trace = fs::path(folder_.path().toStdString()) / "alive";
         ImportOptions options = scripted("(sleep 1; touch '" + trace.string() + "') & sleep 1000");
-        options.limits.seconds = 0.3;
+        options.limits.waitSeconds = 0.3;
         QVERIFY(errorOf(options).code == ErrorCode::importTimedOut);
         QTest::qWait(1500);
         QVERIFY(!fs::exists(trace));
