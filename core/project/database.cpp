@@ -15,6 +15,9 @@ namespace burin {
 
 namespace {
 
+constexpr int spanInstructions = 100'000; // between two looks at the budget: about a millisecond
+// Measured: a check of a whole file of the smallest rows takes a third of an instruction a byte.
+constexpr std::uint64_t leastBudget = 50'000'000, budgetPerByte = 16;
 constexpr int busyMilliseconds = 5000; // the recorder and the document write to one working copy in turn
 
 bool isDiskFull(int systemError) {
@@ -52,6 +55,7 @@ ErrorCode codeOf(int sqliteCode, int systemError) {
     case SQLITE_FORMAT:
     case SQLITE_MISMATCH:
     case SQLITE_CONSTRAINT:
+    case SQLITE_INTERRUPT: // over its budget
         return ErrorCode::fileDamaged;
     default:
         return ErrorCode::internalFault;
@@ -111,6 +115,32 @@ const char* notNull(std::string_view bytes) {
 
 } // namespace
 
+namespace {
+
+std::uint64_t sizeOf(sqlite3* handle) {
+    std::uint64_t bytes = 0;
+    int inMemory = 0, highest = 0;
+    if (sqlite3_db_status(handle, SQLITE_DBSTATUS_CACHE_USED, &inMemory, &highest, 0) == SQLITE_OK)
+        bytes = static_cast<std::uint64_t>(inMemory);
+    const char* const file = sqlite3_db_filename(handle, "main");
+    if (file == nullptr || *file == '\0') return bytes;
+    for (const char* suffix : {"", "-wal"}) {
+        std::error_code missing;
+        const std::uintmax_t size = std::filesystem::file_size(std::string(file) + suffix, missing);
+        if (!missing) bytes += size;
+    }
+    return bytes;
+}
+
+} // namespace
+
+int Database::Connection::lookAtBudget(void* connection) noexcept {
+    auto& self = *static_cast<Connection*>(connection);
+    const std::uint64_t done = ++self.spans * spanInstructions;
+    // The file grows while one works with it, so that it is measured where it counts.
+    return done > leastBudget && done > leastBudget + budgetPerByte * sizeOf(self.handle) ? 1 : 0;
+}
+
 Database::Connection::~Connection() {
     sqlite3_close(handle);
 }
@@ -133,6 +163,7 @@ Result<Database> Database::openNamed(const char* name, int flags, std::string su
     auto connection = std::make_unique<Connection>(handle, std::move(subject));
     if (code != SQLITE_OK) return errorOf(*connection, code);
     sqlite3_busy_timeout(handle, busyMilliseconds);
+    sqlite3_progress_handler(handle, spanInstructions, &Connection::lookAtBudget, connection.get());
     distrustSchema(handle);
     return Database(std::move(connection));
 }
@@ -167,6 +198,7 @@ Result<Database> Database::inMemory(std::string subject) {
 
 Result<void> Database::execute(const char* sql) {
     errno = 0;
+    connection_->spans = 0;
     const int code = sqlite3_exec(connection_->handle, sql, nullptr, nullptr, nullptr);
     if (code != SQLITE_OK) return error(code);
     return {};
@@ -208,6 +240,7 @@ void Statement::Finalize::operator()(sqlite3_stmt* statement) const noexcept {
 
 Result<Statement> Statement::prepare(Database& database, std::string_view sql) {
     sqlite3_stmt* statement = nullptr;
+    database.connection_->spans = 0;
     const int code =
         sqlite3_prepare_v2(database.connection_->handle, sql.data(), static_cast<int>(sql.size()), &statement, nullptr);
     if (code != SQLITE_OK) return database.error(code);
@@ -220,6 +253,7 @@ Result<void> Statement::outcome(int code) const {
 }
 
 void Statement::reset() {
+    connection_->spans = 0;
     sqlite3_reset(statement_.get());
 } // repeats the fault of the last step, told already
 

@@ -28,7 +28,8 @@ public:
         readJournal,   ///< a WAL database that nobody else has open; nothing is written, nor made beside it
         readUnchanging ///< a database that nobody can change meanwhile; its journal is not looked for
     };
-    /// Foreign triggers, views and functions of the schema are never run: a project may come from anybody.
+    /// Foreign triggers, views and functions of the schema are never run: a project may come from anybody. A statement
+    /// that works far longer than the file's size explains ends with fileDamaged.
     /// Errors: as `error` maps SQLite's codes.
     static Result<Database> open(const std::filesystem::path& file, std::string subject, Access access);
     static Result<Database> inMemory(std::string subject);
@@ -51,8 +52,10 @@ private:
     struct Connection {
         sqlite3* handle = nullptr;
         std::string subject;
+        std::uint64_t spans = 0; ///< of SQLite's instructions that the present statement has run
         Connection(sqlite3* opened, std::string name) : handle(opened), subject(std::move(name)) {}
         ~Connection();
+        static int lookAtBudget(void* connection) noexcept;
         Connection(const Connection&) = delete;
         Connection& operator=(const Connection&) = delete;
     };
@@ -104,7 +107,7 @@ private:
     struct Finalize {
         void operator()(sqlite3_stmt* statement) const noexcept;
     };
-    Statement(const Database::Connection& connection, sqlite3_stmt* statement)
+    Statement(Database::Connection& connection, sqlite3_stmt* statement)
         : connection_(&connection), statement_(statement) {}
 
     void reset();
@@ -124,7 +127,7 @@ private:
         return value ? bindOne(index, *value) : bindOne(index, std::nullopt);
     }
 
-    const Database::Connection* connection_;
+    Database::Connection* connection_;
     std::unique_ptr<sqlite3_stmt, Finalize> statement_;
 };
 
