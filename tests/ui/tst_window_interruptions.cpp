@@ -25,7 +25,7 @@ class TestWindowInterruptions : public QObject {
 private slots:
     void init() {
         driver_ = std::make_unique<WindowDriver>();
-        QVERIFY(makeReady(*driver_));
+        QVERIFY(makeReady(*driver_, 1.0));
         viewport().setStandardView(StandardView::top);
         QTest::qWait(400); // the view turns
         QVERIFY(driver_->step(JobStep::mill));
@@ -169,6 +169,8 @@ private:
             break;
         case Middle::rectangle:
         case Middle::rows:
+            QVERIFY(driver_->enter("speedField", "5")); // so that no row is the last one on a busy machine
+            viewport().setFocus();
             driver_->key(Qt::Key_T);
             press(at({-12, -4}), Qt::NoModifier);
             for (int i = 1; i <= 10; ++i) QTest::mouseMove(&viewport(), at({-12 + 2.4 * i, -4 + 0.9 * i}), 10);
