@@ -13,10 +13,6 @@ constexpr double smallestSine = 1e-6;
 
 } // namespace
 
-double angleBetween(const glm::dvec3& a, const glm::dvec3& b) noexcept {
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
-
 glm::dvec3 turnedTowards(const glm::dvec3& from, const glm::dvec3& to, double most) noexcept {
     if (angleBetween(from, to) <= most) return to;
     const glm::dvec3 towards = to - from * glm::dot(from, to);

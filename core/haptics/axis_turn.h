@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <glm/glm.hpp>
+#include "core/geometry/angle.h"
 
 namespace burin {
 
-/// rad, 0 … pi, between two unit vectors; exact for small ones, too.
-double angleBetween(const glm::dvec3& a, const glm::dvec3& b) noexcept;
 /// `from`, turned towards `to` by at most an angle, rad. All of unit length.
 glm::dvec3 turnedTowards(const glm::dvec3& from, const glm::dvec3& to, double most) noexcept;
 

@@ -3,6 +3,7 @@
 #include "core/path/added_turns.h"
 
 #include "core/base/units.h"
+#include "core/geometry/angle.h"
 #include "core/path/back_steps.h"
 #include "core/path/polyline.h"
 
@@ -17,11 +18,6 @@ constexpr double turnSlack = 6.0 * pi / 180.0; // rad
 /// The recorded stroke is asked over so much more than the window at either side: a bend may lie a little elsewhere.
 constexpr double marginShare = 0.25;
 constexpr int mostRounds = 12;
-
-double angleBetween(const glm::dvec3& one, const glm::dvec3& other) {
-    const double lengths = glm::length(one) * glm::length(other);
-    return lengths > 0.0 ? std::acos(glm::clamp(glm::dot(one, other) / lengths, -1.0, 1.0)) : 0.0;
-}
 
 /// Stretches of a stroke, by its course.
 class Stretches {

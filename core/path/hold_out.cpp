@@ -3,6 +3,7 @@
 #include "core/path/apply.h"
 
 #include "core/base/parallel.h"
+#include "core/path/held_run.h"
 #include "core/path/part_guard.h"
 #include "core/path/polyline.h"
 #include "core/path/stroke_steps.h"
@@ -30,12 +31,6 @@ constexpr double surplus = 1e-6;
 double requiredBetween(const HoldOut& edit, double allowance) {
     return allowance + std::min(0.25 * edit.clearance, 0.001);
 }
-
-/// A point on its way out of the part.
-struct Held {
-    StrokePoint point;
-    glm::dvec3 origin{0.0}; ///< where the path was before, mm
-};
 
 /// Held points one after the other.
 struct Chain {
@@ -87,6 +82,17 @@ public:
         bridge(from, middle, chain, depth + 1);
         chain.points.push_back(middle);
         bridge(middle, to, chain, depth + 1);
+    }
+
+    /// The tip that is held out beside a place of the path, where it is near, not behind, and a clear move leads there.
+    /// @param along unit, of the path
+    std::optional<glm::dvec3> follow(const glm::dvec3& from, const glm::dvec3& place, const glm::dvec3& along) const {
+        constexpr double behind = 0.02; // mm
+        glm::dvec3 tip = place;
+        push(tip);
+        if (glm::distance(tip, place) > farthestAside || glm::dot(place - tip, along) > behind || !guard_.isClear(from, tip, required_, sampling_))
+            return std::nullopt;
+        return tip;
     }
 
 private:
@@ -153,59 +159,29 @@ void hold(Piece& piece, const std::vector<Held>& points, const Holder& holder) {
     }
 }
 
-/// Held points in runs that clear motions lead through.
-using Runs = std::vector<std::vector<Held>>;
-
-double originLength(const std::vector<Held>& run) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < run.size(); ++i) length += glm::distance(run[i - 1].origin, run[i].origin);
-    return length;
-}
-
-/// The last point of a run before a break may have been pushed back along the path: it ends where it got to.
-/// @param backwards the first point of a run behind a break, in the same way
-void endWhereItGot(std::vector<Held>& run, bool backwards) {
-    constexpr double least = 0.05; // of the path's length: the run went on
-    if (backwards) std::ranges::reverse(run);
-    const auto isStanding = [&] {
-        const Held &last = run.back(), &before = run[run.size() - 2];
-        return glm::distance(last.point.tip, before.point.tip) <= least * glm::distance(last.origin, before.origin);
-    };
-    while (run.size() > 1 && isStanding()) run.pop_back();
-    if (run.size() > 1) {
-        const glm::dvec3 from = run[run.size() - 2].origin, way = run.back().origin - from;
-        const double square = glm::dot(way, way);
-        const double part = square > 0.0 ? glm::dot(run.back().point.tip - from, way) / square : 1.0;
-        run.back().origin = from + std::clamp(part, 0.0, 1.0) * way;
-    }
-    if (backwards) std::ranges::reverse(run);
-}
-
 /// Runs of a stroke that was broken become strokes; what is between them, and what is too short to be worth a link, is
 /// left out.
 class Breaker {
 public:
     Breaker(PathUnderEdit& state, double shortest) : state_(state), shortest_(shortest) {}
 
-    std::vector<PathStroke> strokesOf(const PathStroke& stroke, const Runs& runs) {
+    std::vector<PathStroke> strokesOf(const PathStroke& stroke, const std::vector<HeldRun>& runs) {
         std::vector<PathStroke> strokes;
         PathStroke gap = stroke; // as the path was before
         gap.points.clear();
-        for (const std::vector<Held>& run : runs) {
-            const bool kept = runs.size() == 1 || originLength(run) >= shortest_;
-            gap.points.push_back(atOrigin(run.front()));
+        for (const HeldRun& run : runs) {
+            addTo(gap, run.before);
+            const bool whole = runs.size() == 1 && run.before.empty() && run.behind.empty();
+            const bool kept = whole || (!run.points.empty() && originLength(run) >= shortest_);
             if (kept) {
+                gap.points.push_back(atOrigin(run.points.front()));
                 report(gap);
-                PathStroke& part = strokes.emplace_back(stroke);
-                part.points.clear();
-                for (const Held& held : run) {
-                    part.points.push_back(held.point);
-                    pushed.include(glm::distance(held.point.tip, held.origin), held.origin);
-                }
-                gap.points = {atOrigin(run.back())};
+                strokes.push_back(strokeOf(stroke, run));
+                gap.points = {atOrigin(run.points.back())};
             } else {
-                for (std::size_t i = 1; i < run.size(); ++i) gap.points.push_back(atOrigin(run[i]));
+                addTo(gap, run.points);
             }
+            addTo(gap, run.behind);
         }
         report(gap);
         return strokes;
@@ -219,8 +195,21 @@ private:
         point.tip = held.origin;
         return point;
     }
+    static void addTo(PathStroke& gap, const std::vector<Held>& lost) {
+        for (const Held& held : lost) gap.points.push_back(atOrigin(held));
+    }
+    PathStroke strokeOf(const PathStroke& stroke, const HeldRun& run) {
+        PathStroke part = stroke;
+        part.points.clear();
+        for (const Held& held : run.points) {
+            part.points.push_back(held.point);
+            pushed.include(glm::distance(held.point.tip, held.origin), held.origin);
+        }
+        return part;
+    }
     void report(const PathStroke& gap) {
-        if (gap.points.size() > 1) state_.omissions.push_back(omissionOf(gap, OmissionReason::part));
+        constexpr double nothing = 1e-3; // mm
+        if (lengthOf(gap) > nothing) state_.omissions.push_back(omissionOf(gap, OmissionReason::part));
     }
 
     PathUnderEdit& state_;
@@ -228,10 +217,11 @@ private:
 };
 
 /// The runs of each stroke.
-std::vector<Runs> runsOf(const std::vector<std::vector<Held>>& strokes, const std::vector<Piece>& pieces) {
-    std::vector<Runs> runs(strokes.size());
+std::vector<std::vector<HeldRun>> runsOf(const std::vector<std::vector<Held>>& strokes,
+                                         const std::vector<Piece>& pieces) {
+    std::vector<std::vector<HeldRun>> runs(strokes.size());
     for (std::size_t s = 0; s < strokes.size(); ++s)
-        if (!strokes[s].empty()) runs[s] = {{strokes[s].front()}};
+        if (!strokes[s].empty()) runs[s] = {{{strokes[s].front()}, {}, {}}};
     for (const Piece& piece : pieces) {
         auto next = piece.chain.breaks.begin();
         for (std::size_t i = 0; i < piece.chain.points.size(); ++i) {
@@ -239,14 +229,9 @@ std::vector<Runs> runsOf(const std::vector<std::vector<Held>>& strokes, const st
                 runs[piece.stroke].emplace_back();
                 ++next;
             }
-            runs[piece.stroke].back().push_back(piece.chain.points[i]);
+            runs[piece.stroke].back().points.push_back(piece.chain.points[i]);
         }
     }
-    for (Runs& parts : runs)
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (i + 1 < parts.size()) endWhereItGot(parts[i], false);
-            if (i > 0) endWhereItGot(parts[i], true);
-        }
     return runs;
 }
 
@@ -278,11 +263,15 @@ Result<Deviation> apply(const HoldOut& edit, PathUnderEdit& state, const PathCon
         if (!progress.cancelled()) hold(piece, strokes[piece.stroke], holder);
     });
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "path", "", ""};
-    const std::vector<Runs> runs = runsOf(strokes, pieces);
+    std::vector<std::vector<HeldRun>> runs = runsOf(strokes, pieces);
     Breaker breaker(state, shortestKept(context.tool.cutter.diameter));
     std::vector<PathStroke> held;
     for (std::size_t s = 0; s < runs.size(); ++s) {
         state.lengthBefore += lengthOf(state.strokes[s]);
+        const Holder holder(*guard, edit, state.strokes[s].allowance);
+        settleBreaks(runs[s], [&](const auto& from, const auto& to, const auto& along) {
+            return holder.follow(from, to, along);
+        });
         state.strokes[s].required = requiredBetween(edit, state.strokes[s].allowance);
         std::ranges::move(breaker.strokesOf(state.strokes[s], runs[s]), std::back_inserter(held));
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/shape_corners.h"
 
+#include "core/geometry/angle.h"
 #include "core/path/polyline.h"
 
 #include <algorithm>
@@ -17,10 +18,8 @@ ShapeCorners::ShapeCorners(std::span<const StrokePoint> points, std::span<const 
     for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
         const glm::dvec3 into = points[kept[k]].tip - points[kept[k - 1]].tip;
         const glm::dvec3 out = points[kept[k + 1]].tip - points[kept[k]].tip;
-        const double lengths = glm::length(into) * glm::length(out);
         const double leg = std::min(glm::length(into), glm::length(out));
-        if (lengths > 0.0)
-            corners_.push_back({kept[k], {std::acos(glm::clamp(glm::dot(into, out) / lengths, -1.0, 1.0)), leg}});
+        if (leg > 0.0) corners_.push_back({kept[k], {angleBetween(into, out), leg}});
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "path_fixture.h"
+#include "block_fixture.h"
 
 #include <rapidcheck.h>
 
@@ -15,104 +15,11 @@ using namespace burin::test;
 
 namespace {
 
-constexpr double voxel = 0.25; // mm
-/// A voxel and what the watch adds to the tool: neither its grid nor the oracle's knows a surface better, mm.
-constexpr double blur = 0.3;
-const Box block{{-10, -10, -16}, {10, 10, 0}};
-
-Result<void> lendBlock(const StockUse& use, Progress&) {
-    PropertyList list;
-    Property property;
-    property.id = "block";
-    if (!list.add(property)) return Error{ErrorCode::internalFault, "block", "", ""};
-    Result<RunVolume> volume = RunVolume::make(*Grid::make(block.low, voxel, {80, 80, 64}), list);
-    if (!volume) return volume.error();
-    volume->fillBlock({0, 0}, {80, 80}, 0, volume->grid().lineEnd(), 1);
-    return use(*volume);
-}
-
-/// The flutes are short, the shank is wider than they are, the holder is near.
-Tool stubbyTool(CutterType type) {
-    Tool tool = type == CutterType::ball ? ballTool(4.0) : flatTool(4.0);
-    tool.cutter.fluteLength = 6.0;
-    tool.cutter.shankDiameter = 5.0;
-    tool.cutter.stickOut = 9.0;
-    tool.cutter.holder = {{10.0, 10.0, 20.0}};
-    return tool;
-}
-
-PathContext blockContext(const Tool& tool) {
-    static const MeshDistance nothing{TriangleMesh{}};
-    PathContext context = contextOf(nothing, tool, block);
-    context.lendStock = lendBlock;
-    return context;
-}
-
-/// The stock as the lowest height that flutes, open to above, have left at points a little apart.
-class Heights {
-public:
-    static constexpr double apart = 0.25, walked = 0.1; // mm, between points and between looks
-    Heights() : heights_(side * side, block.high.z) {}
-    void cut(const Cutter& cutter, const glm::dvec3& tip) {
-        forEachWithin(tip, cutter.radius(), [&](double& height, double across) {
-            // Higher than the flutes the stock stays: this stock knows no overhang, so that it is too high there.
-            // By a step of the walk they have been higher.
-            if (height > tip.z + cutter.fluteLength + walked) return;
-            const double rise =
-                cutter.type == CutterType::ball
-                    ? cutter.radius() - std::sqrt(std::max(0.0, cutter.radius() * cutter.radius() - across * across))
-                    : 0.0;
-            height = std::min(height, tip.z + rise);
-        });
-    }
-    double highestWithin(const glm::dvec3& tip, double radius) {
-        double highest = -1e9;
-        forEachWithin(tip, radius, [&](double& height, double) { highest = std::max(highest, height); });
-        return highest;
-    }
-
-private:
-    static constexpr int side = 80;
-    void forEachWithin(const glm::dvec3& tip, double radius, const std::function<void(double&, double)>& visit) {
-        const auto cell = [](double along, double low) {
-            return std::clamp(static_cast<int>(std::floor((along - low) / apart)), 0, side - 1);
-        };
-        for (int y = cell(tip.y - radius, block.low.y); y <= cell(tip.y + radius, block.low.y); ++y)
-            for (int x = cell(tip.x - radius, block.low.x); x <= cell(tip.x + radius, block.low.x); ++x) {
-                const glm::dvec2 at = glm::dvec2(block.low) + apart * glm::dvec2(x + 0.5, y + 0.5);
-                const double across = glm::distance(at, glm::dvec2(tip));
-                if (across < radius) visit(heights_[static_cast<std::size_t>(y * side + x)], across);
-            }
-    }
-    std::vector<double> heights_;
-};
-
-/// How deep shank or holder are in what is left at worst, along all moves, mm; those that lie within the blur of a
-/// wall count as beside it.
-double deepestGuard(const std::vector<PathPoint>& points, const Cutter& cutter) {
-    Heights left;
-    double deepest = 0.0;
-    walk(points, Heights::walked, [&](const PathPoint& end, const glm::dvec3& tip) {
-        if (tip.z + cutter.fluteLength < block.high.z)
-            deepest = std::max(deepest,
-                               left.highestWithin(tip, 0.5 * cutter.shankDiameter - blur) - tip.z - cutter.fluteLength);
-        if (tip.z + cutter.stickOut < block.high.z)
-            deepest = std::max(deepest, left.highestWithin(tip, 0.5 * cutter.holder.front().lowerDiameter - blur) -
-                                            tip.z - cutter.stickOut);
-        if (end.kind != MoveKind::rapid) left.cut(cutter, tip);
-    });
-    return deepest;
-}
-
 double lengthOfCuts(const std::vector<PathPoint>& points) {
     double length = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i)
         if (points[i].kind == MoveKind::cut) length += glm::distance(points[i - 1].tip, points[i].tip);
     return length;
-}
-
-const EditReport& reportOf(const EvaluatedPath& path, std::string_view edit) {
-    return *std::ranges::find(path.reports, edit, &EditReport::edit);
 }
 
 /// Five rows at a height, to and fro, over a square about the origin; then up.
@@ -138,6 +45,25 @@ std::vector<Edit> allEdits(Link link) {
     LeadOut out;
     return {{DropAirCuts{}}, {SmoothSpline{}}, {HoldOut{}}, {Simplify{}}, {round}, {FitArcs{}}, {in},
             {out},           {link},           {SetFeed{}}};
+}
+
+/// A cutter of T-slots: a disc under a neck that passes between the ledges of the slot.
+Tool slotTool() {
+    Tool tool = flatTool(8.0);
+    tool.cutter.fluteLength = 3.0;
+    tool.cutter.shankDiameter = 3.0;
+    return tool;
+}
+constexpr double slotRadius = 4.0, slotHeight = 3.0, neckRadius = 1.5;
+
+/// Clearance of disc and neck from a box.
+double slotToolDistance(const Box& box, const glm::dvec3& tip) {
+    const double aside = glm::length(glm::max(
+        glm::max(glm::dvec2(box.low) - glm::dvec2(tip), glm::dvec2(tip) - glm::dvec2(box.high)), glm::dvec2(0.0)));
+    const double across = aside - slotRadius;
+    const double above = std::max(tip.z - box.high.z, box.low.z - tip.z - slotHeight);
+    const double disc = across > 0.0 && above > 0.0 ? std::hypot(across, above) : std::max(across, above);
+    return box.high.z > tip.z + slotHeight ? std::min(disc, aside - neckRadius) : disc;
 }
 
 } // namespace
@@ -234,6 +160,52 @@ private slots:
         const auto path = run({takeOf(ticks)}, edits, context);
         QVERIFY(path);
         QVERIFY(reportOf(*path, "link").omissions.empty());
+    }
+
+    /// In a T-slot with a wall across it no motion leads past the wall: there the path ends, and the rest is left out;
+    /// what comes outside of the slot is made.
+    void whatNoMotionLeadsPastIsLeftOut() {
+        QVERIFY(rc::check("no move enters the part, and all that is missing is reported", [] {
+            const double wallAt = 0.5 * *rc::gen::inRange(10, 20), thick = 0.5 * *rc::gen::inRange(1, 8);
+            const double y = 0.1 * *rc::gen::inRange(-3, 4), end = wallAt + thick + *rc::gen::inRange(1, 12);
+            const std::vector<Box> boxes{{{0, 2, -4}, {40, 20, 0}},
+                                         {{0, -20, -4}, {40, -2, 0}},
+                                         {{wallAt, -20, -12}, {wallAt + thick, 20, -4.2}}};
+            const MeshDistance part(meshOf(boxes));
+            std::vector<Tick> ticks = along({{-15, y, -8}, {end, y, -8}}, 40.0);
+            append(ticks, along({{end, y, -8}, {end, y, 6}, {-10, 8, 6}, {-10, 8, -8}}, 400.0, false));
+            const auto second = static_cast<std::int64_t>(ticks.size());
+            append(ticks, along({{-10, 8, -8}, {-10, -8, -8}}, 40.0));
+            const std::vector<Edit> edits{{DropAirCuts{}}, {HoldOut{}}, {Simplify{}}, {Link{}}};
+            const auto path = run({takeOf(ticks)}, edits, contextOf(part, slotTool(), {{-40, -30, -20}, {50, 30, 0}}));
+            RC_ASSERT(static_cast<bool>(path));
+            double farthest = -1e9, secondLength = 0.0, nearest = 1e9;
+            for (std::size_t i = 1; i < path->path.points.size(); ++i) {
+                const PathPoint& point = path->path.points[i];
+                if (point.kind != MoveKind::cut) continue;
+                farthest = std::max(farthest, point.tip.x);
+                if (point.sample >= second) secondLength += glm::distance(path->path.points[i - 1].tip, point.tip);
+            }
+            walk(path->path.points, 0.1, [&](const PathPoint&, const glm::dvec3& tip) {
+                for (const Box& box : boxes) nearest = std::min(nearest, slotToolDistance(box, tip));
+            });
+            RC_ASSERT(nearest >= -1e-4);
+            RC_ASSERT(secondLength > 15.5);
+            // It is made as far as the wall lets the disc come, and the rest is reported in whole.
+            const double wall = wallAt - slotRadius;
+            RC_ASSERT(farthest <= wall + 1e-4);
+            RC_ASSERT(farthest >= wall - 0.05);
+            double from = 1e9, to = -1e9;
+            for (const EditReport& report : path->reports)
+                for (const Omission& omitted : report.omissions)
+                    for (const glm::dvec3& point : omitted.line) {
+                        from = std::min(from, point.x);
+                        to = std::max(to, point.x);
+                        RC_ASSERT(std::abs(point.y - y) < 0.1);
+                    }
+            RC_ASSERT(from <= farthest + 0.05);
+            RC_ASSERT(std::abs(to - end) < 0.01);
+        }));
     }
 };
 

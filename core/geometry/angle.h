@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cmath>
+
+namespace burin {
+
+/// rad, 0 … pi, between two vectors of any length; exact for small angles, too. 0 where one of them is zero.
+inline double angleBetween(const glm::dvec3& a, const glm::dvec3& b) noexcept {
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+} // namespace burin
