@@ -48,6 +48,10 @@ struct BrickField {
     }
 
     FieldSample sample(const glm::dvec3& tip) const noexcept;
+    /// The same for a tip that lies in the box but for rounding.
+    FieldSample sampleInside(const glm::dvec3& tip) const noexcept {
+        return sample(glm::clamp(tip, tips.low, tips.high));
+    }
     /// How far the clearance may be above the true one, mm.
     double bound(const glm::dvec3& tip) const noexcept;
 

@@ -22,6 +22,21 @@ public:
     Builder(const MeshDistance& part, const ToolFieldRequest& request, Progress& progress)
         : part_(part), request_(request), progress_(progress), resolution_(fieldResolution(request)) {}
 
+    /// @param spacing of fine samples, an eighth of a brick, mm
+    Builder(const MeshDistance& part, const ToolFieldRequest& request, double spacing, Progress& progress)
+        : Builder(part, request, progress) {
+        resolution_.spacing = spacing;
+    }
+
+    Result<CoarseBricks> buildCoarse() {
+        if (Result<void> laid = lay(); !laid) return laid.error();
+        TipCorners corners(part_, request_, resolution_, field_);
+        corners.sample(progress_, 0.0, 0.9);
+        std::vector<std::uint8_t> band = bricksInBand(corners, 0.9, 1.0);
+        if (progress_.cancelled()) return Error{ErrorCode::cancelled, subject, "", ""};
+        return CoarseBricks{std::move(field_), std::move(band)};
+    }
+
     Result<BrickField> build() {
         if (Result<void> laid = lay(); !laid) return laid.error();
         TipCorners corners(part_, request_, resolution_, field_);
@@ -42,10 +57,7 @@ private:
         field_.tips = request_.tips;
         field_.spacing = resolution_.spacing;
         field_.interpolationBound = resolution_.interpolationBound;
-        // A fine brick has a corner as near as mayHoldBand says, or one as deep.
-        const double edge = field_.brickEdge(), diagonal = std::numbers::sqrt3 * edge;
-        const double reach = TipCorners::nearEnough(resolution_, edge) - resolution_.low + 1.5 * diagonal;
-        field_.quantum = (reach + resolution_.interpolationBound) / 32000.0;
+        field_.quantum = resolution_.quantum;
         double count = 1.0;
         for (int axis = 0; axis < 3; ++axis) {
             const double along = std::max(
@@ -62,14 +74,20 @@ private:
         return {};
     }
 
-    /// The bricks that are fine.
-    Result<void> choose(const TipCorners& corners) {
-        std::vector<std::uint8_t> wanted(field_.brickCount(), 0);
-        spreadStretches(field_.brickCount(), 0.15, 0.2, progress_, [&](std::size_t first, std::size_t end) {
+    /// By brick; 1 or 0.
+    std::vector<std::uint8_t> bricksInBand(const TipCorners& corners, double from, double to) {
+        std::vector<std::uint8_t> band(field_.brickCount(), 0);
+        spreadStretches(field_.brickCount(), from, to, progress_, [&](std::size_t first, std::size_t end) {
             TipAsker asker(part_, request_, {1e-4 * request_.voxel, -field_.brickEdge(), 0.1 * request_.voxel});
             for (std::size_t number = first; number < end; ++number)
-                wanted[number] = corners.mayHoldBand(field_.brickOf(number), asker) ? 1 : 0;
+                band[number] = corners.mayHoldBand(field_.brickOf(number), asker) ? 1 : 0;
         });
+        return band;
+    }
+
+    /// The bricks that are fine.
+    Result<void> choose(const TipCorners& corners) {
+        const std::vector<std::uint8_t> wanted = bricksInBand(corners, 0.15, 0.2);
         for (std::size_t number = 0; number < wanted.size(); ++number)
             if (wanted[number] != 0) {
                 field_.place[number] = static_cast<std::int32_t>(fine_.size());
@@ -102,7 +120,25 @@ FieldResolution fieldResolution(const ToolFieldRequest& request) noexcept {
     resolution.low = -3.0 * voxel;
     resolution.high = std::max(request.maximumAllowance, 0.0) + 4.0 * voxel;
     resolution.clear = std::max(request.maximumAllowance, 0.0) + 0.05 * voxel;
+    // A fine brick has a corner as near as TipCorners::mayHoldBand says, or one as deep.
+    const double edge = BrickField::cells * resolution.spacing, diagonal = std::numbers::sqrt3 * edge;
+    const double reach = TipCorners::nearEnough(resolution, edge) - resolution.low + 1.5 * diagonal;
+    resolution.quantum = (reach + resolution.interpolationBound) / 32000.0;
     return resolution;
+}
+
+Result<void> checkFieldRequest(const ToolFieldRequest& request) {
+    if (request.tool.empty()) return Error{ErrorCode::argumentInvalid, "tool", "", "at least one piece"};
+    if (!(request.voxel > 0.0) || !std::isfinite(request.voxel))
+        return Error{ErrorCode::argumentInvalid, "voxel", "", "greater than 0 mm"};
+    if (request.tips.empty() || !isFinite(request.tips.low) || !isFinite(request.tips.high))
+        return Error{ErrorCode::argumentInvalid, "tips", "", "a box that is not empty"};
+    return {};
+}
+
+Result<CoarseBricks> buildCoarseBricks(const MeshDistance& part, const ToolFieldRequest& request, double edge,
+                                       Progress& progress) {
+    return Builder(part, request, edge / BrickField::cells, progress).buildCoarse();
 }
 
 Result<BrickField> buildBrickField(const MeshDistance& part, const ToolFieldRequest& request, Progress& progress) {

@@ -16,11 +16,7 @@ ToolField::ToolField(ToolField&&) noexcept = default;
 ToolField& ToolField::operator=(ToolField&&) noexcept = default;
 
 Result<ToolField> ToolField::build(const MeshDistance& part, const ToolFieldRequest& request, Progress& progress) {
-    if (request.tool.empty()) return Error{ErrorCode::argumentInvalid, "tool", "", "at least one piece"};
-    if (!(request.voxel > 0.0) || !std::isfinite(request.voxel))
-        return Error{ErrorCode::argumentInvalid, "voxel", "", "greater than 0 mm"};
-    if (request.tips.empty() || !isFinite(request.tips.low) || !isFinite(request.tips.high))
-        return Error{ErrorCode::argumentInvalid, "tips", "", "a box that is not empty"};
+    if (Result<void> usable = checkFieldRequest(request); !usable) return std::move(usable).error();
     try {
         Result<BrickField> bricks = buildBrickField(part, request, progress);
         if (!bricks) return bricks.error();

@@ -29,7 +29,7 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
     const Hand hand = input_(state, period, started_ ? &mover_.pose().tip : nullptr, output_.quiet());
     sample.device = hand.device;
     sample.stylusTip = hand.wanted.tip;
-    sample.proxy = started_ ? mover_.pose() : mover_.parkedAbove(hand.wanted);
+    sample.proxy = shown_ = started_ ? mover_.pose() : mover_.parkedAbove(hand.wanted);
     if (cut_.memoryFull()) sample.flags |= sampleMemoryFull;
     if (hand.reading != Reading::fault) cut_.button((hand.buttons & 1u) != 0);
     if (!cut_.spindleTurns()) sample.flags |= sampleSpindleOff;
@@ -53,13 +53,23 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
     ToolMotion motion = mover_.move(guided.goal, period, cut_);
     const CuttingForce cutting = cut_(motion, period, sample);
     mover_.arrive(motion);
-    sample.proxy = mover_.pose();
+    sample.proxy = shown_ = mover_.pose();
     if (motion.shankContact) sample.flags |= sampleShankContact;
     noteHold(motion, sample);
     if (motion.axisHeld) sample.flags |= sampleAxisHeld;
     output_.motorsAre(state.motorHeat, period);
     output_(motion, cutting, hand, guided, period, sample);
     return sample;
+}
+
+/// A trace's recorder has room for so many a tick while the disk makes it wait.
+void HapticStep::takeTiles() noexcept {
+    constexpr int most = 2;
+    for (int i = 0; i < most; ++i) {
+        const std::optional<TileChange> change = layers_.part().nextChange(shown_);
+        if (!change) return;
+        changeTile(*change);
+    }
 }
 
 void HapticStep::listen(StepChangeListener* listener) noexcept {
@@ -83,6 +93,7 @@ void HapticStep::apply(const StepChange& change) noexcept {
         void operator()(const ForceWithheld&) const noexcept { step.forceWithheld(); }
         void operator()(const CutResumption&) const noexcept { step.resumeCutting(); }
         void operator()(const WorkpieceChange&) const noexcept { step.workpieceChanged(); }
+        void operator()(const TileChange& told) const noexcept { step.changeTile(told); }
     };
     std::visit(Apply{*this}, change);
 }

@@ -65,6 +65,9 @@ public:
         tell(LayerSwitch{layer, on});
         layers_.switchTo(layer, on);
     }
+    /// What has come of a part's boundary that grows is in force from the next tick on: a little at a time. Between two
+    /// ticks.
+    void takeTiles() noexcept;
     const BoundaryLayers& layers() const noexcept { return layers_; }
     /// The layers that held the tool in the last tick, by bit of their number (BoundaryLayers::touching).
     std::uint64_t heldBy() const noexcept { return heldBy_; }
@@ -110,6 +113,10 @@ private:
     }
     Sample beginSample(double period) noexcept;
     bool start(const ToolPose& hand) noexcept;
+    void changeTile(const TileChange& change) noexcept {
+        tell(change);
+        layers_.part().apply(change);
+    }
     void noteHold(const ToolMotion& motion, Sample& sample) noexcept;
 
     HandInput input_;
@@ -124,6 +131,7 @@ private:
     std::uint64_t tick_ = 0, heldBy_ = 0;
     double time_ = 0.0;
     bool started_ = false;
+    ToolPose shown_; ///< of the last sample
 };
 
 } // namespace burin

@@ -5,6 +5,7 @@
 #include "core/geometry/pose.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace burin {
 
@@ -14,6 +15,12 @@ struct PoseSample {
     glm::dvec3 gradient{0.0}; ///< of the clearance by the tip, about unit length
     glm::dvec3 turning{0.0};  ///< mm/rad, of the clearance by a turn about the tip; square to the axis
     bool fine = false;        ///< near enough for the gradient to be one that a tool can slide along
+};
+
+/// A tile of a boundary that grows (GrowingBoundary) comes into force, or is given up.
+struct TileChange {
+    std::uint32_t tile = 0;
+    bool there = false;
 };
 
 /// Bounds the poses of one tool: something solid that it must not enter, or a space that it must not leave. The haptic
@@ -37,6 +44,11 @@ public:
     /// What all answers took together, in units as ClearanceAsker::work; the same poses take the same, on any machine.
     /// 0 where answers are too quick to count.
     virtual std::uint64_t work() const noexcept { return 0; }
+    /// Between two ticks: what of the boundary has come meanwhile, or has to go; the next after it was applied.
+    /// @param tool where it is
+    virtual std::optional<TileChange> nextChange(const ToolPose&) noexcept { return std::nullopt; }
+    /// What `nextChange` told, or told when a session was recorded.
+    virtual void apply(const TileChange&) noexcept {}
 };
 
 } // namespace burin

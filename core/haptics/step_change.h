@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/haptics/guide.h"
+#include "core/haptics/pose_boundary.h"
 #include "core/haptics/workspace.h"
 
 #include <cstddef>
@@ -31,7 +32,7 @@ struct WorkpieceChange {}; ///< the owner put another state of the workpiece in 
 
 /// What a step is told between two ticks: together with the readings it decides all that the step does. Plain data.
 using StepChange = std::variant<AllowanceChange, GuideSettings, LevelStep, WorkspaceSettings, LayerSwitch,
-                                SpindleRelease, TakeBegin, ForceWithheld, CutResumption, WorkpieceChange>;
+                                SpindleRelease, TakeBegin, ForceWithheld, CutResumption, WorkpieceChange, TileChange>;
 static_assert(std::is_trivially_copyable_v<StepChange>);
 
 /// Hears what a step is told, on the thread that tells it, before the step follows. No allocation, lock or file.

@@ -16,6 +16,7 @@ using nlohmann::json;
 const std::vector<std::string_view> guideKinds{"plane", "levels", "line", "curve", "surface", "step_over", "axis"};
 const std::vector<std::string_view> controls{"position", "rate"};
 constexpr int mostCurves = 4096, mostLevels = 1'000'000, mostLayers = 1024;
+constexpr int mostTiles = 1 << 24;
 constexpr double largestWord = 4294967295.0; // 32 bits of buttons, counts
 
 double finite(double value) {
@@ -122,6 +123,7 @@ struct ToJson {
     json operator()(const ForceWithheld&) const { return {{"force_withheld", true}}; }
     json operator()(const CutResumption&) const { return {{"cutting_resumes", true}}; }
     json operator()(const WorkpieceChange&) const { return {{"workpiece_changed", true}}; }
+    json operator()(const TileChange& change) const { return {{"tile", change.tile}, {"there", change.there}}; }
 };
 
 /// A change that says no more than that it is one.
@@ -149,6 +151,10 @@ std::optional<StepChange> plainChange(JsonObject& object) {
     if (object.has("force_withheld")) return marked<ForceWithheld>(object, "force_withheld");
     if (object.has("cutting_resumes")) return marked<CutResumption>(object, "cutting_resumes");
     if (object.has("workpiece_changed")) return marked<WorkpieceChange>(object, "workpiece_changed");
+    if (object.has("tile")) {
+        const int tile = object.integer("tile", 0, mostTiles);
+        return TileChange{static_cast<std::uint32_t>(tile), object.boolean("there")};
+    }
     return std::nullopt;
 }
 

@@ -99,10 +99,13 @@ WorkspaceMapping readMapping(JsonObject& object) {
 } // namespace
 
 std::string formatTracedSession(const TracedSession& session) {
-    const json inner{{"stylus", toJson(session.stylus)},       {"mapping", toJson(session.mapping)},
-                     {"allowance_mm", session.allowance},      {"period_s", session.period},
-                     {"cuts_on_button", session.cutsOnButton}, {"force_buttons", session.forceButtons},
-                     {"felt", toJson(session.felt)},           {"axis", toJson(session.axis)}};
+    json inner{{"stylus", toJson(session.stylus)},       {"mapping", toJson(session.mapping)},
+               {"allowance_mm", session.allowance},      {"period_s", session.period},
+               {"cuts_on_button", session.cutsOnButton}, {"force_buttons", session.forceButtons},
+               {"felt", toJson(session.felt)},           {"axis", toJson(session.axis)}};
+    if (session.growth)
+        inner["boundary_grows"] = {{"maximum_allowance_mm", session.growth->maximumAllowance},
+                                   {"whole", session.growth->whole}};
     return std::string(beginning) + inner.dump() + "}";
 }
 
@@ -127,6 +130,10 @@ Result<TracedSession> readTracedSession(std::string_view text, const std::string
             session.felt = {felt.number("gain", atLeastNothing), felt.number("friction", atLeastNothing)};
         });
         inner.object("axis", [&](JsonObject& axis) { session.axis = readAxis(axis); });
+        if (inner.has("boundary_grows"))
+            inner.object("boundary_grows", [&](JsonObject& growth) {
+                session.growth = {growth.number("maximum_allowance_mm", {0.0, 10.0}), growth.boolean("whole")};
+            });
     });
     if (Result<void> whole = object->finish(); !whole) return std::move(whole).error();
     if (Result<void> good = checkDescription(session.stylus); !good) return std::move(good).error();

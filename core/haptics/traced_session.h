@@ -6,6 +6,7 @@
 #include "core/device/stylus.h"
 #include "core/haptics/haptic_settings.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,12 @@ struct TracedSession {
     std::uint32_t forceButtons = 0; ///< as in HapticSettings
     FeltCutting felt;
     AxisMode axis; ///< decided by what bounds the tool
+    /// The part's boundary grew while it was milled (GrowingBoundary), as the changes tell.
+    struct Growth {
+        double maximumAllowance = 0.0; ///< mm, that it was made for
+        bool whole = false;            ///< all of it was there from the start
+    };
+    std::optional<Growth> growth{}; ///< none: it was all there
 };
 
 /// A JSON object of one line, without its end. Numbers come back to the bit.

@@ -7,10 +7,10 @@
 #include <utility>
 
 namespace burin {
-namespace {
 
 /// Corners that were one stay one, to the last bit.
-TriangleMesh turned(std::span<const Triangle> triangles, const glm::dmat3& turn) {
+TriangleMesh turnedPart(const MeshDistance& part, const glm::dmat3& turn) {
+    const std::span<const Triangle> triangles = part.triangles();
     TriangleMesh mesh;
     mesh.vertices.reserve(3 * triangles.size());
     mesh.triangles.reserve(triangles.size());
@@ -22,8 +22,6 @@ TriangleMesh turned(std::span<const Triangle> triangles, const glm::dmat3& turn)
     return mesh;
 }
 
-} // namespace
-
 Result<TurnedField> TurnedField::build(const MeshDistance& part, const glm::dvec3& axis,
                                        const ToolFieldRequest& request, Progress& progress) {
     if (!(std::abs(glm::length(axis) - 1.0) < 1e-6))
@@ -32,7 +30,7 @@ Result<TurnedField> TurnedField::build(const MeshDistance& part, const glm::dvec
     const glm::dmat3 turn = frameAlong(glm::normalize(axis));
     ToolFieldRequest seen = request;
     seen.tips = boxAround(request.tips, turn);
-    Result<ToolField> field = ToolField::build(MeshDistance(turned(part.triangles(), turn)), seen, progress);
+    Result<ToolField> field = ToolField::build(MeshDistance(turnedPart(part, turn)), seen, progress);
     if (!field) return std::move(field).error();
     return TurnedField(turn, std::move(*field));
 }

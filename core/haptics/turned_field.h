@@ -7,6 +7,10 @@
 
 namespace burin {
 
+/// A part as it is seen along a tool's axis. @param turn from the setup frame to the one whose z is along the axis
+/// (frameAlong)
+TriangleMesh turnedPart(const MeshDistance& part, const glm::dmat3& turn);
+
 /// The clearance of a tool whose axis stands in any direction (3+2): a ToolField of the part as seen along it.
 class TurnedField final : public ClearanceField {
 public:

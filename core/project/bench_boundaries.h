@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/field/growing_field.h"
 #include "core/haptics/axis_mode.h"
 #include "core/haptics/boundary_layers.h"
+#include "core/haptics/growing_boundary.h"
+#include "core/haptics/session_trace.h"
 #include "core/haptics/tool_boundaries.h"
 #include "core/machine/envelope.h"
 #include "core/project/bench.h"
 #include "core/setup/obstacle.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +57,32 @@ public:
     static Result<ToolBounds> build(const Bench& bench, const Tool& tool, const AxisMode& axis,
                                     const Surroundings& surroundings, double maximumAllowance, Progress& progress);
 
+    /// The same, to mill with in a moment whatever the size: the part's field grows in the background, around the tool
+    /// first, and holds the tool where it is not there yet. What is whole within some tenths of a second is awaited.
+    /// A free axis has no field.
+    /// @param part the bench's mesh; shared by what is made @param limits of the field
+    static Result<ToolBounds> grow(const Bench& bench, std::shared_ptr<const MeshDistance> part, const Tool& tool,
+                                   const AxisMode& axis, const Surroundings& surroundings, double maximumAllowance,
+                                   const GrowthLimits& limits, Progress& progress);
+    /// As they grew while a trace was recorded whose `TracedSession::growth` says so: for a session that plays it
+    /// (SessionRequest::replayed). Makes what the trace names, in the caller's thread. Errors: also traceInvalid (it
+    /// names what this bench does not have).
+    static Result<ToolBounds> asGrown(const Bench& bench, const Tool& tool, const AxisMode& axis,
+                                      const Surroundings& surroundings, const SessionTrace& trace, Progress& progress);
+
+    /// Waits until the field has nothing left to do for the tool where it is; at once where none grows.
+    /// @param progress gets the share of the field that is there. Errors: cancelled, outOfMemory (what is not there
+    /// holds the tool for good).
+    Result<void> waitUntilQuiet(Progress& progress) const;
+    /// Makes all of the field, and keeps it. Errors: cancelled, outOfMemory.
+    Result<void> finish(Progress& progress) const;
+    /// Every tip is answered as the part itself is: the field is all there, or the axis free.
+    bool complete() const { return !growing_ || growing_->complete(); }
+    /// Of a field that grows, as it is now; 0 where none does.
+    std::size_t memoryBytes() const { return growing_ ? growing_->memoryBytes() : 0; }
+    /// How it grows, for the trace of a session; none where it does not.
+    std::optional<TracedSession::Growth> growth() const;
+
     /// For one session; quick. Layers go on without the object.
     BoundaryLayers boundaryLayers() const;
     /// By their number.
@@ -63,10 +93,24 @@ public:
     const ClearanceField* field() const noexcept { return field_.get(); }
 
 private:
+    /// What a growing field is made of and seen through.
+    struct Seen {
+        std::shared_ptr<const MeshDistance> part;
+        glm::dmat3 turn{1.0};
+    };
     ToolBounds() = default;
+    static Result<ToolBounds> withoutField(const Bench& bench, const Tool& tool, const AxisMode& axis,
+                                           const Surroundings& surroundings);
+    Result<void> lay(const Bench& bench, const Seen& seen, const Tool& tool, double maximumAllowance,
+                     const GrowthLimits& limits, Progress& progress);
+    std::unique_ptr<PoseBoundary> partBoundary() const;
 
     AxisMode axis_;
     std::shared_ptr<const ClearanceField> field_;
+    std::shared_ptr<GrowingField> growing_; ///< null: the field is all there
+    glm::dmat3 turn_{1.0};                  ///< from the setup frame to the growing field's
+    double maximumAllowance_ = 0.0;         ///< mm, of the growing field
+    std::optional<GrowingBoundary::Tiles> replayed_;
     const MeshDistance* mesh_ = nullptr; ///< the bench's; null: the part's field alone
     double voxel_ = 0.0;                 ///< mm
     Tool tool_;

@@ -41,6 +41,7 @@ public:
         , strokes_(strokes)
         , allowance_(request.allowance)
         , axis_(bounds.axis())
+        , growth_(bounds.growth())
         , layerCount_(bounds.layers().size())
         , layersOn_(layersOn(bounds.layers()))
         , traceOutput_(request.traceOutput)
@@ -92,6 +93,7 @@ private:
     StrokeHistory& strokes_;
     double allowance_;
     const AxisMode axis_;
+    const std::optional<TracedSession::Growth> growth_;
     const std::size_t layerCount_;
     std::uint64_t layersOn_; ///< wished, by bit
     std::optional<StagedFile>* const traceOutput_;
@@ -120,9 +122,15 @@ Result<void> LiveSession::start(const SessionRequest& request) {
         sink = &*replayed_;
     }
     if (!request.trace.empty()) {
-        const TracedSession began{
-            stylus_.device().description(), request.mapping,      request.allowance, servo_.period,
-            request.cutsOnButton,           request.forceButtons, request.felt,      axis_};
+        const TracedSession began{stylus_.device().description(),
+                                  request.mapping,
+                                  request.allowance,
+                                  servo_.period,
+                                  request.cutsOnButton,
+                                  request.forceButtons,
+                                  request.felt,
+                                  axis_,
+                                  growth_};
         Result<std::unique_ptr<TraceRecorder>> trace = TraceRecorder::begin(request.trace, *sink, began);
         if (!trace) return std::move(trace).error();
         trace_ = std::move(*trace);

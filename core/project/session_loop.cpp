@@ -64,6 +64,7 @@ AtEdge SessionLoop::edge() noexcept {
     fulfil();
     if (standing_) return AtEdge::stand;
     takeSettings();
+    step_.takeTiles();
     if (resume_.load(std::memory_order_relaxed) && resume_.exchange(false, std::memory_order_acquire))
         step_.resumeCutting();
     giveView();

@@ -15,5 +15,6 @@ void stabilityFigures(Session& session);    ///< energy.*, nohand.*, noise.*
 void guardFigures(Session& session);        ///< guards.*
 void stopFigures(Session& session);         ///< stop.*
 void deviceFigures(Session& session);       ///< hid.*
+void firstCutFigures(Session& session);     ///< first_cut.*: from the wish to mill, without the hand's own time
 
 } // namespace burin::benchmarks

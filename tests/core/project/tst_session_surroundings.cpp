@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/trace_stylus.h"
 #include "core/project/job_paths.h"
 #include "core/project/milling_session.h"
 #include "tests/core/geometry/shapes.h"
@@ -10,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <algorithm>
 #include <random>
 
 using namespace burin;
@@ -343,6 +345,68 @@ private slots:
         }
         for (const std::size_t wrong : {std::size_t{0}, std::size_t{4}})
             QCOMPARE(session->setLayer(wrong, false).error().code, ErrorCode::argumentInvalid);
+    }
+
+    /// What bounds the tool grows while it mills, at ticks that nobody can foresee: the trace has them, and plays the
+    /// same session to the bit. Without them it would be another one.
+    void aSessionWhoseBoundaryGrewIsPlayedAgain_data() {
+        QTest::addColumn<glm::dvec3>("axis");
+        QTest::newRow("three axes") << upright;
+        QTest::newRow("3+2") << leaning;
+    }
+    void aSessionWhoseBoundaryGrewIsPlayedAgain() {
+        QFETCH(glm::dvec3, axis);
+        const QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath("trace.csv").toStdString();
+        const Surroundings surroundings = surroundingsOf(aroundTheBlock());
+        AroundStage live(folder, {false, axis}, surroundings, 1500);
+        Progress progress;
+        const std::shared_ptr<const MeshDistance> part(std::shared_ptr<void>(), &live.bench.part);
+        const Result<ToolBounds> grown = ToolBounds::grow(live.bench, part, live.bench.tool, {false, axis},
+                                                          surroundings, 0.75, GrowthLimits{}, progress);
+        QVERIFY(grown && grown->growth() && !grown->growth()->whole);
+        SessionRequest request = handRequest(Pace::realtime);
+        request.takeName = "grown";
+        request.trace = file;
+        const auto session = MillingSession::begin(live.project, live.bench, *grown, live.hand, live.strokes, request);
+        QVERIFY(session && await([&] { return (*session)->ended(); }) && (*session)->end());
+        const Result<Take> original = live.project.take((*session)->take());
+        QVERIFY(original && original->samples.size() > 1000);
+
+        Result<SessionTrace> trace = readSessionTrace(file);
+        QVERIFY(trace && trace->began && trace->began->growth && trace->began->growth->maximumAllowance == 0.75);
+        const auto isTile = [](const TimedChange& timed) { return std::holds_alternative<TileChange>(timed.change); };
+        QVERIFY(std::ranges::count_if(trace->changes, isTile) >= 2);
+        const auto play = [&] {
+            const QTemporaryDir again;
+            AroundStage stage(again, {false, axis}, surroundings, 0);
+            const Result<ToolBounds> bounds =
+                ToolBounds::asGrown(stage.bench, stage.bench.tool, {false, axis}, surroundings, *trace, progress);
+            SessionRequest replay = handRequest(Pace::fast);
+            replay.takeName = "again";
+            replay.replayed = &*trace;
+            TraceStylus stylus(trace->readings, trace->began->stylus);
+            if (!bounds) return Take{};
+            const auto played =
+                MillingSession::begin(stage.project, stage.bench, *bounds, stylus, stage.strokes, replay);
+            if (!played || !await([&] { return (*played)->ended(); }) || !(*played)->end()) return Take{};
+            return stage.project.take((*played)->take()).value();
+        };
+        const auto same = [&](const Take& other) {
+            const auto alike = [](const Sample& one, const Sample& again) {
+                return one.proxy.tip == again.proxy.tip && one.cuttingForce == again.cuttingForce &&
+                       (one.force == again.force || (one.flags & sampleForceLate) != 0);
+            };
+            return std::ranges::equal(original->samples, other.samples, alike);
+        };
+        QVERIFY(same(play()));
+        std::erase_if(trace->changes, isTile);
+        QVERIFY(!same(play()));
+        // Of a bench with fewer tiles it is refused.
+        trace->changes.push_back({0, TileChange{100000, true}});
+        const Result<ToolBounds> strange =
+            ToolBounds::asGrown(live.bench, live.bench.tool, {false, axis}, surroundings, *trace, progress);
+        QVERIFY(!strange && strange.error().code == ErrorCode::traceInvalid);
     }
 
     void aFieldAloneStillWillDo() {
