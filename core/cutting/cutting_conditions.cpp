@@ -22,6 +22,15 @@ Result<void> checkLimit(const char* name, double value) {
     return Error{ErrorCode::argumentInvalid, name, formatShortest(value), "above 0"};
 }
 
+/// Makers of end mills allow 3 to 10 degrees, the harder the material the less. Our estimates between; half of that for
+/// a tool that does not cut at its centre.
+double rampAngleFor(const Tool& tool, const Property& material) {
+    constexpr double degree = pi / 180.0, soft = 0.3, middling = 1.2; // J/mm³
+    const double energy = material.valueOr(specificCuttingEnergy, 0.0);
+    const double angle = !(energy > 0.0) || energy > middling ? 3.0 : energy > soft ? 5.0 : 10.0;
+    return (tool.centreCutting ? angle : 0.5 * angle) * degree;
+}
+
 } // namespace
 
 Result<CuttingConditions> cuttingConditions(const Tool& tool, const Property& material, double maximumSpindleSpeed,
@@ -46,6 +55,7 @@ Result<CuttingConditions> cuttingConditions(const Tool& tool, const Property& ma
     conditions.feed = std::min(wantedFeed, maximumFeed);
     conditions.plungeFeed = std::min(conditions.feed * *plungeRatio, maximumFeed);
     conditions.surfaceSpeed = pi * diameter * conditions.spindleSpeed / secondsPerMinute;
+    conditions.rampAngle = rampAngleFor(tool, material);
     conditions.limitedByMachine = wantedSpindle > highest || wantedFeed > maximumFeed;
     return conditions;
 }

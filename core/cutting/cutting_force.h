@@ -85,6 +85,7 @@ struct CuttingConditions {
     double plungeFeed = 0.0;       ///< mm/min
     double surfaceSpeed = 0.0;     ///< mm/s, that the spindle speed gives at the flutes
     bool limitedByMachine = false; ///< the table asked for more than tool or machine can do
+    double rampAngle = 0.0;        ///< rad, at which ramps and helices go down into material at most
 };
 /// n = vc / (pi D), feed = n z fz, both within the limits given; where the spindle is too slow, the feed follows the
 /// speed that it reaches.

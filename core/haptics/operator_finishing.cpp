@@ -63,7 +63,8 @@ private:
             const bool over = touch.reached > request_.floor + heightTolerance;
             const double beside = over ? 0.0 : field_.at({touch.x, y, request_.floor}).clearance;
             touchesPart = touchesPart || beside < request_.stepOver;
-            if (beside > request_.floorMargin || !std::isfinite(touch.reached)) {
+            const bool idle = request_.restOnly && !heights_.hasRest({touch.x, y, touch.reached});
+            if (beside > request_.floorMargin || !std::isfinite(touch.reached) || idle) {
                 gap.push_back(touch);
                 continue;
             }

@@ -94,6 +94,28 @@ double WorkpieceHeights::riseAt(double distance) const noexcept {
     return rise;
 }
 
+double StandingStock::highestIn(const glm::dvec2& from, const glm::dvec2& to) const noexcept {
+    const glm::dvec2 first = (from - low) / edge, last = (to - low) / edge;
+    double highest = WorkpieceHeights::nothing;
+    for (int row = std::max(0, static_cast<int>(std::floor(first.y))); row < std::min<double>(rows, last.y); ++row)
+        for (int column = std::max(0, static_cast<int>(std::floor(first.x))); column < std::min<double>(columns, last.x);
+             ++column)
+            highest = std::max(highest, heights[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                                                static_cast<std::size_t>(column)]);
+    return highest;
+}
+
+void WorkpieceHeights::lowerTo(const StandingStock& standing) noexcept {
+    if (standing.heights.empty()) return;
+    for (int row = 0; row < rows_; ++row)
+        for (int column = 0; column < columns_; ++column) {
+            const glm::dvec2 from = glm::dvec2(stock_.low) + cell_ * glm::dvec2(column, row);
+            double& height = heights_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                                      static_cast<std::size_t>(column)];
+            height = std::min(height, standing.highestIn(from, from + glm::dvec2(cell_)));
+        }
+}
+
 void WorkpieceHeights::cut(const glm::dvec3& tip) noexcept {
     visitDisc(tip.x, tip.y, cutter_.radius() - trembleMargin(cutter_), [&](std::size_t index, double distance) {
         // Stock that stands higher than the flutes reach is undercut at most; its top stays.

@@ -27,6 +27,17 @@ double lateralMargin(const Cutter& cutter) noexcept;
 /// How much narrower than the cutter the operator takes a cut to be, mm: a trembling hand misses some of its edge.
 double trembleMargin(const Cutter& cutter) noexcept;
 
+/// How high stock stands on squares of one size, where something has been milled already.
+struct StandingStock {
+    glm::dvec2 low{0.0};  ///< mm, corner of the first square
+    double edge = 0.0;    ///< mm
+    int columns = 0, rows = 0;
+    std::vector<double> heights; ///< mm, row by row along x; WorkpieceHeights::nothing: none. Empty: not known
+
+    /// The highest on the squares that a rectangle touches, mm; `nothing` beside them.
+    double highestIn(const glm::dvec2& from, const glm::dvec2& to) const noexcept;
+};
+
 /// What the operator sees of the workpiece while planning: how high the stock stands, on a raster. It knows no overhang
 /// and no part. Stock outside the raster does not exist.
 class WorkpieceHeights {
@@ -37,6 +48,8 @@ public:
     /// stock is so large that it would take more than four million cells.
     WorkpieceHeights(const Box& stock, const Cutter& cutter);
 
+    /// Nothing stands higher than this any more.
+    void lowerTo(const StandingStock& standing) noexcept;
     /// The flutes at this tip surely take away what stands in them, but for the tremble margin at their edge.
     void cut(const glm::dvec3& tip) noexcept;
     /// A straight move, by tips no further apart than the raster.
@@ -47,6 +60,9 @@ public:
     /// Lowest tip at (x, y) at which the flutes touch no stock; `nothing` beside the stock.
     /// @param inset mm: as if the cutter were so much narrower to each side
     double freeTip(double x, double y, double inset = 0.0) const noexcept;
+    /// Whether the flutes at this tip would take away more than `leastRest`.
+    bool hasRest(const glm::dvec3& tip) const noexcept { return freeTip(tip.x, tip.y, cell_) > tip.z + leastRest; }
+    static constexpr double leastRest = 0.1; ///< mm; less is what step-overs and voxels leave
     /// Lowest height, not below the tip's, at which shank and holder, each with the lateral margin, keep above the
     /// stock.
     /// @param further mm that the tip may be beside where it is meant to be, beyond the margin.

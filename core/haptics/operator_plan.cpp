@@ -35,7 +35,7 @@ double deepestFinishing(const Cutter& cutter, double maximumDepthOfCut) {
 Result<std::vector<IntentPoint>> planAllFinishing(const ClearanceField& field, const Tool& tool,
                                                   const MillingRequest& request, WorkpieceHeights& heights) {
     Result<std::vector<IntentPoint>> points = planFinishing(field, tool, request.finishing, heights);
-    if (!points || !request.crosswise) return points;
+    if (!points || !request.crosswise || request.finishing.restOnly) return points;
     const Result<std::vector<IntentPoint>> crosswise = planCrosswiseFinishing(field, tool, request.finishing, heights);
     if (!crosswise) return crosswise.error();
     points->insert(points->end(), crosswise->begin(), crosswise->end());
@@ -45,6 +45,7 @@ Result<std::vector<IntentPoint>> planAllFinishing(const ClearanceField& field, c
 /// One attempt with the request as it stands.
 Result<MillingPlan> attempt(const ClearanceField& field, const Tool& tool, const MillingRequest& request) {
     WorkpieceHeights heights(request.stock, tool.cutter);
+    heights.lowerTo(request.standing);
     Result<RoughingPlan> roughing = planRoughing(field, tool, request.roughing, heights);
     if (!roughing) return roughing.error();
     Result<std::vector<IntentPoint>> finishing = planAllFinishing(field, tool, request, heights);
@@ -143,6 +144,7 @@ Result<MillingPlan> planMilling(const ClearanceField& field, const Tool& tool, c
     if (request.stock.empty() || !isFinite(request.stock.size()))
         return Error{ErrorCode::argumentInvalid, "stock", "", "a box that is not empty"};
     MillingRequest now = request;
+    now.roughing.restOnly = now.finishing.restOnly = !request.standing.heights.empty();
     if (now.finishing.stepOver <= 0.0) now.finishing.stepOver = tool.cutter.diameter / 15.0;
     const double widest = mostWidening * now.finishing.stepOver;
     Result<MillingPlan> plan = attempt(field, tool, now);

@@ -32,6 +32,7 @@ struct RoughingRequest {
     double finishingDepth = 0.0;
     /// Leave stock that stands well beside what of the part rises above the bottom: for milling an upper part alone.
     bool nearPartOnly = false;
+    bool restOnly = false; ///< rows only where stock is left: other tools have milled before
     HandSpeeds speeds;
 };
 
@@ -56,6 +57,7 @@ struct FinishingRequest {
     double crosswiseStepOver = 0.0; ///< between crosswise passes; 0: 1.5 times that of the rows
     double press = 2.0;             ///< how far below the part's surface the hand aims
     double floorMargin = 1.5;       ///< how far a pass runs on beside the part
+    bool restOnly = false;          ///< passes only where stock is left: other tools have milled before
     HandSpeeds speeds;
 };
 
@@ -86,7 +88,8 @@ struct MillingRequest {
     FinishingRequest finishing;
     MotionLimits motion;    ///< setup frame
     double timeLimit = 0.0; ///< s for both together; 0: none
-    bool crosswise = true;  ///< finish steep places crosswise too
+    bool crosswise = true;  ///< finish steep places crosswise too, but where only the rest is milled
+    StandingStock standing; ///< what earlier takes have left: then only that is milled; none: the whole box stands
 };
 
 struct MillingPlan {

@@ -151,13 +151,28 @@ private:
         return std::numeric_limits<double>::quiet_NaN();
     }
 
+    /// Places of a row at which stock is left, and as far beside it as the cutter needs to come in from the side.
+    std::vector<bool> worthwhile(std::size_t row, double level) const {
+        std::vector<bool> worth(places_.size(), !request_.restOnly);
+        if (!request_.restOnly) return worth;
+        const auto around = static_cast<std::size_t>((tool_.cutter.radius() + beyondStock) / heights_.raster());
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            if (!heights_.hasRest({places_[i], rows_[row], level})) continue;
+            const std::size_t first = i > around ? i - around : 0, last = std::min(places_.size(), i + around + 1);
+            std::fill(worth.begin() + static_cast<std::ptrdiff_t>(first),
+                      worth.begin() + static_cast<std::ptrdiff_t>(last), true);
+        }
+        return worth;
+    }
+
     std::vector<Piece> pieces(double level, double above) const {
         std::vector<Piece> result;
         for (std::size_t row = 0; row < rows_.size(); ++row) {
             bool open = false;
+            const std::vector<bool> worth = worthwhile(row, level);
             for (std::size_t i = 0; i < places_.size(); ++i) {
                 const double y =
-                    cuts(row, i, level, above) ? clearOfShank(row, i, level) : std::numeric_limits<double>::quiet_NaN();
+                    worth[i] && cuts(row, i, level, above) ? clearOfShank(row, i, level) : std::numeric_limits<double>::quiet_NaN();
                 if (!std::isfinite(y)) {
                     open = false;
                     continue;

@@ -32,6 +32,11 @@ struct RoundCorners {
     double smallestTurn = 0.05; ///< rad
 };
 
+/// What leads go by. By the recording: the hand's own motion where the stroke begins, which no edit changes, chooses the
+/// side, and a first move that is turned far from it by chance does not turn the lead. By the first move: whatever
+/// stands before the lead may turn it (earlier version).
+enum class LeadDirection { firstMove, recording };
+
 /// A way into strokes, tangent to their first move: level in a line, on a quarter of a circle from the side, down a
 /// ramp, or down a helix. Each is tried on both sides and at half its size, twice; where none keeps the tool from the
 /// part as the stroke has to be and clear of fixtures, there is none.
@@ -42,6 +47,7 @@ struct LeadIn {
     double size = 3.0;   ///< mm: length of a line or ramp in plan, radius of an arc or helix
     double height = 1.0; ///< mm, that a ramp or helix goes down
     double angle = 0.05; ///< rad, of a helix: no steeper
+    LeadDirection direction = LeadDirection::recording;
 };
 
 /// A way out of strokes, tangent to their last move, as LeadIn has it.
@@ -50,6 +56,7 @@ struct LeadOut {
     TakeStretch stretch;
     Form form = Form::arc;
     double size = 3.0; ///< mm
+    LeadDirection direction = LeadDirection::recording;
 };
 
 } // namespace burin

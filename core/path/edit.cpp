@@ -59,6 +59,11 @@ struct CheckField {
     }
 };
 
+/// Whether leads were of the earlier version; they are no more.
+bool isEarlier(LeadDirection& direction) {
+    return std::exchange(direction, LeadDirection::recording) == LeadDirection::firstMove;
+}
+
 template <std::size_t... index>
 std::vector<Edit> allKinds(std::index_sequence<index...>) {
     return {Edit{std::variant_alternative_t<index, EditParameters>{}}...};
@@ -110,12 +115,17 @@ std::optional<Edit> updated(const Edit& edit) {
     if (const auto* inTime = std::get_if<Smooth>(&edit.parameters)) return ofShape(inTime->cutOff, inTime->tolerance);
     if (const auto* spline = std::get_if<SmoothSpline>(&edit.parameters))
         return ofShape(spline->cutOff, spline->tolerance);
+    Edit newer = edit;
+    if (auto* in = std::get_if<LeadIn>(&newer.parameters); in != nullptr && isEarlier(in->direction)) return newer;
+    if (auto* out = std::get_if<LeadOut>(&newer.parameters); out != nullptr && isEarlier(out->direction)) return newer;
     return std::nullopt;
 }
 
 std::vector<Edit> standardEdits() {
+    Link gentle;
+    gentle.entry = Link::Entry::ramp;
     return {{DropAirCuts{}}, {DropDwells{}}, {SmoothShape{}}, {HoldOut{}},
-            {FitArcs{}},     {Link{}},       {SetFeed{}},     {LevelFeed{.goal = LevelFeed::Goal::limits}}};
+            {FitArcs{}},     {gentle},       {SetFeed{}},     {LevelFeed{.goal = LevelFeed::Goal::limits}}};
 }
 
 std::vector<Edit> everyEdit() {

@@ -32,8 +32,8 @@ struct Edit {
 TextId titleOf(const EditParameters& parameters);
 /// Stable id of an edit's kind: "drop-air-cuts", "smooth", … and back.
 std::string_view idOf(const EditParameters& parameters);
-/// {"edit": id, "enabled": true, parameters with their unit}; what is left out has its first value, unknown keys are
-/// errors. Errors: argumentInvalid (subject: the key), nameUnknown (the id).
+/// {"edit": id, "enabled": true, parameters with their unit}; what is left out has its first value, or means what it
+/// did before there was that parameter; unknown keys are errors. Errors: argumentInvalid (subject: the key), nameUnknown (the id).
 Result<Edit> editFromJson(std::string_view text);
 std::string toJson(const Edit& edit);
 /// Errors: argumentInvalid (subject: the key, place: its value, detail: what is allowed).
@@ -58,7 +58,8 @@ std::vector<EditField> fieldsOf(const EditParameters& parameters);
 void setField(EditParameters& parameters, std::string_view key, const EditValue& value);
 
 /// What replaces an edit of an earlier version, and does what was meant by it: smoothing in time becomes smoothing of
-/// the shape, its cut-off the wavelength that a hand of 15 mm/s gives that frequency. Nothing: the edit is the newest.
+/// the shape, its cut-off the wavelength that a hand of 15 mm/s gives that frequency; leads go by the recording.
+/// Nothing: the edit is the newest.
 std::optional<Edit> updated(const Edit& edit);
 
 /// The edits of the main job, in the order that keeps their guarantees.

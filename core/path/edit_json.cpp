@@ -116,6 +116,12 @@ struct Read {
     }
 };
 
+/// What an edit meant before it had all of its parameters: older projects state no more.
+void makeEarliest(EditParameters& parameters) {
+    if (auto* in = std::get_if<LeadIn>(&parameters)) in->direction = LeadDirection::firstMove;
+    if (auto* out = std::get_if<LeadOut>(&parameters)) out->direction = LeadDirection::firstMove;
+}
+
 /// Fills the parameters that the object states and refuses keys that are none.
 Result<void> read(Edit& edit, const Json& object) {
     const std::vector<EditField> fields = fieldsOf(edit.parameters);
@@ -158,6 +164,7 @@ Result<Edit> editFromJson(std::string_view text) {
         if (!enabled->is_boolean()) return invalid("enabled", enabled->dump(), "true or false");
         kind->enabled = enabled->get<bool>();
     }
+    makeEarliest(kind->parameters);
     if (Result<void> done = read(*kind, object); !done) return done.error();
     return std::move(*kind);
 }

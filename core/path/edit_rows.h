@@ -234,6 +234,7 @@ struct EditRow<RoundCorners> {
     static constexpr std::tuple fields{number("tolerance_mm", &RoundCorners::tolerance, 0.001, 10.0),
                                        number("smallest_turn_rad", &RoundCorners::smallestTurn, 0.001, 3.0)};
 };
+inline constexpr std::array<std::string_view, 2> leadDirections{"first-move", "recording"};
 template <>
 struct EditRow<LeadIn> {
     static constexpr EditTraits traits{
@@ -242,7 +243,8 @@ struct EditRow<LeadIn> {
     static constexpr std::tuple fields{stretch("stretch", &LeadIn::stretch), choice("form", &LeadIn::form, forms),
                                        number("size_mm", &LeadIn::size, 0.05, 1000.0),
                                        number("height_mm", &LeadIn::height, 0.01, 1000.0),
-                                       number("angle_rad", &LeadIn::angle, 0.002, 1.2)};
+                                       number("angle_rad", &LeadIn::angle, 0.002, 1.2),
+                                       choice("direction", &LeadIn::direction, leadDirections)};
 };
 template <>
 struct EditRow<LeadOut> {
@@ -250,7 +252,8 @@ struct EditRow<LeadOut> {
         .id = "lead-out", .title = BURIN_TEXT("Edit", "Lead out"), .group = EditGroup::links, .step = EditStep::ends};
     static constexpr std::array<std::string_view, 2> forms{"line", "arc"};
     static constexpr std::tuple fields{stretch("stretch", &LeadOut::stretch), choice("form", &LeadOut::form, forms),
-                                       number("size_mm", &LeadOut::size, 0.05, 1000.0)};
+                                       number("size_mm", &LeadOut::size, 0.05, 1000.0),
+                                       choice("direction", &LeadOut::direction, leadDirections)};
 };
 template <>
 struct EditRow<Link> {
@@ -261,10 +264,13 @@ struct EditRow<Link> {
                                        .once = true,
                                        .approximates = true};
     static constexpr std::array<std::string_view, 3> travels{"safe", "lowest", "around"};
+    static constexpr std::array<std::string_view, 2> entries{"plunge", "ramp-or-helix"};
     static constexpr std::tuple fields{number("clearance_above_mm", &Link::clearanceAbove, 0.1, 1000.0),
                                        number("approach_mm", &Link::approach, 0.1, 100.0),
                                        choice("travel", &Link::travel, travels),
-                                       number("rounding_mm", &Link::rounding, 0.0, 100.0)};
+                                       number("rounding_mm", &Link::rounding, 0.0, 100.0),
+                                       choice("entry", &Link::entry, entries),
+                                       number("ramp_angle_rad", &Link::rampAngle, 0.0, 0.7)};
 };
 template <>
 struct EditRow<SetFeed> {

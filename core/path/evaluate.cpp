@@ -23,6 +23,7 @@ Result<EditReport> applyOne(const Edit& edit, PathUnderEdit& state, const PathCo
     report.largestDeviation = deviation->distance;
     report.worstPlace = deviation->place;
     report.omissions = std::exchange(state.omissions, {});
+    report.entries = std::exchange(state.entries, {});
     report.lengthBefore = std::exchange(state.lengthBefore, 0.0);
     return report;
 }

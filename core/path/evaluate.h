@@ -11,6 +11,7 @@
 #include "core/path/milling_stretch.h"
 #include "core/path/omission.h"
 #include "core/path/path.h"
+#include "core/path/stroke_entry.h"
 #include "core/recording/sample.h"
 #include "core/setup/obstacle.h"
 #include "core/tool/tool.h"
@@ -54,6 +55,7 @@ struct EditReport {
     glm::dvec3 worstPlace{0.0};      ///< mm, setup frame
     std::vector<Omission> omissions; ///< what it left out as it can't be made
     double lengthBefore = 0.0;       ///< mm of strokes that it had before it, where it may leave out any; else 0
+    std::vector<StrokeEntry> entries; ///< of strokes that begin in material, where links look after them
 };
 
 struct EvaluatedPath {

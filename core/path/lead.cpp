@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace burin {
@@ -23,6 +24,18 @@ glm::dvec3 directionAtStart(const PathStroke& stroke) {
     return length > 1e-9 ? way / length : glm::dvec3(0.0);
 }
 
+constexpr std::array shares{1.0, 0.5, 0.25}; // of a lead's size, in the order in which they are tried
+
+/// A stroke's own direction, turned no farther from that of the hand than a short first move may be turned by chance.
+/// @param own level, of unit length or zero
+glm::dvec3 heldTo(const glm::dvec3& hand, const glm::dvec3& own) {
+    constexpr double farthest = 60.0 * pi / 180.0;
+    const double turn = std::atan2(hand.x * own.y - hand.y * own.x, glm::dot(hand, own)); // 0 where there is none
+    if (own != glm::dvec3(0.0) && std::abs(turn) <= farthest) return own;
+    const double by = std::clamp(turn, -farthest, farthest), cosine = std::cos(by), sine = std::sin(by);
+    return {cosine * hand.x - sine * hand.y, sine * hand.x + cosine * hand.y, 0.0};
+}
+
 StrokePoint pointAt(const glm::dvec3& tip) {
     StrokePoint point;
     point.tip = tip;
@@ -38,18 +51,39 @@ LeadFinder::LeadFinder(const LeadShape& shape, const PartGuard& guard, const Pat
         if (obstacle.on) obstacles_.emplace_back(PartGuard(*obstacle.surface, context.tool), obstacle.margin);
 }
 
-std::vector<StrokePoint> LeadFinder::into(const PathStroke& stroke) const {
+/// The side on which a lead has room where the hand began; left where it has on both, or on none.
+double LeadFinder::sideAt(const HandStart& start, double required) const {
+    constexpr double slack = 0.1; // mm, by which a hand may be nearer to the part than the edited stroke
+    for (const double share : shares)
+        for (const double side : {1.0, -1.0})
+            if (share >= shape_.smallestShare &&
+                isClear(made(start.tip, start.direction, share * shape_.size, side), required - slack))
+                return side;
+    return 1.0;
+}
+
+std::vector<StrokePoint> LeadFinder::into(const PathStroke& stroke, const HandStart* recorded) const {
     if (stroke.points.size() < 2) return {};
-    const glm::dvec3 direction = directionAtStart(stroke);
+    glm::dvec3 direction = directionAtStart(stroke);
+    if (recorded != nullptr) direction = heldTo(recorded->direction, direction);
     if (direction == glm::dvec3(0.0)) return {};
-    for (const double share : {1.0, 0.5, 0.25}) {
-        for (const double side : {1.0, -1.0}) {
-            std::vector<StrokePoint> way = made(stroke.points.front().tip, direction, share * shape_.size, side);
-            if (!isClear(way, stroke.required)) continue;
-            for (StrokePoint& point : way) point.sample = stroke.points.front().sample;
-            return way;
-        }
+    const double first = recorded != nullptr ? sideAt(*recorded, stroke.required) : 1.0;
+    const auto tried = [&](double share, double side) {
+        std::vector<StrokePoint> way = made(stroke.points.front().tip, direction, share * shape_.size, side);
+        if (share < shape_.smallestShare || !isClear(way, stroke.required)) way.clear();
+        for (StrokePoint& point : way) point.sample = stroke.points.front().sample;
+        return way;
+    };
+    // By the recording a smaller one on the same side comes before one on the other.
+    if (recorded != nullptr) {
+        for (const double side : {first, -first})
+            for (const double share : shares)
+                if (std::vector<StrokePoint> way = tried(share, side); !way.empty()) return way;
+        return {};
     }
+    for (const double share : shares)
+        for (const double side : {1.0, -1.0})
+            if (std::vector<StrokePoint> way = tried(share, side); !way.empty()) return way;
     return {};
 }
 

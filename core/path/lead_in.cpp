@@ -10,10 +10,12 @@ Result<Deviation> apply(const LeadIn& edit, PathUnderEdit& state, const PathCont
     const Result<PartGuard> guard = PartGuard::of(context);
     if (!guard) return guard.error();
     const LeadFinder finder({edit.form, edit.size, edit.height, edit.angle}, *guard, context);
+    const bool byHand = edit.direction == LeadDirection::recording;
     parallelFor(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
         PathStroke& stroke = state.strokes[i];
         if (progress.cancelled() || !touches(edit.stretch, stroke)) return;
-        const std::vector<StrokePoint> way = finder.into(stroke);
+        const std::optional<HandStart> start = byHand ? startOf(stroke, state) : std::nullopt;
+        const std::vector<StrokePoint> way = finder.into(stroke, start ? &*start : nullptr);
         if (way.empty()) return;
         stroke.points.front().arc = way.back().arc; // the stroke's own start ends the way
         stroke.points.insert(stroke.points.begin(), way.begin(), way.end() - 1);

@@ -4,6 +4,7 @@
 
 #include "core/base/parallel.h"
 #include "core/path/back_steps.h"
+#include "core/path/entry_planner.h"
 #include "core/path/linker.h"
 
 #include <algorithm>
@@ -39,7 +40,8 @@ struct LinkTask {
 /// @param watch null: nothing stands that shank or holder could touch, or no stock is known
 Result<void> linkAll(const LinkTask& task, ShankWatch* watch, PathUnderEdit& state, Progress& progress) {
     LinkRoom room(task.edit, task.guard, task.context, task.safeHeight);
-    Linker linker(room, task.guard, task.context, watch);
+    const EntryPlanner planner(task.edit, room, task.guard, task.context, watch);
+    Linker linker(room, task.guard, task.context, planner, watch);
     for (std::size_t i = 0; i < task.strokes.size(); ++i) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "path", "", ""};
         linker.add(task.strokes[i], task.accesses[i]);
@@ -47,6 +49,7 @@ Result<void> linkAll(const LinkTask& task, ShankWatch* watch, PathUnderEdit& sta
     linker.leave();
     state.points = std::move(linker.points);
     state.omissions = std::move(linker.omissions);
+    state.entries = std::move(linker.entries);
     return {};
 }
 
@@ -69,6 +72,15 @@ bool goesDeep(const LinkTask& task) {
     return lowest + task.context.tool.cutter.fluteLength < task.context.stock.high.z + 1.0;
 }
 
+/// Whether any stroke begins where there was stock.
+bool entersStock(const LinkTask& task) {
+    return std::ranges::any_of(task.strokes, [&](const PathStroke& stroke) {
+        return std::ranges::any_of(stroke.points, [&](const StrokePoint& point) {
+            return point.tip.z < task.context.stock.high.z;
+        });
+    });
+}
+
 } // namespace
 
 Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
@@ -85,7 +97,8 @@ Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContex
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "path", "", ""};
     state.lengthBefore = 0.0;
     for (const PathStroke& stroke : state.strokes) state.lengthBefore += lengthOf(stroke);
-    const bool watched = context.lendStock && goesDeep(task);
+    state.rampsIn = edit.entry == Link::Entry::ramp;
+    const bool watched = context.lendStock && (goesDeep(task) || (state.rampsIn && entersStock(task)));
     const Result<void> strung = watched ? linkWatched(task, state, progress) : linkAll(task, nullptr, state, progress);
     if (!strung) return strung.error();
     state.strokes.clear();

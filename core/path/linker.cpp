@@ -15,9 +15,11 @@ std::optional<PathArc> turnedBack(std::optional<PathArc> arc) {
 
 } // namespace
 
-Linker::Linker(LinkRoom& room, const PartGuard& guard, const PathContext& context, ShankWatch* watch)
+Linker::Linker(LinkRoom& room, const PartGuard& guard, const PathContext& context, const EntryPlanner& planner,
+               ShankWatch* watch)
     : room_(room)
     , guard_(guard)
+    , planner_(planner)
     , watch_(watch)
     , stockTop_(context.stock.high.z)
     , shortestKept_(shortestKept(context.tool.cutter.diameter)) {}
@@ -27,26 +29,32 @@ void Linker::add(const PathStroke& stroke, const StrokeAccess& access) {
         leaveOut(stroke, OmissionReason::access);
     else if (mayTouch(stroke))
         addWatched(stroke, access);
+    else if (const std::optional<Piece> piece = begin(stroke, access))
+        append(*piece);
     else
-        append(begin(stroke, access));
+        leaveOut(stroke, OmissionReason::plunge);
 }
 
 /// Straight from the last point, or from above: then the last stroke is left.
-Linker::Piece Linker::begin(const PathStroke& stroke, const StrokeAccess& access) {
+std::optional<Linker::Piece> Linker::begin(const PathStroke& stroke, const StrokeAccess& access) {
     Piece piece{&stroke, access, false, {}};
-    piece.joined =
-        !mustLift_ && !points.empty() && back_.empty() &&
-        room_.canJoin(points.back().tip, stroke.points.front().tip, std::min(lastRequired_, stroke.required));
+    const glm::dvec3& start = stroke.points.front().tip;
+    piece.joined = !mustLift_ && !points.empty() && back_.empty() &&
+                   room_.canJoin(points.back().tip, start, std::min(lastRequired_, stroke.required)) &&
+                   !planner_.plunges(points.back().tip, start);
     if (piece.joined) return piece;
     depart();
-    piece.swing = swingIn(stroke, access.entry);
+    piece.entry = planner_.into(stroke, access.entry);
+    if (piece.entry && piece.entry->way.empty() && !planner_.mayPlunge()) return std::nullopt;
+    if (piece.entry) piece.access.entry = piece.entry->point;
+    piece.way = piece.entry && !piece.entry->way.empty() ? piece.entry->way : swingIn(stroke, piece.access.entry);
     return piece;
 }
 
 void Linker::append(const Piece& piece) {
     const PathStroke& stroke = *piece.stroke;
     if (!piece.joined) {
-        const glm::dvec3& entry = piece.swing.front();
+        const glm::dvec3& entry = piece.way.front().tip;
         travel(points.empty() ? LinkRoute{room_.safeHeight(), {}} : room_.wayTo(points.back().tip, entry), entry);
         enter(piece);
     } else {
@@ -97,12 +105,14 @@ void Linker::swingOut() {
 }
 
 /// From above to where a stroke is entered; that point alone where it is entered straight down.
-std::vector<glm::dvec3> Linker::swingIn(const PathStroke& stroke, std::size_t entry) const {
+std::vector<StrokePoint> Linker::swingIn(const PathStroke& stroke, std::size_t entry) const {
     const glm::dvec3& tip = stroke.points[entry].tip;
-    if (entry != 0 || stroke.points.size() < 2 || stroke.points[1].arc) return {tip};
-    std::vector<glm::dvec3> places = room_.swing(tip, tip - stroke.points[1].tip, stroke.required);
-    std::reverse(places.begin(), places.end());
-    return places;
+    std::vector<glm::dvec3> places{tip};
+    if (entry == 0 && stroke.points.size() > 1 && !stroke.points[1].arc)
+        places = room_.swing(tip, tip - stroke.points[1].tip, stroke.required);
+    std::vector<StrokePoint> way(places.size());
+    for (std::size_t i = 0; i < way.size(); ++i) way[way.size() - 1 - i].tip = places[i];
+    return way;
 }
 
 /// A little up, which is made at the feed; and on as long as the flutes cut on it.
@@ -132,22 +142,28 @@ void Linker::travel(const LinkRoute& route, const glm::dvec3& entry) {
 /// To a point of a stroke, along the arc or straight.
 void Linker::cut(const PathStroke& stroke, std::size_t index, const std::optional<PathArc>& arc) {
     const StrokePoint& point = stroke.points[index];
-    const glm::dvec3 from = points.empty() ? point.tip : points.back().tip;
-    if (arc)
-        room_.cleared().cut(Arc{from, point.tip, arc->centre, arc->axis, arc->clockwise});
-    else
-        room_.cleared().cut(from, point.tip);
+    clear(point.tip, arc);
     make({point.tip, MoveKind::cut, 0.0, stroke.take, point.sample, arc});
 }
 
-/// To the stroke's first point at the plunge feed.
+/// The height map learns that the flutes go there.
+void Linker::clear(const glm::dvec3& tip, const std::optional<PathArc>& arc) {
+    const glm::dvec3 from = points.empty() ? tip : points.back().tip;
+    if (arc)
+        room_.cleared().cut(Arc{from, tip, arc->centre, arc->axis, arc->clockwise});
+    else
+        room_.cleared().cut(from, tip);
+}
+
+/// To the stroke's first point: straight down, or on the planned way.
 void Linker::enter(const Piece& piece) {
     const PathStroke& stroke = *piece.stroke;
     const StrokePoint& entry = stroke.points[piece.access.entry];
-    for (const glm::dvec3& tip : piece.swing) {
-        room_.cleared().cut(points.back().tip, tip);
-        make({tip, MoveKind::plunge, 0.0, stroke.take, entry.sample});
+    for (const StrokePoint& point : piece.way) {
+        clear(point.tip, point.arc);
+        make({point.tip, MoveKind::plunge, 0.0, stroke.take, entry.sample, point.arc});
     }
+    if (piece.entry) entries.push_back({piece.entry->form, stroke.take, entry.sample, entry.tip, piece.entry->depth});
     for (std::size_t i = piece.access.entry; i > 0; --i) cut(stroke, i - 1, turnedBack(stroke.points[i].arc));
 }
 

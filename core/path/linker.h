@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/path/entry_planner.h"
 #include "core/path/link_room.h"
 #include "core/path/omission.h"
 #include "core/path/shank_watch.h"
@@ -20,7 +21,8 @@ namespace burin {
 class Linker {
 public:
     /// Keeps references to all of them. @param watch of the stock before the path; null: there is none to touch
-    Linker(LinkRoom& room, const PartGuard& guard, const PathContext& context, ShankWatch* watch);
+    Linker(LinkRoom& room, const PartGuard& guard, const PathContext& context, const EntryPlanner& planner,
+           ShankWatch* watch);
 
     /// @param stroke of at least one point, which has to stay as it is until the last one was added
     void add(const PathStroke& stroke, const StrokeAccess& access);
@@ -29,14 +31,16 @@ public:
 
     std::vector<PathPoint> points;
     std::vector<Omission> omissions;
+    std::vector<StrokeEntry> entries;
 
 private:
     /// What is strung on next, and how it is entered.
     struct Piece {
         const PathStroke* stroke = nullptr;
         StrokeAccess access;
-        bool joined = false;           ///< straight from the last point
-        std::vector<glm::dvec3> swing; ///< from above to where it is entered
+        bool joined = false;          ///< straight from the last point
+        std::vector<StrokePoint> way; ///< from above to where it is entered
+        std::optional<EntryPlanner::Entry> entry{}; ///< in material
     };
     /// How far a piece can be made.
     struct Rehearsal {
@@ -44,7 +48,8 @@ private:
         std::optional<ToolSection> touching{};
     };
 
-    Piece begin(const PathStroke& stroke, const StrokeAccess& access);
+    /// Nothing where the stroke can only be plunged into, and the tool must not.
+    std::optional<Piece> begin(const PathStroke& stroke, const StrokeAccess& access);
     void append(const Piece& piece);
     void addWatched(const PathStroke& stroke, const StrokeAccess& access);
     std::size_t appendUntilContact(const PathStroke& whole, const Piece& piece, std::span<const StrokeStep> steps,
@@ -59,14 +64,16 @@ private:
     void go(const glm::dvec3& tip, MoveKind kind) { make({tip, kind, 0.0, 0, -1}); }
     void depart();
     void swingOut();
-    std::vector<glm::dvec3> swingIn(const PathStroke& stroke, std::size_t entry) const;
+    std::vector<StrokePoint> swingIn(const PathStroke& stroke, std::size_t entry) const;
     glm::dvec3 lift(double height) const;
     void travel(const LinkRoute& route, const glm::dvec3& entry);
     void enter(const Piece& piece);
     void cut(const PathStroke& stroke, std::size_t index, const std::optional<PathArc>& arc);
+    void clear(const glm::dvec3& tip, const std::optional<PathArc>& arc);
 
     LinkRoom& room_;
     const PartGuard& guard_;
+    const EntryPlanner& planner_;
     ShankWatch* watch_;
     double stockTop_, shortestKept_;                              // mm
     double lastRequired_ = 0.0;                                   // mm from the part, of the stroke before

@@ -37,7 +37,12 @@ void Linker::addWatched(const PathStroke& stroke, const StrokeAccess& access) {
             leaveOut(*left, OmissionReason::access);
             return;
         }
-        const Piece piece = begin(*left, entry);
+        const std::optional<Piece> begun = begin(*left, entry);
+        if (!begun) {
+            leaveOut(*left, OmissionReason::plunge);
+            return;
+        }
+        const Piece& piece = *begun;
         watch_->keep();
         const Rehearsal rehearsal = rehearse(piece, rest);
         if (!rehearsal.touching) {
@@ -61,7 +66,9 @@ std::size_t Linker::appendUntilContact(const PathStroke& whole, const Piece& pie
         Piece made = piece;
         made.stroke = &pieces_.emplace_back(between(whole, first.position, last.position));
         made.access = accessOf(*made.stroke, guard_, room_.safeHeight());
-        if (made.access.found && made.access.entry == piece.access.entry) {
+        if (piece.entry) made.access.entry = piece.entry->point;
+        if (made.access.found && made.access.entry == piece.access.entry &&
+            made.access.entry < made.stroke->points.size()) {
             rehearsed_ = true;
             append(made);
             rehearsed_ = false;
@@ -89,10 +96,12 @@ Linker::Rehearsal Linker::rehearse(const Piece& piece, std::span<const StrokeSte
 std::optional<ToolSection> Linker::rehearseEntry(const Piece& piece) {
     const PathStroke& stroke = *piece.stroke;
     if (piece.joined) return watch_->cutClear(points.back().tip, stroke.points.front().tip);
-    glm::dvec3 at(piece.swing.front().x, piece.swing.front().y, room_.safeHeight());
-    for (const glm::dvec3& tip : piece.swing) {
-        if (const auto touching = watch_->cutClear(at, tip)) return touching;
-        at = tip;
+    PathStroke way;
+    way.points = piece.way;
+    glm::dvec3 at(way.points.front().tip.x, way.points.front().tip.y, room_.safeHeight());
+    for (const StrokeStep& step : stepsOf(way, watch_->step())) {
+        if (const auto touching = watch_->cutClear(at, step.tip)) return touching;
+        at = step.tip;
     }
     if (piece.access.entry == 0) return std::nullopt;
     const PathStroke back = reversed(between(stroke, {0, 1.0}, {piece.access.entry, 1.0}));

@@ -19,17 +19,22 @@ namespace burin {
 /// at the height and on the way that are shortest of some that were looked at, where that is shorter than over
 /// everything. Corners between rapid moves may be rounded, inside, by arcs in chords, as far as what is inside stays
 /// clear in the same way; and level strokes are then left, and entered, tangent to them by a quarter of a circle at the
-/// feed, where that keeps what the stroke keeps.
+/// feed, where that keeps what the stroke keeps. A stroke that begins in material may be entered by a ramp: to and fro
+/// along its own beginning, so that nothing is removed that it leaves; a helix beside it where it is too short and
+/// there is room; straight down at the plunge feed where neither is clear and the tool may.
 struct Link {
     enum class Travel { safe, lowest, around };
+    enum class Entry { plunge, ramp };
     double clearanceAbove = 5.0; ///< mm
     double approach = 1.0;       ///< mm
     Travel travel = Travel::safe;
     double rounding = 0.0; ///< mm of either move that a rounded corner takes, and radius of quarters, at most; 0: sharp
+    Entry entry = Entry::plunge;
+    double rampAngle = 0.0; ///< rad, of ramps and helices, at most; 0: by material and tool
 };
 
 /// Feed, plunge feed, spindle speed and coolant from tool, material and machine. Plunges, and moves that go down by
-/// more than 45°, get the plunge feed. Another spindle speed keeps the chip load, so feeds go with it; both stay within
+/// more than 45°, get the plunge feed; ramps half of the feed, but go down no faster than a plunge. Another spindle speed keeps the chip load, so feeds go with it; both stay within
 /// what tool and machine can do. The material's advice for a coolant that the machine lacks is left aside, a coolant
 /// that was asked for by name is refused then.
 struct SetFeed {

@@ -17,6 +17,8 @@ const char* idOf(OmissionReason reason) {
         return "shank";
     case OmissionReason::holder:
         return "holder";
+    case OmissionReason::plunge:
+        return "plunge";
     }
     return "";
 }
@@ -37,6 +39,10 @@ TextId textOf(OmissionReason reason) {
         return BURIN_TEXT("Omission",
                           "The holder would enter material here. Mill the material around it first, or use a "
                           "tool with a longer stick-out.");
+    case OmissionReason::plunge:
+        return BURIN_TEXT("Omission",
+                          "There is no room for a ramp or helix down into the material here, and the tool cannot "
+                          "plunge. Begin beside the material, or use a centre-cutting tool.");
     }
     return {};
 }
@@ -51,6 +57,8 @@ TextId remedyOf(OmissionReason reason) {
         return BURIN_TEXT("Omission", "mill the material around it first, or use a tool with longer flutes");
     case OmissionReason::holder:
         return BURIN_TEXT("Omission", "mill the material around it first, or use a tool with a longer stick-out");
+    case OmissionReason::plunge:
+        return BURIN_TEXT("Omission", "begin beside the material, or use a centre-cutting tool");
     }
     return {};
 }

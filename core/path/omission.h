@@ -18,6 +18,7 @@ enum class OmissionReason : std::uint8_t {
     access, ///< nothing leads there from above without entering the part
     shank,  ///< the shank would enter material that is left
     holder, ///< the holder would enter material that is left
+    plunge, ///< it begins in material, a ramp or helix finds no room, and the tool must not plunge
 };
 /// Stable id, for JSON: "part", "access", …
 const char* idOf(OmissionReason reason);

@@ -31,6 +31,12 @@ bool goesDownSteeply(const glm::dvec3& from, const PathPoint& to) {
     return false;
 }
 
+/// Ramps cut as a slot does, though less deep: half of the feed, and no faster down than a plunge.
+double rampFeed(const glm::dvec3& from, const PathPoint& to, double cutting, double plunging) {
+    const double down = from.z - to.tip.z, fastest = std::max(plunging, 0.5 * cutting);
+    return down > 0.0 ? std::min(fastest, plunging * lengthOf(from, to) / down) : fastest;
+}
+
 /// The tables' conditions as the user wants them, within what tool and machine can do.
 CuttingConditions wantedConditions(const SetFeed& edit, const PathContext& context) {
     CuttingConditions wanted = context.conditions;
@@ -75,6 +81,8 @@ Result<Deviation> apply(const SetFeed& edit, PathUnderEdit& state, const PathCon
         const bool steep = i > 0 && goesDownSteeply(state.points[i - 1].tip, point);
         if (point.kind == MoveKind::rapid)
             point.feed = 0.0;
+        else if (i > 0 && state.rampsIn && point.kind == MoveKind::plunge && !steep)
+            point.feed = rampFeed(state.points[i - 1].tip, point, cutting, plunging);
         else
             point.feed = point.kind == MoveKind::plunge || steep ? plunging : cutting;
     }

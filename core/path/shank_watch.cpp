@@ -31,6 +31,26 @@ std::vector<RevolvedPiece> grownGuards(const Cutter& cutter, std::size_t fluteCo
     return grown;
 }
 
+/// The flutes and all above them, a little narrower than they are.
+std::vector<RevolvedPiece> columnOf(const Cutter& cutter, double inset, double height) {
+    std::vector<RevolvedPiece> column = flutePieces(cutter);
+    const double least = std::min(inset, 0.2 * cutter.radius());
+    double widest = 0.0;
+    for (RevolvedPiece& piece : column) widest = std::max(widest, piece.widestRadius());
+    if (column.size() == 1 && !column.front().bulges()) {
+        RevolvedPiece& flutes = column.front();
+        flutes.bottomRadius -= least;
+        flutes.topRadius -= least;
+        flutes.cornerRadius = std::min(flutes.cornerRadius, flutes.bottomRadius);
+    }
+    RevolvedPiece above;
+    above.bottom = column.back().top;
+    above.top = above.bottom + height;
+    above.bottomRadius = above.topRadius = widest - least;
+    column.push_back(above);
+    return column;
+}
+
 double lowestOf(const std::vector<RevolvedPiece>& pieces, std::size_t first) {
     double lowest = std::numeric_limits<double>::infinity();
     for (std::size_t i = first; i < pieces.size(); ++i) lowest = std::min(lowest, pieces[i].bottom);
@@ -54,6 +74,22 @@ std::optional<ToolSection> ShankWatch::contactAt(const glm::dvec3& tip) {
     const ShankContact contact = contact_.at(stock_, pieces_, fluteCount_, ToolPose{tip}, removal_.window());
     if (!contact.touches) return std::nullopt;
     return sectionOf(cutter_, contact.piece);
+}
+
+double ShankWatch::depthAt(const glm::dvec3& tip, double most) {
+    constexpr double resolution = 0.02; // mm
+    std::vector<RevolvedPiece> column = columnOf(cutter_, 0.5 * stock_.grid().edge(), most);
+    const auto meetsStock = [&](double lift) {
+        return contact_.at(stock_, column, 0, ToolPose{tip + glm::dvec3(0.0, 0.0, lift)}, removal_.window())
+            .touchesStock;
+    };
+    if (!meetsStock(0.0)) return 0.0;
+    double low = 0.0, high = most;
+    while (high - low > resolution) {
+        const double middle = 0.5 * (low + high);
+        (meetsStock(middle) ? low : high) = middle;
+    }
+    return high;
 }
 
 std::optional<ToolSection> ShankWatch::cutClear(const glm::dvec3& from, const glm::dvec3& to) {

@@ -33,6 +33,10 @@ public:
     std::optional<ToolSection> contactAt(const glm::dvec3& tip);
     /// The same at all points of a straight move, which is cut as far as it is clear.
     std::optional<ToolSection> cutClear(const glm::dvec3& from, const glm::dvec3& to);
+    /// How far the tool has to rise from a tip until no stock stands in the way of its flutes from above, mm, to 0.02.
+    /// Shapes that voxels give a wall that the same flutes have cut count as none.
+    /// @param most mm: higher nothing stands
+    double depthAt(const glm::dvec3& tip, double most);
     /// The flutes take what they sweep.
     void cut(const glm::dvec3& from, const glm::dvec3& to);
     void cut(const Arc& arc);

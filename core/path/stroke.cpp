@@ -143,6 +143,7 @@ std::size_t PathUnderEdit::count() const noexcept {
 
 Result<PathUnderEdit> strokesOf(const std::vector<Take>& takes, const PathContext& context) {
     PathUnderEdit state;
+    state.takes = &takes;
     for (const Take& take : takes) {
         if (Result<void> done = append(state.strokes, take, context); !done) return done.error();
     }

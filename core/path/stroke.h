@@ -6,6 +6,7 @@
 #include "core/path/evaluate.h"
 #include "core/path/omission.h"
 #include "core/path/path.h"
+#include "core/path/stroke_entry.h"
 #include "core/recording/sample.h"
 
 #include <cstdint>
@@ -52,8 +53,11 @@ struct PathUnderEdit {
     bool linked = false;
     double spindleSpeed = 0.0; ///< 1/min; 0: not decided yet
     Coolant coolant = Coolant::off;
-    std::vector<Omission> omissions; ///< by the edit that is applied now
-    double lengthBefore = 0.0;       ///< mm of its strokes, those parts among them, where it may leave out any
+    const std::vector<Take>* takes = nullptr; ///< that it was made of; they live as long as it does
+    bool rampsIn = false;                     ///< its links go down ramps, which have a feed of their own
+    std::vector<StrokeEntry> entries;         ///< into material, by the edit that is applied now
+    std::vector<Omission> omissions;          ///< by the edit that is applied now
+    double lengthBefore = 0.0;                ///< mm of its strokes, those parts among them, where it may leave out any
 
     std::size_t count() const noexcept;
 };

@@ -89,6 +89,25 @@ Tool operatedTool(const Bench& bench) {
     return tool;
 }
 
+/// What earlier takes have left of the stock, seen from above; nothing where it is whole.
+StandingStock standingStock(const Bench& bench) {
+    const RunVolume& workpiece = bench.embedded.workpiece;
+    const Grid& grid = workpiece.grid();
+    constexpr double untouched = 1e-6; // of its volume
+    if (grid.axis() != RunAxis::z || bench.workpieceVolume() > (1.0 - untouched) * bench.embedded.stockVolume) return {};
+    StandingStock standing{glm::dvec2(grid.low()), grid.edge(), grid.lineCountU(), grid.lineCountV(), {}};
+    for (std::int32_t v = 0; v < grid.lineCountV(); ++v)
+        for (std::int32_t u = 0; u < grid.lineCountU(); ++u) {
+            double highest = WorkpieceHeights::nothing;
+            for (const Segment& segment : workpiece.line({u, v}))
+                if (segment.property() != airProperty &&
+                    workpiece.properties()[segment.property()].machinability == Machinability::machinable)
+                    highest = std::max(highest, grid.toMillimetres(segment.end()));
+            standing.heights.push_back(highest);
+        }
+    return standing;
+}
+
 Result<MillingPlan> planFor(const Bench& bench, const PlanningFrame& frame, const OperatorRequest& request,
                             const OperatorSettings& hand, double scale) {
     if (bench.model->bodies.empty()) {
@@ -109,6 +128,7 @@ Result<MillingPlan> planFor(const Bench& bench, const PlanningFrame& frame, cons
     wanted.finishing.stepOver = request.finishingStepOver;
     wanted.motion = inSetup(hand.motion, scale);
     wanted.timeLimit = request.timeLimit;
+    if (frame.upright()) wanted.standing = standingStock(bench);
     return planMilling(frame.field(), operatedTool(bench), wanted);
 }
 

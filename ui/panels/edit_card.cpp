@@ -6,6 +6,7 @@
 #include "ui/panels/buttons.h"
 #include "ui/panels/edit_field_editor.h"
 #include "ui/panels/elided_label.h"
+#include "ui/panels/entry_words.h"
 #include "ui/panels/focus_keeper.h"
 #include "ui/panels/named_switch.h"
 #include "ui/panels/omission_words.h"
@@ -104,11 +105,14 @@ void EditCard::setMovable(bool earlier, bool later) {
 }
 
 void EditCard::showReport(const EditReport* report, LengthUnit unit, const glm::dvec3& zero) {
-    report_->setToolTip(report == nullptr ? QString() : omissionLines(*report, zero, unit));
+    QStringList lines;
+    if (report != nullptr) lines = {omissionLines(*report, zero, unit), plungeLines(*report, zero, unit)};
+    lines.removeAll(QString());
+    report_->setToolTip(lines.join(QLatin1Char('\n')));
     if (report == nullptr) return report_->setText(QString(QChar::Nbsp)); // as high as one: the fields below stay
-    const QString omitted = omittedText(*report, unit);
     QString text = tr("%1 → %2 points").arg(countText(report->pointsBefore), countText(report->pointsAfter));
-    if (!omitted.isEmpty()) text = omitted + QStringLiteral(" · ") + text; // first: the end may have no room
+    for (const QString& first : {entriesText(*report), omittedText(*report, unit)})
+        if (!first.isEmpty()) text = first + QStringLiteral(" · ") + text; // first: the end may have no room
     if (report->largestDeviation > 0.0)
         text += QStringLiteral(" · ") + tr("error %1").arg(lengthText(report->largestDeviation, unit));
     if (report_->text() != text) report_->setText(text);

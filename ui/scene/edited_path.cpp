@@ -20,6 +20,13 @@ void addDashes(std::vector<LineEnds>& lines, const glm::dvec3& from, const glm::
     for (double period = 0.0; period < periods + 0.5; period += 1.0) lines.emplace_back(at(period), at(period + 0.5));
 }
 
+/// Straight, or in the turns of a helix.
+void addPlunge(std::vector<LineEnds>& lines, const glm::dvec3& from, const PathPoint& point) {
+    std::vector<LineEnds> chords;
+    addMove(chords, from, point);
+    for (const auto& [start, end] : chords) addDashes(lines, start, end, plungeDash);
+}
+
 std::size_t indexOf(MoveKind kind) {
     return static_cast<std::size_t>(kind);
 }
@@ -74,7 +81,7 @@ void EditedPath::setPath(const EvaluatedPath& evaluated) {
         if (point.kind == MoveKind::rapid)
             addDashes(kind, from, point.tip, rapidDash);
         else if (point.kind == MoveKind::plunge)
-            addDashes(kind, from, point.tip, plungeDash);
+            addPlunge(kind, from, point);
         else
             addMove(kind, from, point);
     }

@@ -17,6 +17,7 @@ private slots:
     void roughingIsShortBesideFinishing();
     void timeLimitIsKept_data();
     void timeLimitIsKept();
+    void onlyTheRestOfALargerToolIsMilled();
     void sensesWrongRequests();
 };
 
@@ -109,6 +110,61 @@ void OperatorPlanTest::timeLimitIsKept() {
         for (const IntentPoint& point : points) QVERIFY(point.speed <= fastestHand.travelling);
         if (!points.empty()) QVERIFY(points.back().tip.z > mouseStock.high.z);
     }
+}
+
+/// A pit that a larger tool has cleared but for one of its corners.
+void OperatorPlanTest::onlyTheRestOfALargerToolIsMilled() {
+    const Box stockBox{{-40, -30, 0}, {40, 30, 12}};
+    const Blocks part(1.5, {{{-40, -30, 0}, {-22, 30, 12}},
+                            {{22, -30, 0}, {40, 30, 12}},
+                            {{-40, -30, 0}, {40, -14, 12}},
+                            {{-40, 14, 0}, {40, 30, 12}}});
+    constexpr double left = 16.0, behind = 8.0; // mm, of the corner that stands: x and y from here on
+    MillingRequest request;
+    request.stock = stockBox;
+    request.roughing = roughingRequest();
+    request.finishing = finishingRequest(stockBox);
+    request.motion.maximumSpeed = 1e9;
+    const auto lengthBelow = [&](const MillingPlan& plan, const auto& visit) {
+        double length = 0.0;
+        for (const auto& points : {plan.roughing, plan.finishing})
+            follow(points, [&](const glm::dvec3& tip) {
+                if (tip.z >= stockBox.high.z - 0.5) return;
+                length += 0.2;
+                visit(tip);
+            });
+        return length;
+    };
+    const auto whole = planMilling(part, ballTool(3.0, 14.0), request);
+    QVERIFY(whole);
+    request.standing = {{-40, -30}, 0.5, 160, 120, {}};
+    for (int row = 0; row < 120; ++row)
+        for (int column = 0; column < 160; ++column) {
+            const glm::dvec2 at(-40 + 0.5 * (column + 0.5), -30 + 0.5 * (row + 0.5));
+            const bool pit = std::abs(at.x) < 22 && std::abs(at.y) < 14;
+            request.standing.heights.push_back(!pit                            ? WorkpieceHeights::nothing
+                                               : at.x > left && at.y > behind ? 12.0
+                                                                               : 0.0);
+        }
+    const auto rest = planMilling(part, ballTool(3.0, 14.0), request);
+    QVERIFY(rest);
+    double farthest = 0.0;
+    StockRaster stock(stockBox);
+    const double length = lengthBelow(*rest, [&](const glm::dvec3& tip) {
+        farthest = std::max({farthest, left - tip.x, behind - tip.y});
+        stock.cutBall({tip.x, tip.y, std::max(0.0, tip.z)}, 1.5);
+    });
+    const double all = lengthBelow(*whole, [](const glm::dvec3&) {});
+    // Its edge reaches what stands, and it comes in from as far beside that as its radius and a margin.
+    QVERIFY2(farthest < 1.5 + 1.5 + 1.0 + 0.25, qPrintable(QString::number(farthest)));
+    QVERIFY2(length > 10.0 && length < 0.25 * all, qPrintable(QString("%1 of %2").arg(length).arg(all)));
+    // Where the corner stood there is none left, but for what lies in reach of the walls.
+    const double stands = stock.highestAbove(
+        [&](double x, double y) { return x > left && x < 20.0 && y > behind && y < 12.0 ? 0.0 : 100.0; }, 0.0);
+    QVERIFY2(stands < 1.0, qPrintable(QString::number(stands)));
+    request.standing.heights.assign(request.standing.heights.size(), WorkpieceHeights::nothing);
+    const auto nothing = planMilling(part, ballTool(3.0, 14.0), request);
+    QVERIFY(nothing && nothing->roughing.empty() && nothing->finishing.empty());
 }
 
 void OperatorPlanTest::sensesWrongRequests() {

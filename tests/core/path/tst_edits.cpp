@@ -82,6 +82,13 @@ private slots:
         QCOMPARE(std::get<SmoothShape>(newer->parameters).wavelength, 3.0); // at 15 mm/s
         QCOMPARE(std::get<SmoothShape>(newer->parameters).tolerance, 0.02);
         QVERIFY(!updated(*newer));
+        const auto lead = editFromJson(R"({"edit":"lead-in","form":"line","size_mm":4})"); // before they had a direction
+        QVERIFY(lead && std::get<LeadIn>(lead->parameters).direction == LeadDirection::firstMove);
+        const std::optional<Edit> newerLead = updated(*lead);
+        QVERIFY(newerLead && std::get<LeadIn>(newerLead->parameters).direction == LeadDirection::recording);
+        QCOMPARE(std::get<LeadIn>(newerLead->parameters).size, 4.0);
+        const auto link = editFromJson(R"({"edit":"link","approach_mm":2})"); // before it had ramps
+        QVERIFY(link && std::get<Link>(link->parameters).entry == Link::Entry::plunge);
         for (const Edit& edit : everyEdit()) QCOMPARE(updated(edit).has_value(), traitsOf(edit.parameters).superseded);
         for (const Edit& edit : standardEdits()) QVERIFY(!updated(edit));
     }

@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+#include <array>
+
 using namespace burin;
 using namespace burin::test;
 
@@ -158,6 +160,71 @@ private slots:
         QVERIFY(path);
         QVERIFY(path->path.points.front().tip.y < -2.0 && path->path.points.back().tip.y < -2.0); // to the right
         for (const glm::dvec3& place : placesAlong(path->path.points, 0.01)) QVERIFY(place.y <= 0.0101);
+    }
+
+    /// A wall on the left leaves room for a whole lead there by a few hundredths of a millimetre, which is what edits
+    /// before it move the start of the stroke by. By its first move the lead jumps from side to side; by the recording
+    /// it stays.
+    void leadsKeepTheirSideWhenOtherEditsChange() {
+        const MeshDistance part(boxMesh({{-30, 6.03, -30}, {30, 12, 10}}));
+        const PathContext context = contextOf(part, flatTool(), {{-60, -60, -20}, {60, 60, 0}});
+        std::vector<Tick> ticks = along({{0, 0, -5}, {20, 0, -5}}, 15.0);
+        for (std::size_t i = 0; i < ticks.size(); ++i)
+            ticks[i].tip.y = 0.05 * std::cos(2.0 * pi * 10.0 * 0.001 * static_cast<double>(i));
+        // How many of some lists of edits lay the lead-in to the left, and the lead-out.
+        const auto leftOnes = [&](LeadDirection direction) {
+            std::array<int, 2> left{};
+            for (const double wavelength : {0.2, 1.0, 3.0, 6.0, 12.0})
+                for (const double tolerance : {0.01, 0.05, 0.1}) {
+                    LeadIn in;
+                    LeadOut out;
+                    in.direction = out.direction = direction;
+                    const auto path = run({takeOf(ticks)},
+                                          {{SmoothShape{wavelength, tolerance}}, {HoldOut{}}, {FitArcs{}}, {in}, {out}},
+                                          context);
+                    if (!path) return std::array{-1, -1};
+                    left[0] += path->path.points.front().tip.y > 1.0 ? 1 : 0;
+                    left[1] += path->path.points.back().tip.y > 1.0 ? 1 : 0;
+                }
+            return left;
+        };
+        const auto agree = [](int count) { return count == 0 || count == 15; };
+        const auto [in, out] = leftOnes(LeadDirection::recording);
+        QVERIFY2(agree(in) && agree(out), qPrintable(QString("%1 %2").arg(in).arg(out)));
+        const auto [earlierIn, earlierOut] = leftOnes(LeadDirection::firstMove); // what it is held against can fail
+        QVERIFY2(!agree(earlierIn) || !agree(earlierOut), qPrintable(QString("%1 %2").arg(earlierIn).arg(earlierOut)));
+    }
+
+    /// A hand that starts with a step of some hundredths of a millimetre the other way.
+    void aShortFirstMoveDoesNotTurnTheLead() {
+        const glm::dvec3 start(0, 0, -5);
+        for (const glm::dvec3& step : {glm::dvec3(-0.03, 0, 0), glm::dvec3(0, 0.03, 0), glm::dvec3(-0.02, -0.02, 0)}) {
+            LeadIn in;
+            in.form = LeadIn::Form::line;
+            const auto path = edited({start, start + step, {20, 0, -5}}, {{in}});
+            QVERIFY(path);
+            const glm::dvec3 lead = path->path.points.front().tip - start;
+            QVERIFY2(lead.x <= -0.45 * in.size, qPrintable(QString::number(lead.x))); // from behind, within 60 degrees
+            in.direction = LeadDirection::firstMove;
+            const auto before = edited({start, start + step, {20, 0, -5}}, {{in}});
+            QVERIFY(before && (before->path.points.front().tip - start).x > -0.1 * in.size);
+        }
+    }
+
+    /// What was moved, turned or copied goes by its own motion.
+    void leadsOfCopiesAreTangentToo() {
+        for (const double angle : {0.5 * pi, pi, -2.0}) {
+            const Rotate turn{{}, {0, 0, -3}, angle};
+            LeadIn in;
+            const auto path = edited({{0, 0, -3}, {20, 0, -3}}, {{in}});
+            std::vector<Edit> edits{{turn}, {HoldOut{}}, {in}};
+            const auto turned = run({takeOf(along({{0, 0, -3}, {20, 0, -3}}, 50.0))}, edits, freeContext());
+            QVERIFY(path && turned);
+            const glm::dvec3 before = path->path.points.front().tip, after = turned->path.points.front().tip;
+            const glm::dvec3 expected(std::cos(angle) * before.x - std::sin(angle) * before.y,
+                                      std::sin(angle) * before.x + std::cos(angle) * before.y, before.z);
+            QVERIFY2(glm::distance(after, expected) < 1e-6, qPrintable(QString::number(glm::distance(after, expected))));
+        }
     }
 
     void theLowestWayStaysAboveWhatIsLeft() {

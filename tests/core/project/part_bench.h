@@ -8,7 +8,7 @@
 namespace burin::test {
 
 /// The block with a smaller one in it as the part.
-inline Bench partBench(const Tool& tool) {
+inline Bench partBench(const Tool& tool, const Setup& setup = blockSetup()) {
     Body body;
     body.name = "block";
     body.box = {{6.0, 6.0, 1.0}, {14.0, 14.0, 8.0}};
@@ -17,7 +17,7 @@ inline Bench partBench(const Tool& tool) {
     model.bodies = {body};
     Progress progress;
     Result<Bench> bench =
-        makeBench({std::make_shared<const Model>(model), blockSetup(), tool, "linuxcnc-mill", {}, {}}, progress);
+        makeBench({std::make_shared<const Model>(model), setup, tool, "linuxcnc-mill", {}, {}}, progress);
     if (!bench) std::abort(); // the test's own set-up
     return std::move(*bench);
 }

@@ -3,6 +3,7 @@
 #include "core/project/job_paths.h"
 #include "core/project/milling.h"
 #include "core/project/milling_session.h"
+#include "tests/core/project/part_bench.h"
 #include "tests/core/project/session_stage.h"
 
 #include <QTemporaryDir>
@@ -390,6 +391,37 @@ private slots:
         }
         QVERIFY(stage.workpiece() == fast.workpiece());
         QCOMPARE(stage.project.take(1)->samples.size(), fast.project.take(1)->samples.size());
+    }
+
+    /// Whatever is asked for: workshop rules by material, a full diameter and more in wax and board, half of one in
+    /// aluminium.
+    void theOperatorTakesNoLevelDeeperThanItsShare() {
+        for (const auto& [material, share] :
+             {std::pair{"machinable-wax", 2.0}, std::pair{"tooling-board", 2.0}, std::pair{"aluminium-6061", 0.5}})
+            for (const double diameter : {2.0, 4.0})
+                for (const double asked : {0.0, 50.0}) {
+                    Tool tool = sessionTool();
+                    tool.maximumDepthOfCut = 0.0;
+                    tool.cutter.diameter = tool.cutter.shankDiameter = diameter;
+                    tool.cutter.cornerRadius = 0.5 * diameter;
+                    Setup setup = blockSetup();
+                    setup.stockMaterial = material;
+                    const Bench bench = partBench(tool, setup);
+                    Progress progress;
+                    const auto field = clearanceField(bench, 0.5, progress);
+                    QVERIFY(field);
+                    OperatorRequest request;
+                    request.levelDepth = asked;
+                    const Result<OperatorPlan> plan = planOperator(bench, **field, request);
+                    QVERIFY(plan && !plan->plan.levels.empty());
+                    double above = top, deepest = 0.0;
+                    for (const double level : plan->plan.levels) {
+                        deepest = std::max(deepest, above - level);
+                        above = level;
+                    }
+                    QVERIFY2(deepest <= share * diameter + 1e-9, qPrintable(QString::number(deepest)));
+                    QVERIFY2(deepest >= 0.25 * share * diameter, qPrintable(QString::number(deepest)));
+                }
     }
 };
 

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/entry_planner.h"
+
+#include "core/base/units.h"
+#include "core/geometry/arc.h"
+#include "core/path/lead.h"
+#include "core/path/stroke_access.h"
+#include "core/path/stroke_steps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+/// Material that a tool may meet straight from above: what a trembling hand and the voxels leave, mm.
+constexpr double leastDepth = 0.15;
+constexpr double usualAngle = 3.0 * pi / 180.0; // where neither edit nor material state one
+constexpr double longestLeg = 30.0;             // mm of a ramp
+constexpr int mostTurns = 8;                    // of a ramp
+constexpr double helixShare = 0.4;              // of the diameter: radius of a helix, which leaves no core
+/// Between the material and where ramp or helix begin, mm.
+constexpr double gap = 0.05;
+
+/// A stroke's beginning is fit for a ramp as long as it is nearly level itself.
+bool isLevel(double rise, double along) noexcept {
+    constexpr double steepest = 0.25, tremor = 0.05; // mm
+    return std::abs(rise) <= steepest * along + tremor;
+}
+
+/// Arcs about another axis than Z as chords: raised evenly they would be arcs no more.
+PathStroke raisable(const PathStroke& stroke) {
+    constexpr double chord = 0.0005; // mm
+    PathStroke chords = stroke;
+    chords.points.clear();
+    std::vector<glm::dvec3> ends;
+    for (const StrokePoint& point : stroke.points) {
+        if (!point.arc || point.arc->axis == 2 || chords.points.empty()) {
+            chords.points.push_back(point);
+            continue;
+        }
+        flatten(Arc{chords.points.back().tip, point.tip, point.arc->centre, point.arc->axis, point.arc->clockwise},
+                chord, ends);
+        for (const glm::dvec3& end : ends) {
+            chords.points.push_back(point);
+            chords.points.back().tip = end;
+            chords.points.back().arc.reset();
+        }
+    }
+    return chords;
+}
+
+/// The last point of the steep descent that a stroke begins with; 0: it begins with none.
+std::size_t endOfDescent(const PathStroke& stroke) {
+    std::size_t end = 0;
+    double across = 0.0;
+    const double top = stroke.points.front().tip.z;
+    for (std::size_t i = 1; i < stroke.points.size(); ++i) {
+        const glm::dvec3 move = stroke.points[i].tip - stroke.points[i - 1].tip;
+        across += std::hypot(move.x, move.y);
+        const double down = top - stroke.points[i].tip.z;
+        if (down > across)
+            end = i;
+        else if (across > down + 1.0)
+            break;
+    }
+    return end;
+}
+
+PathStroke from(const PathStroke& stroke, std::size_t point) {
+    return between(stroke, {point, 1.0}, {stroke.points.size() - 1, 1.0});
+}
+
+} // namespace
+
+EntryPlanner::EntryPlanner(const Link& edit, const LinkRoom& room, const PartGuard& guard, const PathContext& context,
+                           ShankWatch* watch)
+    : on_(edit.entry == Link::Entry::ramp)
+    , mayPlunge_(context.tool.centreCutting)
+    , slope_(std::tan(edit.rampAngle > 0.0                 ? edit.rampAngle
+                      : context.conditions.rampAngle > 0.0 ? context.conditions.rampAngle
+                                                           : usualAngle))
+    , diameter_(context.tool.cutter.diameter)
+    , stockTop_(context.stock.high.z)
+    , safeHeight_(room.safeHeight())
+    , room_(room)
+    , guard_(guard)
+    , context_(context)
+    , watch_(watch) {}
+
+double EntryPlanner::depthAt(const glm::dvec3& tip) const {
+    if (tip.z >= stockTop_) return 0.0;
+    const double known = room_.cleared().freeHeight(tip.x, tip.y) - tip.z; // never too little
+    return known <= leastDepth || watch_ == nullptr ? known : std::min(known, watch_->depthAt(tip, known));
+}
+
+bool EntryPlanner::plunges(const glm::dvec3& from, const glm::dvec3& to) const {
+    if (!on_ || from.z - to.z <= slope_ * std::hypot(to.x - from.x, to.y - from.y) + leastDepth) return false;
+    return depthAt(to) > leastDepth;
+}
+
+std::optional<EntryPlanner::Entry> EntryPlanner::into(const PathStroke& stroke, std::size_t first) const {
+    if (!on_) return std::nullopt;
+    Entry entry{EntryForm::plunge, first, {}, depthAt(stroke.points[first].tip)};
+    if (first == 0) {
+        // A hand that plunges: the bottom is reached first, then all of the stroke is made from its start.
+        const std::size_t bottom = endOfDescent(stroke);
+        PathStroke end = stroke;
+        end.points = {stroke.points[bottom]};
+        if (bottom > 0 && accessOf(end, guard_, safeHeight_).found) {
+            entry.point = bottom;
+            entry.depth = depthAt(stroke.points[bottom].tip);
+        }
+    }
+    if (entry.depth <= leastDepth) return std::nullopt;
+    const PathStroke begun = from(stroke, entry.point);
+    for (const EntryForm form : {EntryForm::ramp, EntryForm::helix}) {
+        entry.way = form == EntryForm::ramp ? rampInto(begun, entry.depth + gap) : helixInto(begun, entry.depth + gap);
+        if (entry.way.empty() || !clearsShank(entry.way)) continue;
+        entry.form = form;
+        for (StrokePoint& point : entry.way) point.sample = stroke.points[entry.point].sample;
+        return entry;
+    }
+    entry.way.clear();
+    entry.point = first;
+    return entry;
+}
+
+/// To and fro along the stroke's beginning, as often as the slope asks for.
+std::vector<StrokePoint> EntryPlanner::rampInto(const PathStroke& stroke, double height) const {
+    constexpr double looks = 0.05; // mm
+    const PathStroke line = raisable(stroke);
+    std::vector<StrokeStep> steps = stepsOf(line, looks);
+    std::size_t usable = 0;
+    while (usable + 1 < steps.size() && steps[usable + 1].at <= longestLeg &&
+           isLevel(steps[usable + 1].tip.z - steps[0].tip.z, steps[usable + 1].at))
+        ++usable;
+    const double longest = steps[usable].at, shortest = mayPlunge_ ? 0.5 * diameter_ : diameter_;
+    if (longest < shortest) return {};
+    const double length = height / slope_;
+    const int turns = static_cast<int>(std::ceil(length / (2.0 * longest)));
+    if (turns > mostTurns) return {};
+    const double wanted = std::max(shortest, length / (2.0 * turns));
+    while (usable > 1 && steps[usable - 1].at >= wanted) --usable;
+    const PathStroke forth = between(line, {0, 1.0}, steps[usable].position), back = reversed(forth);
+    const double whole = 2.0 * turns * steps[usable].at;
+    std::vector<StrokePoint> way;
+    double at = 0.0;
+    for (int leg = 0; leg < 2 * turns; ++leg) {
+        const PathStroke& part = leg % 2 == 0 ? forth : back;
+        const std::vector<StrokeStep> ends = stepsOf(part, 2.0 * longestLeg); // one a move
+        for (std::size_t i = leg == 0 ? 0 : 1; i < ends.size(); ++i) {
+            way.push_back(part.points[i]);
+            way.back().tip.z += height * std::max(0.0, 1.0 - (at + ends[i].at) / whole);
+            way.back().removes = true;
+            way.back().onBoundary = false;
+        }
+        at += ends.back().at;
+    }
+    way.front().arc.reset();
+    way.back().tip = stroke.points.front().tip;
+    const LeadFinder finder({}, guard_, context_);
+    return finder.isClear(way, stroke.required) ? way : std::vector<StrokePoint>();
+}
+
+std::vector<StrokePoint> EntryPlanner::helixInto(const PathStroke& stroke, double height) const {
+    LeadShape shape{LeadIn::Form::helix, helixShare * diameter_, height, std::atan(slope_)};
+    shape.smallestShare = 0.5;
+    return LeadFinder(shape, guard_, context_).into(stroke);
+}
+
+/// Whether shank and holder stay in empty space, tried in the stock itself.
+bool EntryPlanner::clearsShank(const std::vector<StrokePoint>& way) const {
+    const double lowest = std::ranges::min(way, {}, [](const StrokePoint& point) { return point.tip.z; }).tip.z;
+    if (watch_ == nullptr || lowest + watch_->lowestGuard() >= stockTop_) return true;
+    PathStroke stroke;
+    stroke.points = way;
+    watch_->keep();
+    const glm::dvec3& start = way.front().tip;
+    glm::dvec3 at(start.x, start.y, safeHeight_);
+    const std::vector<StrokeStep> steps = stepsOf(stroke, watch_->step());
+    const bool clear = std::ranges::all_of(steps, [&](const StrokeStep& step) {
+        const bool passes = !watch_->cutClear(at, step.tip);
+        at = step.tip;
+        return passes;
+    });
+    watch_->goBack();
+    return clear;
+}
+
+} // namespace burin

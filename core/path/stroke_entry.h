@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace burin {
+
+/// How the tool goes down to a stroke that begins in material.
+enum class EntryForm : std::uint8_t {
+    plunge, ///< straight down, as there is room for nothing else
+    ramp,   ///< to and fro along the beginning of the stroke
+    helix,  ///< in turns beside the stroke
+};
+/// Stable id, for JSON: "plunge", "ramp", "helix".
+constexpr const char* idOf(EntryForm form) noexcept {
+    return form == EntryForm::plunge ? "plunge" : form == EntryForm::ramp ? "ramp" : "helix";
+}
+
+/// What a link did where a stroke begins in material.
+struct StrokeEntry {
+    EntryForm form = EntryForm::plunge;
+    std::int64_t take = 0;    ///< TakeInfo::id
+    std::int64_t sample = -1; ///< tick of the take
+    glm::dvec3 tip{0.0};      ///< mm, setup frame, where it ends
+    double depth = 0.0;       ///< mm of material above that
+};
+
+inline std::size_t countOf(std::span<const StrokeEntry> entries, EntryForm form) {
+    return static_cast<std::size_t>(std::ranges::count(entries, form, &StrokeEntry::form));
+}
+
+} // namespace burin

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "block_fixture.h"
+
+#include <rapidcheck.h>
+
+#include <QTest>
+
+#include <optional>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+/// How deep the tool gets into material more steeply than a slope, mm at a stretch, by the heights that are left.
+double deepestPlunge(const std::vector<PathPoint>& points, const Cutter& cutter, double slope) {
+    Heights left;
+    double deepest = 0.0, now = 0.0;
+    std::optional<glm::dvec3> last;
+    walk(points, 0.02, [&](const PathPoint& end, const glm::dvec3& tip) {
+        if (last && end.kind != MoveKind::rapid) {
+            const double down = last->z - tip.z, across = std::hypot(tip.x - last->x, tip.y - last->y);
+            const double looked = cutter.type == CutterType::ball ? 0.3 * cutter.radius() : 0.8 * cutter.radius();
+            const bool inside = left.highestWithin(tip, looked) > tip.z + 0.5 * down;
+            if (down > slope * across + 1e-9 && inside)
+                now += down - slope * across;
+            else if (down < -1e-9 || across > 1e-9)
+                now = 0.0;
+            deepest = std::max(deepest, now);
+        }
+        if (end.kind != MoveKind::rapid) left.cut(cutter, tip);
+        last = tip;
+    });
+    return deepest;
+}
+
+/// The standard way into material.
+Link rampingLink() {
+    Link link;
+    link.entry = Link::Entry::ramp;
+    link.rampAngle = 0.06;
+    return link;
+}
+constexpr double plungeBlur = 0.45; // mm: what may be met straight from above, a voxel, a look
+
+/// Straight sides of a hole in a plate, as wide as it is long.
+TriangleMesh holeMesh(double half) {
+    return meshOf({{{-10, -10, -16}, {10, -half, 0}},
+                   {{-10, half, -16}, {10, 10, 0}},
+                   {{-10, -half, -16}, {-half, half, 0}},
+                   {{half, -half, -16}, {10, half, 0}}});
+}
+
+} // namespace
+
+class TestEntries : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aStrokeThatBeginsInMaterialIsRampedInto_data() {
+        QTest::addColumn<std::vector<glm::dvec3>>("corners");
+        QTest::addColumn<int>("form");
+        const auto row = [](const char* name, const std::vector<glm::dvec3>& corners, EntryForm form) {
+            QTest::newRow(name) << corners << static_cast<int>(form);
+        };
+        row("a slot", {{-8, 0, -4}, {8, 0, -4}}, EntryForm::ramp);
+        row("round a corner", {{-5, -2, -4}, {-2, -2, -4}, {-2, 6, -4}}, EntryForm::ramp);
+        row("a hand that plunges", {{-8, 0, 1}, {-8, 0, -4}, {8, 0, -4}}, EntryForm::ramp);
+        row("a short one", {{0, 0, -4}, {0.8, 0, -4}}, EntryForm::helix);
+    }
+    void aStrokeThatBeginsInMaterialIsRampedInto() {
+        QFETCH(std::vector<glm::dvec3>, corners);
+        QFETCH(int, form);
+        for (const CutterType type : {CutterType::flat, CutterType::ball}) {
+            const Tool tool = stubbyTool(type);
+            const std::vector<Tick> ticks = along(corners, 40.0);
+            const auto path =
+                run({takeOf(ticks)}, {{Simplify{}}, {rampingLink()}, {SetFeed{}}}, blockContext(tool));
+            QVERIFY2(path, path ? "" : path.error().detail.c_str());
+            const EditReport& link = reportOf(*path, "link");
+            QCOMPARE(link.entries.size(), std::size_t{1});
+            const StrokeEntry& entry = link.entries.front();
+            QCOMPARE(static_cast<int>(entry.form), form);
+            QVERIFY2(std::abs(entry.depth - 4.0) < blur, qPrintable(QString::number(entry.depth)));
+            QVERIFY(link.omissions.empty());
+            const std::vector<PathPoint>& points = path->path.points;
+            const double slope = std::tan(0.06);
+            QVERIFY2(deepestPlunge(points, tool.cutter, 1.05 * slope) < plungeBlur,
+                     qPrintable(QString::number(deepestPlunge(points, tool.cutter, 1.05 * slope))));
+            // The same with a straight plunge, which the judge sees.
+            const auto plunged = run({takeOf(ticks)}, {{Simplify{}}, {Link{}}}, blockContext(tool));
+            QVERIFY(plunged && deepestPlunge(plunged->path.points, tool.cutter, 1.05 * slope) > 2.5);
+            // Ramps have half of the feed, 900 mm/min; down to the material it plunges.
+            std::size_t ramps = 0;
+            for (std::size_t i = 1; i < points.size(); ++i) {
+                if (points[i].kind != MoveKind::plunge) continue;
+                const bool down = glm::distance(glm::dvec2(points[i].tip), glm::dvec2(points[i - 1].tip)) < 1e-9 &&
+                                  !points[i].arc;
+                QCOMPARE(points[i].feed, down ? 300.0 : 450.0);
+                ramps += down ? 0 : 1;
+            }
+            QVERIFY(ramps >= 2);
+            // It removes nothing beside what the stroke removes.
+            if (entry.form == EntryForm::helix) continue;
+            for (const PathPoint& point : points) {
+                if (point.kind != MoveKind::plunge || point.tip.z >= 0.0) continue;
+                double nearest = 1e9;
+                for (std::size_t i = 1; i < corners.size(); ++i)
+                    nearest = std::min(nearest, distanceToPolyline({point.tip.x, point.tip.y, 0.0},
+                                                                   {{corners[i - 1].x, corners[i - 1].y, 0.0},
+                                                                    {corners[i].x, corners[i].y, 0.0}}));
+                QVERIFY2(nearest < 1e-6, qPrintable(QString::number(nearest)));
+                QVERIFY(point.tip.z > -4.0 - 1e-9);
+            }
+        }
+    }
+
+    void whereTheMaterialIsGoneNothingIsRamped() {
+        std::vector<Tick> ticks = along({{-8, 0, -4}, {8, 0, -4}}, 40.0);
+        append(ticks, along({{8, 0, 8}, {-8, 0, 8}}, 400.0, false));
+        append(ticks, along({{-8, 0, -4}, {8, 0, -4}}, 40.0));
+        const auto path = run({takeOf(ticks)}, {{DropAirCuts{}}, {Simplify{}}, {rampingLink()}},
+                              blockContext(stubbyTool(CutterType::flat)));
+        QVERIFY(path);
+        QCOMPARE(reportOf(*path, "link").entries.size(), std::size_t{1});
+    }
+
+    /// In a hole hardly wider than the tool neither ramp nor helix has room.
+    void aToolThatMayPlungesWhereNothingElseFits() {
+        const MeshDistance part(holeMesh(2.1));
+        Tool tool = stubbyTool(CutterType::flat);
+        tool.cutter.shankDiameter = 3.8;
+        const std::vector<Edit> edits{{Simplify{}}, {rampingLink()}};
+        const std::vector<Tick> ticks = along({{-0.05, 0, -5}, {0.05, 0, -5}}, 40.0);
+        PathContext context = contextOf(part, tool, block);
+        context.lendStock = lendBlock;
+        const auto path = run({takeOf(ticks)}, edits, context);
+        QVERIFY2(path, path ? "" : path.error().detail.c_str());
+        const EditReport& link = reportOf(*path, "link");
+        QCOMPARE(link.entries.size(), std::size_t{1});
+        QVERIFY(link.entries.front().form == EntryForm::plunge);
+        QVERIFY(glm::distance(link.entries.front().tip, glm::dvec3(-0.05, 0, -5)) < 1e-9);
+        context.tool.centreCutting = false;
+        const auto refused = run({takeOf(ticks)}, edits, context);
+        QVERIFY(!refused && refused.error().code == ErrorCode::pathGouges);
+        QCOMPARE(refused.error().detail, std::string(remedyOf(OmissionReason::plunge).text));
+    }
+
+    void noStrokeIsPlungedIntoUnsaid() {
+        double forms[3] = {};
+        QVERIFY(rc::check("where no plunge is reported no move goes down steeply into material", [&] {
+            const Tool tool = stubbyTool(*rc::gen::element(CutterType::ball, CutterType::flat));
+            std::vector<Tick> ticks;
+            for (int i = 0; i < 3; ++i) {
+                glm::dvec3 at(*rc::gen::inRange(-8, 9), *rc::gen::inRange(-8, 9), -*rc::gen::inRange(1, 6));
+                std::vector<glm::dvec3> corners{at};
+                for (int k = 0; k < 2; ++k)
+                    corners.push_back({*rc::gen::inRange(-8, 9), *rc::gen::inRange(-8, 9), at.z});
+                append(ticks, along(corners, 400.0));
+                append(ticks, along({corners.back(), {corners.back().x, corners.back().y, 8}}, 400.0, false));
+            }
+            Link link = rampingLink();
+            link.travel = *rc::gen::element(Link::Travel::safe, Link::Travel::lowest, Link::Travel::around);
+            link.rounding = *rc::gen::element(0.0, 0.7);
+            const auto path = run({takeOf(ticks)}, {{DropAirCuts{}}, {Simplify{}}, {link}}, blockContext(tool));
+            RC_PRE(static_cast<bool>(path));
+            const EditReport& report = reportOf(*path, "link");
+            for (const StrokeEntry& entry : report.entries) forms[static_cast<std::size_t>(entry.form)] += 1.0;
+            RC_ASSERT(deepestGuard(path->path.points, tool.cutter) < blur);
+            if (countOf(report.entries, EntryForm::plunge) > 0) return;
+            RC_ASSERT(deepestPlunge(path->path.points, tool.cutter, 1.05 * std::tan(0.06)) < plungeBlur);
+        }));
+        QVERIFY(forms[1] > 50.0); // there was something to judge
+    }
+};
+
+QTEST_APPLESS_MAIN(TestEntries)
+#include "tst_entries.moc"
