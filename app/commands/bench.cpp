@@ -26,6 +26,9 @@ constexpr std::array benchmarks{
               "the S-RLE engine and cutting, compared with the paper's method, dense grids, OpenVDB and VTK"},
     Benchmark{"verify", "burin-bench-verify",
               "reading programs back and judging them, compared with CAMotics, and where the time goes"},
+    Benchmark{
+        "scale", "burin-bench-scale",
+        "CPU time and memory at three sizes of recordings, programs, paths, stocks and models, and how they grow"},
     Benchmark{"haptics", "burin-bench-haptics", "the haptic loop: cost of a tick, push-back, stability, guards"},
 };
 

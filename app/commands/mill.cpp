@@ -179,10 +179,14 @@ Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std:
 }
 
 Result<std::vector<TakeOutcome>> millWithTrace(const std::string& file, const MillWork& work) {
-    const Result<SessionTrace> trace = readSessionTrace(file);
-    if (!trace) return trace.error();
-    TraceStylus stylus(trace->readings, trace->began ? trace->began->stylus : touchLikeStylus());
-    return millWith(stylus, std::filesystem::path(file).stem().string(), false, work, &*trace);
+    Result<OpenedSessionTrace> trace = openSessionTrace(file);
+    if (!trace) return std::move(trace).error();
+    const SessionTrace& session = trace->session;
+    TraceStylus stylus(std::move(trace->readings), session.began ? session.began->stylus : touchLikeStylus());
+    Result<std::vector<TakeOutcome>> takes =
+        millWith(stylus, std::filesystem::path(file).stem().string(), false, work, &session);
+    if (const Result<void> played = stylus.outcome(); takes && !played) return played.error();
+    return takes;
 }
 
 /// Its first button, where it has one, is the spindle's.

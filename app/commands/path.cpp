@@ -10,7 +10,6 @@
 #include "core/project/job_paths.h"
 #include "core/project/project_change.h"
 #include "core/recording/take_csv.h"
-#include "core/recording/trace_file.h"
 
 #include <CLI/CLI.hpp>
 
@@ -230,14 +229,18 @@ int exportTake(const PathArguments& arguments, bool asTrace, CommandContext& con
     if (const Result<void> free = checkPlace(arguments, "--output"); !free) return context.fail(free.error());
     const Result<Project> project = Project::openForReading(arguments.project);
     if (!project) return context.fail(project.error());
-    const Result<Take> take = project->take(arguments.take);
+    const Result<TakeOutline> take = project->takeOutline(arguments.take);
     if (!take) return context.fail(take.error());
+    const SampleSource source = [&](const SampleVisitor& visit) {
+        return project->visitSamples(arguments.take, visit);
+    };
     const Result<void> written =
-        asTrace ? writeTrace(arguments.output, traceOf(take->samples)) : writeTakeCsv(arguments.output, take->samples);
+        asTrace ? writeTakeTrace(arguments.output, source) : writeTakeCsv(arguments.output, source);
     if (!written) return context.fail(written.error());
-    context.answer({{"csv", std::filesystem::absolute(arguments.output).lexically_normal().string()},
-                    {"samples", take->samples.size()}},
-                   arguments.output + ": " + std::to_string(take->samples.size()) + " samples");
+    const std::uint64_t samples = take->info.sampleCount;
+    context.answer(
+        {{"csv", std::filesystem::absolute(arguments.output).lexically_normal().string()}, {"samples", samples}},
+        arguments.output + ": " + std::to_string(samples) + " samples");
     return 0;
 }
 

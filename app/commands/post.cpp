@@ -74,7 +74,7 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     if (!bench) return context.fail(bench.error());
 
     context.stage("Editing");
-    const Result<EvaluatedPaths> edited = evaluateInOrder(*bench, matters, context.progress());
+    const Result<EvaluatedPaths> edited = evaluateInOrder(*bench, std::move(matters), context.progress());
     if (!edited) return context.fail(edited.error());
 
     context.stage("Posting and checking");

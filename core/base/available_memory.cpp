@@ -21,13 +21,13 @@ std::size_t availableMemory() {
     return static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-Result<void> needMemory(const char* subject, double bytes) {
+Result<void> needMemory(const char* subject, double bytes, MemoryRemedy remedy) {
     constexpr double share = 0.8, bytesPerMegabyte = 1e6;
     const double free = share * static_cast<double>(availableMemory());
     if (bytes <= free) return {};
     return Error{ErrorCode::outOfMemory, subject,
                  formatFixed(bytes / bytesPerMegabyte, 0) + " MB, " + formatFixed(free / bytesPerMegabyte, 0) + " MB",
-                 ""};
+                 remedy == MemoryRemedy::fewerTakes ? std::string(fewerTakes) : std::string()};
 }
 
 } // namespace burin

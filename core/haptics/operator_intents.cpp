@@ -152,7 +152,7 @@ Result<std::vector<IntentPoint>> planContours(const ClearanceField& field, const
 }
 
 Result<std::vector<IntentPoint>> planScribble(const ScribbleRequest& request) {
-    constexpr double longest = 3600.0, interval = 0.02; // s
+    constexpr double longest = 86400.0, interval = 0.02; // s
     if (request.region.empty() || !isFinite(request.region.low) || !isFinite(request.region.high))
         return Error{ErrorCode::argumentInvalid, "region", {}, "a box"};
     if (const Result<void> good = checkAbove({{"seconds", request.seconds}, {"speed", request.speed}}); !good)

@@ -36,7 +36,7 @@ Result<std::vector<IntentPoint>> planContours(const ClearanceField& field, const
 /// A free hand. Lengths in mm, setup frame.
 struct ScribbleRequest {
     Box region;            ///< that the tip is meant to stay in
-    double seconds = 20.0; ///< at most an hour
+    double seconds = 20.0; ///< at most a day
     double speed = 80.0;   ///< mm/s, on average about
     std::uint64_t seed = 1;
 };

@@ -37,6 +37,14 @@ Result<SessionTrace> sessionTraceOf(Trace trace, const std::string& origin) {
     return session;
 }
 
+Result<OpenedSessionTrace> openSessionTrace(const std::filesystem::path& file) {
+    Result<OpenedTrace> trace = openTrace(file);
+    if (!trace) return std::move(trace).error();
+    Result<SessionTrace> session = sessionTraceOf({{}, std::move(trace->changes)}, file.string());
+    if (!session) return std::move(session).error();
+    return OpenedSessionTrace{std::move(*session), std::move(trace->readings)};
+}
+
 Result<SessionTrace> readSessionTrace(const std::filesystem::path& file) {
     Result<Trace> trace = readTrace(file);
     if (!trace) return std::move(trace).error();

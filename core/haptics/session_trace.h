@@ -5,6 +5,7 @@
 #include "core/haptics/step_change.h"
 #include "core/haptics/traced_session.h"
 #include "core/recording/trace_file.h"
+#include "core/recording/trace_playback.h"
 
 #include <filesystem>
 #include <memory>
@@ -26,6 +27,14 @@ struct SessionTrace {
 /// Errors: traceInvalid (place: "line 12"; detail: what is wrong there). A session in which the workpiece was changed
 /// beside the milling (a stroke taken back, another state put in place) is refused: a trace does not hold that state.
 Result<SessionTrace> sessionTraceOf(Trace trace, const std::string& origin);
+
+/// A trace whose readings stay in their file, ready to be played.
+struct OpenedSessionTrace {
+    SessionTrace session;                    ///< without readings
+    std::unique_ptr<TracePlayback> readings; ///< for TraceStylus; never null
+};
+/// Errors: those of openTrace and sessionTraceOf.
+Result<OpenedSessionTrace> openSessionTrace(const std::filesystem::path& file);
 
 /// Errors: those of readTrace and sessionTraceOf.
 Result<SessionTrace> readSessionTrace(const std::filesystem::path& file);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/trace_stylus.h"
 
-#include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace burin {
@@ -24,41 +24,54 @@ StylusState between(const StylusState& before, const StylusState& after, double 
 } // namespace
 
 TraceStylus::TraceStylus(std::vector<StylusState> states, StylusDescription description)
-    : states_(std::move(states)), description_(std::move(description)) {}
+    : TraceStylus(playbackOf(std::move(states)), std::move(description)) {}
+
+TraceStylus::TraceStylus(std::unique_ptr<TracePlayback> readings, StylusDescription description)
+    : readings_(std::move(readings)), description_(std::move(description)) {}
 
 Result<void> TraceStylus::open() {
-    if (states_.empty()) return Error{ErrorCode::argumentInvalid, "trace", "0 readings", "at least one reading"};
-    ticks_ = std::ranges::any_of(states_, [](const StylusState& state) { return state.period != 0.0; });
-    next_ = 0;
-    for (std::size_t i = 1; i < states_.size() && !ticks_; ++i)
-        if (!(states_[i].time > states_[i - 1].time))
-            return Error{ErrorCode::argumentInvalid, "trace", "reading " + std::to_string(i + 1), "times that rise"};
-    played_ = false;
+    const TraceExtent& extent = readings_->extent();
+    if (extent.readings == 0) return Error{ErrorCode::argumentInvalid, "trace", "0 readings", "at least one reading"};
+    if (!extent.ticks && extent.firstOutOfOrder != 0)
+        return Error{ErrorCode::argumentInvalid, "trace", "reading " + std::to_string(extent.firstOutOfOrder),
+                     "times that rise"};
+    if (Result<void> begun = readings_->rewind(); !begun) return begun;
+    reached_ = played_ = false;
+    more_ = readings_->next(after_);
     return {};
 }
 
+void TraceStylus::advance() noexcept {
+    before_ = after_;
+    reached_ = true;
+    more_ = readings_->next(after_);
+}
+
 StylusState TraceStylus::nextTick(double time) noexcept {
-    StylusState state = states_[std::min(next_, states_.size() - 1)];
-    played_ = ++next_ >= states_.size();
+    if (more_) advance();
+    played_ = !more_;
+    StylusState state = before_;
+    state.time = time;
+    return state;
+}
+
+StylusState TraceStylus::at(double time) noexcept {
+    while (more_ && after_.time <= time + sameReading) advance();
+    played_ = !more_;
+    StylusState state;
+    if (!reached_)
+        state = after_;
+    else if (!more_ || time - before_.time <= sameReading)
+        state = before_;
+    else
+        state = between(before_, after_, time);
     state.time = time;
     return state;
 }
 
 StylusState TraceStylus::read(double time) noexcept {
-    if (states_.empty() || !std::isfinite(time)) return {};
-    if (ticks_) return nextTick(time);
-    played_ = time + sameReading >= states_.back().time;
-    const auto after = std::upper_bound(states_.begin(), states_.end(), time + sameReading,
-                                        [](double t, const StylusState& state) { return t < state.time; });
-    StylusState state;
-    if (after == states_.begin())
-        state = states_.front();
-    else if (after == states_.end() || time - std::prev(after)->time <= sameReading)
-        state = *std::prev(after);
-    else
-        state = between(*std::prev(after), *after, time);
-    state.time = time;
-    return state;
+    if ((!reached_ && !more_) || !std::isfinite(time)) return {};
+    return readings_->extent().ticks ? nextTick(time) : at(time);
 }
 
 } // namespace burin

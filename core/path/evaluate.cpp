@@ -5,8 +5,11 @@
 #include "core/base/numbers.h"
 #include "core/path/apply.h"
 #include "core/path/edit_step.h"
+#include "core/path/hand_trail.h"
+#include "core/path/stroke.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace burin {
@@ -40,12 +43,36 @@ Error nothingLeft(const std::string& name, const std::vector<EditReport>& report
             remedyOf(part.reason).text};
 }
 
+Result<PathUnderEdit> allStrokes(std::vector<RecordedStrokes> recorded, const PathContext& context) {
+    PathUnderEdit state;
+    state.hand = std::make_shared<const HandTrail>(recorded);
+    for (RecordedStrokes& each : recorded) {
+        const TakeInfo& info = each.take;
+        if (!info.toolId.empty() && info.toolId != context.tool.id)
+            return Error{ErrorCode::argumentInvalid, "tool", info.toolId,
+                         "take " + std::to_string(info.id) + "; the path is for " + context.tool.id};
+        std::ranges::move(each.strokes, std::back_inserter(state.strokes));
+    }
+    return state;
+}
+
 } // namespace
 
 Result<EvaluatedPath> evaluate(const std::string& name, const std::vector<Take>& takes, const std::vector<Edit>& edits,
                                const PathContext& context, Progress& progress) {
+    std::vector<RecordedStrokes> recorded;
+    for (const Take& take : takes) {
+        Result<RecordedStrokes> strokes = recordedStrokes(take);
+        if (!strokes) return std::move(strokes).error();
+        recorded.push_back(std::move(*strokes));
+    }
+    return evaluate(name, std::move(recorded), edits, context, progress);
+}
+
+Result<EvaluatedPath> evaluate(const std::string& name, std::vector<RecordedStrokes> recorded,
+                               const std::vector<Edit>& edits, const PathContext& context, Progress& progress) {
     if (Result<void> order = checkOrder(edits); !order) return order.error();
-    Result<PathUnderEdit> state = strokesOf(takes, context);
+    Result<PathUnderEdit> state = allStrokes(std::move(recorded), context);
     if (!state) return state.error();
     EvaluatedPath evaluated;
     const double share = 1.0 / static_cast<double>(std::max<std::size_t>(1, edits.size()));

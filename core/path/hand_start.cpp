@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/hand_start.h"
 
+#include "core/path/hand_trail.h"
 #include "core/path/stroke_steps.h"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace burin {
 namespace {
@@ -20,12 +22,6 @@ std::optional<HandStart> startWith(const glm::dvec3& tip, const glm::dvec3& late
     const double length = glm::length(level);
     if (length < 0.1 * chord) return std::nullopt;
     return HandStart{tip, level / length};
-}
-
-const Take* takeOf(const PathStroke& stroke, const PathUnderEdit& state) {
-    if (state.takes == nullptr) return nullptr;
-    const auto found = std::ranges::find(*state.takes, stroke.take, [](const Take& take) { return take.info.id; });
-    return found == state.takes->end() ? nullptr : &*found;
 }
 
 /// The first point of the stroke that is so far from its start, or the last one.
@@ -45,27 +41,34 @@ std::optional<HandStart> ownStartOf(const PathStroke& stroke) {
     return startWith(tip, found == steps.end() ? steps.back().tip : found->tip);
 }
 
+/// Where the hand was at a tick. @param next the first mark that is not before it
+glm::dvec3 tipAt(std::span<const HandMark> marks, std::size_t next, std::int64_t tick) {
+    const HandMark& behind = marks[next];
+    if (next == 0 || behind.tick == tick) return behind.tip;
+    const HandMark& before = marks[next - 1];
+    const double share = static_cast<double>(tick - before.tick) / static_cast<double>(behind.tick - before.tick);
+    return glm::mix(before.tip, behind.tip, share);
+}
+
 std::optional<HandStart> recordedStartOf(const PathStroke& stroke, const PathUnderEdit& state) {
-    const Take* take = takeOf(stroke, state);
-    if (take == nullptr) return std::nullopt;
-    const auto sampleAt = [&](std::int64_t tick) {
-        return std::ranges::lower_bound(take->samples, static_cast<std::uint64_t>(std::max<std::int64_t>(0, tick)), {},
-                                        &Sample::tick);
+    const std::span<const HandMark> marks = state.hand ? state.hand->of(stroke.take) : std::span<const HandMark>();
+    const auto markAt = [&](std::int64_t tick) {
+        return static_cast<std::size_t>(std::ranges::lower_bound(marks, tick, {}, &HandMark::tick) - marks.begin());
     };
-    auto at = sampleAt(stroke.points.front().sample);
-    if (at == take->samples.end()) return std::nullopt;
-    const glm::dvec3 tip = at->proxy.tip;
-    const StrokePoint& later = laterPoint(stroke);
-    const bool reversed = later.sample < stroke.points.front().sample;
-    const auto there = sampleAt(later.sample);
-    if (there == take->samples.end() || glm::distance(tip, stroke.points.front().tip) > nearEnough ||
-        glm::distance(there->proxy.tip, later.tip) > nearEnough)
+    const StrokePoint &first = stroke.points.front(), &later = laterPoint(stroke);
+    std::size_t at = markAt(first.sample);
+    const std::size_t there = markAt(later.sample);
+    if (at == marks.size() || there == marks.size()) return std::nullopt;
+    const glm::dvec3 tip = tipAt(marks, at, first.sample);
+    if (glm::distance(tip, first.tip) > nearEnough ||
+        glm::distance(tipAt(marks, there, later.sample), later.tip) > nearEnough)
         return std::nullopt;
-    while (glm::distance(at->proxy.tip, tip) < chord) {
-        if (reversed ? at == take->samples.begin() : at + 1 == take->samples.end()) break;
+    const bool reversed = later.sample < first.sample;
+    while (glm::distance(marks[at].tip, tip) < chord) {
+        if (reversed ? at == 0 : at + 1 == marks.size()) break;
         reversed ? --at : ++at;
     }
-    return startWith(tip, at->proxy.tip);
+    return startWith(tip, marks[at].tip);
 }
 
 } // namespace

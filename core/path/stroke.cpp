@@ -30,34 +30,6 @@ bool isUpright(const glm::dvec3& axis) noexcept {
 /// Of the longest stand of the loop that a stroke goes on over, 0.1 s at 1 kHz; a longer one counts as one as long.
 constexpr std::int64_t mostFilled = 100; // points
 
-/// Tells how many points are missing between two samples, for them to be as far apart in time as filters take them to
-/// be: a loop that comes late has one tick for several periods.
-class EvenTicks {
-public:
-    explicit EvenTicks(double period) : period_(period) {}
-
-    void begin(const Sample& sample) noexcept {
-        tick_ = sample.tick;
-        time_ = sample.time;
-        last_ = 0;
-    }
-    /// Counted from the first sample and not from the last one, so that odds of a period don't add up.
-    std::int64_t missingBefore(const Sample& sample) noexcept {
-        const double ticks = static_cast<double>(sample.tick - tick_), periods = (sample.time - time_) / period_;
-        const auto place = static_cast<std::int64_t>(std::round(std::min(std::max(ticks, periods), farthest)));
-        const std::int64_t missing = std::clamp<std::int64_t>(place - last_ - 1, 0, mostFilled);
-        last_ = std::max(last_ + 1, place);
-        return missing;
-    }
-
-private:
-    static constexpr double farthest = 1e12; // periods; what a damaged clock says may be anything
-    double period_;
-    std::uint64_t tick_ = 0;
-    double time_ = 0.0;
-    std::int64_t last_ = 0; ///< periods from the first sample
-};
-
 /// The tool went straight from the last point to this one: what holds of its end holds of all places on the way.
 void fillUp(std::vector<StrokePoint>& points, const StrokePoint& to, std::int64_t missing) {
     const StrokePoint from = points.back();
@@ -70,43 +42,9 @@ void fillUp(std::vector<StrokePoint>& points, const StrokePoint& to, std::int64_
     }
 }
 
-Result<void> append(std::vector<PathStroke>& strokes, const Take& take, const PathContext& context) {
-    const TakeInfo& info = take.info;
-    if (!info.toolId.empty() && info.toolId != context.tool.id)
-        return Error{ErrorCode::argumentInvalid, "tool", info.toolId,
-                     "take " + std::to_string(info.id) + "; the path is for " + context.tool.id};
-    const double period = info.tickPeriod > 0.0 ? info.tickPeriod : context.tickPeriod;
-    bool begins = true;
-    std::uint64_t lastTick = 0, index = 0;
-    double lastTime = 0.0;
-    EvenTicks ticks(period);
-    UndoneSamples undone(take);
-    for (const Sample& sample : take.samples) {
-        if (undone.holds(index++) || (sample.flags & notWork) != 0 || !isFinite(sample.proxy.tip)) {
-            begins = true;
-            continue;
-        }
-        if (!isUpright(sample.proxy.axis))
-            return Error{ErrorCode::notSupported, "tilted tool axis",
-                         "takes milled with the axis fixed at +Z (--axis fixed), unlike take " +
-                             std::to_string(info.id),
-                         "sample " + std::to_string(sample.tick)};
-        const double elapsed = std::max(period * static_cast<double>(sample.tick - lastTick), sample.time - lastTime);
-        if (begins || sample.tick > lastTick + longestGap ||
-            glm::distance(sample.proxy.tip, strokes.back().points.back().tip) > fastestHand * elapsed) {
-            strokes.push_back({info.id, info.allowance, info.allowance, period, {}});
-            ticks.begin(sample);
-        }
-        std::vector<StrokePoint>& points = strokes.back().points;
-        const StrokePoint point{sample.proxy.tip, static_cast<std::int64_t>(sample.tick), removes(sample),
-                                (sample.flags & sampleOnBoundary) != 0};
-        if (!points.empty()) fillUp(points, point, ticks.missingBefore(sample));
-        points.push_back(point);
-        begins = false;
-        lastTick = sample.tick;
-        lastTime = sample.time;
-    }
-    return {};
+/// A take in memory may not say.
+double periodOf(const TakeInfo& info) noexcept {
+    return info.tickPeriod > 0.0 ? info.tickPeriod : TakeInfo{}.tickPeriod;
 }
 
 } // namespace
@@ -141,13 +79,72 @@ std::size_t PathUnderEdit::count() const noexcept {
     return sum;
 }
 
-Result<PathUnderEdit> strokesOf(const std::vector<Take>& takes, const PathContext& context) {
-    PathUnderEdit state;
-    state.takes = &takes;
-    for (const Take& take : takes) {
-        if (Result<void> done = append(state.strokes, take, context); !done) return done.error();
+void StrokeReader::EvenTicks::begin(const Sample& sample) noexcept {
+    tick_ = sample.tick;
+    time_ = sample.time;
+    last_ = 0;
+}
+
+std::int64_t StrokeReader::EvenTicks::missingBefore(const Sample& sample) noexcept {
+    constexpr double farthest = 1e12; // periods; what a damaged clock says may be anything
+    const double ticks = static_cast<double>(sample.tick - tick_), periods = (sample.time - time_) / period_;
+    const auto place = static_cast<std::int64_t>(std::round(std::min(std::max(ticks, periods), farthest)));
+    const std::int64_t missing = std::clamp<std::int64_t>(place - last_ - 1, 0, mostFilled);
+    last_ = std::max(last_ + 1, place);
+    return missing;
+}
+
+StrokeReader::StrokeReader(const TakeOutline& take)
+    : made_{take.info, {}}, ranges_(take.undone), undone_(ranges_), ticks_(periodOf(take.info)) {
+    made_.take.tickPeriod = periodOf(take.info);
+}
+
+Result<void> StrokeReader::add(std::span<const Sample> next) {
+    for (const Sample& sample : next) {
+        if (undone_.holds(index_++) || (sample.flags & notWork) != 0 || !isFinite(sample.proxy.tip)) {
+            begins_ = true;
+            continue;
+        }
+        if (!isUpright(sample.proxy.axis))
+            return Error{ErrorCode::notSupported, "tilted tool axis",
+                         "takes milled with the axis fixed at +Z (--axis fixed), unlike take " +
+                             std::to_string(made_.take.id),
+                         "sample " + std::to_string(sample.tick)};
+        add(sample);
     }
-    return state;
+    return {};
+}
+
+void StrokeReader::add(const Sample& sample) {
+    const TakeInfo& info = made_.take;
+    std::vector<PathStroke>& strokes = made_.strokes;
+    const double elapsed =
+        std::max(info.tickPeriod * static_cast<double>(sample.tick - lastTick_), sample.time - lastTime_);
+    if (begins_ || sample.tick > lastTick_ + longestGap ||
+        glm::distance(sample.proxy.tip, strokes.back().points.back().tip) > fastestHand * elapsed) {
+        if (!strokes.empty()) strokes.back().points.shrink_to_fit();
+        strokes.push_back({info.id, info.allowance, info.allowance, info.tickPeriod, {}});
+        ticks_.begin(sample);
+    }
+    std::vector<StrokePoint>& points = strokes.back().points;
+    const StrokePoint point{sample.proxy.tip, static_cast<std::int64_t>(sample.tick), removes(sample),
+                            (sample.flags & sampleOnBoundary) != 0};
+    if (!points.empty()) fillUp(points, point, ticks_.missingBefore(sample));
+    points.push_back(point);
+    begins_ = false;
+    lastTick_ = sample.tick;
+    lastTime_ = sample.time;
+}
+
+RecordedStrokes StrokeReader::finish() {
+    if (!made_.strokes.empty()) made_.strokes.back().points.shrink_to_fit();
+    return std::move(made_);
+}
+
+Result<RecordedStrokes> recordedStrokes(const Take& take) {
+    StrokeReader reader({take.info, take.undone});
+    if (Result<void> read = reader.add(take.samples); !read) return std::move(read).error();
+    return reader.finish();
 }
 
 std::vector<PathPoint> pointsOf(const PathUnderEdit& state) {

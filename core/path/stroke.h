@@ -10,10 +10,14 @@
 #include "core/recording/sample.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace burin {
+
+class HandTrail;
 
 /// A tip of a stretch under edit.
 struct StrokePoint {
@@ -53,7 +57,7 @@ struct PathUnderEdit {
     bool linked = false;
     double spindleSpeed = 0.0; ///< 1/min; 0: not decided yet
     Coolant coolant = Coolant::off;
-    const std::vector<Take>* takes = nullptr; ///< that it was made of; they live as long as it does
+    std::shared_ptr<const HandTrail> hand;    ///< that it was made of; nothing: not known
     bool rampsIn = false;                     ///< its links go down ramps, which have a feed of their own
     std::vector<StrokeEntry> entries;         ///< into material, by the edit that is applied now
     std::vector<Omission> omissions;          ///< by the edit that is applied now
@@ -62,12 +66,56 @@ struct PathUnderEdit {
     std::size_t count() const noexcept;
 };
 
-/// The strokes of takes, in order: the proxy's tip at every tick. Where the loop came late, points on the straight way
-/// that the tool went are put between, up to 100, so that points stay a tick apart in time. A stretch in which shank or
-/// holder touched something, in which the spindle stood, or which was taken back, is left out. A new stroke begins
-/// there, with each take, where more than a few ticks are missing, and where the tip went faster than a hand can.
-/// Errors: notSupported (an axis that is not +Z), argumentInvalid (a take of another tool).
-Result<PathUnderEdit> strokesOf(const std::vector<Take>& takes, const PathContext& context);
+/// What a path is made of out of a recording.
+struct RecordedStrokes {
+    TakeInfo take;
+    std::vector<PathStroke> strokes;
+};
+
+/// Makes the strokes of a take while its samples are read in their order: the proxy's tip at every tick. Where the loop
+/// came late, points on the straight way that the tool went are put between, up to 100, so that points stay a tick
+/// apart in time. A stretch in which shank or holder touched something, in which the spindle stood, or which was taken
+/// back, is left out. A new stroke begins there, where more than a few ticks are missing, and where the tip went faster
+/// than a hand can.
+class StrokeReader {
+public:
+    explicit StrokeReader(const TakeOutline& take);
+    StrokeReader(const StrokeReader&) = delete;
+    StrokeReader& operator=(const StrokeReader&) = delete;
+
+    /// @param next samples, behind those of the call before. Errors: notSupported (an axis that is not +Z).
+    Result<void> add(std::span<const Sample> next);
+    /// Of all that was added; once.
+    RecordedStrokes finish();
+
+private:
+    /// Tells how many points are missing between two samples, for them to be as far apart in time as filters take them
+    /// to be: a loop that comes late has one tick for several periods.
+    class EvenTicks {
+    public:
+        explicit EvenTicks(double period) : period_(period) {}
+        void begin(const Sample& sample) noexcept;
+        /// Counted from the first sample and not from the last one, so that odds of a period don't add up.
+        std::int64_t missingBefore(const Sample& sample) noexcept;
+
+    private:
+        double period_;
+        std::uint64_t tick_ = 0;
+        double time_ = 0.0;
+        std::int64_t last_ = 0; ///< periods from the first sample
+    };
+    void add(const Sample& sample);
+
+    RecordedStrokes made_;
+    std::vector<SampleRange> ranges_;
+    UndoneSamples undone_; ///< of `ranges_`
+    EvenTicks ticks_;
+    bool begins_ = true;
+    std::uint64_t lastTick_ = 0, index_ = 0;
+    double lastTime_ = 0.0;
+};
+/// The same of a take in memory.
+Result<RecordedStrokes> recordedStrokes(const Take& take);
 
 /// The points of a state: its linked points, or the strokes one behind the other, each reached by a rapid move.
 std::vector<PathPoint> pointsOf(const PathUnderEdit& state);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/bench.h"
 
-#include "core/cutting/removal.h"
 #include "core/machine/machine_library.h"
 #include "core/project/bench_materials.h"
+#include "core/recording/stroke_count.h"
 #include "core/setup/material_change.h"
 
 #include <algorithm>
@@ -42,6 +42,35 @@ std::function<Result<RunVolume>(Progress&)> stockMaker(const BenchRequest& reque
         return std::move(embedded->workpiece);
     };
 }
+
+Error replayCancelled() {
+    return {ErrorCode::cancelled, "replaying takes", {}, {}};
+}
+
+CutFinder::Use cutAgain(CutReplay& replay, const Progress& progress) {
+    return [&](const ToolPose& from, const ToolPose& to) -> Result<void> {
+        if (progress.cancelled()) return replayCancelled();
+        return replay.cut(from, to);
+    };
+}
+
+/// Reports how much of a replay is done, now and then.
+class ReplayedShare {
+public:
+    explicit ReplayedShare(Progress& progress) noexcept : progress_(progress) {}
+    void expect(std::uint64_t count) noexcept { all_ += count; }
+    void did(std::uint64_t count) {
+        constexpr std::uint64_t step = 16384;
+        done_ += count;
+        if (done_ < told_ + step) return;
+        told_ = done_;
+        progress_.report(static_cast<double>(done_) / static_cast<double>(std::max(all_, done_)));
+    }
+
+private:
+    Progress& progress_;
+    std::uint64_t all_ = 0, done_ = 0, told_ = 0;
+};
 
 } // namespace
 
@@ -162,60 +191,78 @@ Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench,
     return Field(std::make_unique<ToolField>(std::move(*field)));
 }
 
-Result<std::vector<TakeWithTool>> takesOf(const Project& project) {
+Result<std::vector<RecordedCuts>> cutsOf(const Project& project) {
     const Result<std::vector<TakeInfo>> infos = project.takes();
     if (!infos) return infos.error();
-    std::vector<TakeWithTool> takes;
+    std::vector<RecordedCuts> takes;
     for (const TakeInfo& info : *infos) {
-        Result<Take> take = project.take(info.id);
-        if (!take) return std::move(take).error();
+        const Result<TakeOutline> take = project.takeOutline(info.id);
+        if (!take) return take.error();
         Result<Tool> tool = toolFor(project, info.toolId);
         if (!tool) return std::move(tool).error();
-        takes.push_back({std::move(*take), std::move(*tool)});
+        RecordedCuts cuts{info.id, std::move(*tool), {}, 0};
+        CutFinder finder(take->undone);
+        StrokeCounter counter(take->undone);
+        const auto keep = [&cuts](const ToolPose& from, const ToolPose& to) -> Result<void> {
+            cuts.motions.add(from, to);
+            return {};
+        };
+        Result<void> read = project.visitSamples(info.id, [&](std::span<const Sample> samples) {
+            counter.add(samples);
+            return finder.find(samples, keep);
+        });
+        if (!read) return std::move(read).error();
+        cuts.strokes = counter.strokes();
+        takes.push_back(std::move(cuts));
     }
     return takes;
 }
 
 Result<void> replayTake(const Take& take, const Tool& tool, Bench& bench, const Progress& progress) {
-    RunVolume& workpiece = bench.embedded.workpiece;
-    // As the hand's ticks cut, so that the result is theirs to the last unit.
-    MaterialRemoval removal(tool.cutter, workpiece.grid(), Writing::deferred);
-    UndoneSamples undone(take);
-    for (std::size_t i = 1; i < take.samples.size(); ++i) {
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "replaying takes", {}, {}};
-        const Sample& sample = take.samples[i];
-        // Where the hand's tick removed nothing, replaying must not either: braking, forces off, memory full.
-        const bool cut = std::any_of(sample.removed.begin(), sample.removed.end(),
-                                     [](const RemovedMaterial& removed) { return removed.units > 0; });
-        if (!cut || undone.holds(i)) continue;
-        const CutResult result = removal.cut(workpiece, take.samples[i - 1].proxy, sample.proxy);
-        if (result.outOfMemory)
-            return Error{ErrorCode::volumeOutOfMemory, std::to_string(workpiece.reservedBytes()), {}, {}};
-    }
-    if (removal.settle(workpiece).outOfMemory)
-        return Error{ErrorCode::volumeOutOfMemory, std::to_string(workpiece.reservedBytes()), {}, {}};
-    return {};
+    CutReplay replay(tool, bench.embedded.workpiece);
+    CutFinder finder(take.undone);
+    if (Result<void> cut = finder.find(take.samples, cutAgain(replay, progress)); !cut) return cut;
+    return replay.finish();
 }
 
-Result<void> replayTakes(const std::vector<TakeWithTool>& takes, Bench& bench, Progress& progress) {
-    for (std::size_t index = 0; index < takes.size(); ++index) {
-        if (Result<void> done = replayTake(takes[index].take, takes[index].tool, bench, progress); !done) return done;
-        progress.report(static_cast<double>(index + 1) / static_cast<double>(takes.size()));
+Result<void> replayTakes(const std::vector<RecordedCuts>& takes, Bench& bench, Progress& progress) {
+    ReplayedShare share(progress);
+    for (const RecordedCuts& take : takes) share.expect(take.motions.count());
+    for (const RecordedCuts& take : takes) {
+        CutReplay replay(take.tool, bench.embedded.workpiece);
+        const CutFinder::Use cut = cutAgain(replay, progress);
+        Result<void> done = take.motions.visit([&](const ToolPose& from, const ToolPose& to) {
+            share.did(1);
+            return cut(from, to);
+        });
+        if (done) done = replay.finish();
+        if (!done) return done;
     }
+    progress.report(1.0);
     return {};
 }
 
 Result<void> replayTakes(const Project& project, Bench& bench, Progress& progress) {
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes) return takes.error();
-    for (std::size_t index = 0; index < takes->size(); ++index) {
-        const Result<Take> take = project.take((*takes)[index].id);
+    ReplayedShare share(progress);
+    for (const TakeInfo& info : *takes) share.expect(info.sampleCount);
+    for (const TakeInfo& info : *takes) {
+        const Result<TakeOutline> take = project.takeOutline(info.id);
         if (!take) return take.error();
-        const Result<Tool> tool = toolFor(project, take->info.toolId);
+        const Result<Tool> tool = toolFor(project, info.toolId);
         if (!tool) return tool.error();
-        if (Result<void> done = replayTake(*take, *tool, bench, progress); !done) return done;
-        progress.report(static_cast<double>(index + 1) / static_cast<double>(takes->size()));
+        CutReplay replay(*tool, bench.embedded.workpiece);
+        CutFinder finder(take->undone);
+        Result<void> done = project.visitSamples(info.id, [&](std::span<const Sample> samples) -> Result<void> {
+            if (progress.cancelled()) return replayCancelled();
+            share.did(samples.size());
+            return finder.find(samples, cutAgain(replay, progress));
+        });
+        if (done) done = replay.finish();
+        if (!done) return done;
     }
+    progress.report(1.0);
     return {};
 }
 

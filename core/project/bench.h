@@ -7,6 +7,7 @@
 #include "core/geometry/mesh_distance.h"
 #include "core/machine/envelope.h"
 #include "core/machine/machine_profile.h"
+#include "core/project/cut_motions.h"
 #include "core/project/milled_stock.h"
 #include "core/project/project.h"
 #include "core/setup/obstacle.h"
@@ -67,20 +68,22 @@ Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench,
 Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, const Tool& tool,
                                                              double maximumAllowance, Progress& progress);
 
-/// A recording with the cutter that it was made with.
-struct TakeWithTool {
-    Take take;
+/// What a recording cut, with the cutter that it was made with.
+struct RecordedCuts {
+    std::int64_t take = 0;
     Tool tool;
+    CutMotions motions;
+    std::size_t strokes = 0; ///< that stand
 };
 
-/// All takes of a project, in order. Errors: those of Project::take, toolFor.
-Result<std::vector<TakeWithTool>> takesOf(const Project& project);
+/// All takes of a project, in order. Errors: those of Project::visitSamples, toolFor.
+Result<std::vector<RecordedCuts>> cutsOf(const Project& project);
 
 /// Cuts again what a take cut, but for what was taken back. Errors: volumeOutOfMemory, cancelled.
 Result<void> replayTake(const Take& take, const Tool& tool, Bench& bench, const Progress& progress);
 /// All of them, in order: the workpiece as it stands.
-Result<void> replayTakes(const std::vector<TakeWithTool>& takes, Bench& bench, Progress& progress);
-/// Those of a project, one after the other in memory. Errors: also fileDamaged.
+Result<void> replayTakes(const std::vector<RecordedCuts>& takes, Bench& bench, Progress& progress);
+/// Those of a project, some thousands of samples at a time in memory. Errors: also fileDamaged.
 Result<void> replayTakes(const Project& project, Bench& bench, Progress& progress);
 
 } // namespace burin

@@ -19,6 +19,18 @@ Error withoutTake() {
     return {ErrorCode::projectIncomplete, "a recording", toRecord, {}};
 }
 
+Result<std::size_t> standingStrokes(const Project& project, std::int64_t id) {
+    const Result<TakeOutline> take = project.takeOutline(id);
+    if (!take) return take.error();
+    StrokeCounter counter(take->undone);
+    Result<void> read = project.visitSamples(id, [&counter](std::span<const Sample> samples) -> Result<void> {
+        counter.add(samples);
+        return {};
+    });
+    if (!read) return std::move(read).error();
+    return counter.strokes();
+}
+
 std::vector<std::size_t> placesOf(const std::vector<ToolPass>& passes) {
     std::vector<std::size_t> order;
     for (const OrderedPass& pass : orderPasses(passes)) order.push_back(pass.pass);
@@ -39,7 +51,7 @@ std::vector<std::size_t> milledOrder(const std::vector<PathMatter>& matters) {
     std::vector<ToolPass> passes;
     for (const PathMatter& matter : matters) {
         std::vector<TakeInfo> takes;
-        for (const Take& take : matter.takes) takes.push_back(take.info);
+        for (const RecordedStrokes& each : matter.recorded) takes.push_back(each.take);
         passes.push_back(passOf(matter.path, matter.tool, takes));
     }
     return placesOf(passes);
@@ -50,18 +62,19 @@ bool comesAfter(const EvaluatedPath& path, const std::vector<MilledPath>& before
 }
 
 /// Paths in a given order, each on the stock as those before it leave it.
-Result<std::vector<MilledPath>> evaluateEach(const Bench& bench, const std::vector<PathMatter>& matters,
+Result<std::vector<MilledPath>> evaluateEach(const Bench& bench, std::vector<PathMatter> matters,
                                              const std::vector<std::size_t>& order, Progress& progress) {
     std::vector<MilledPath> milled;
     for (const std::size_t place : order) {
-        const PathMatter& matter = matters[place];
+        PathMatter& matter = matters[place];
         const auto count = static_cast<double>(order.size()), done = static_cast<double>(milled.size());
         const ProgressPart part(progress, done / count, (done + 1.0) / count);
         if (matter.evaluated && comesAfter(*matter.evaluated, milled)) {
             milled.push_back({matter.evaluated, matter.tool});
             continue;
         }
-        Result<EvaluatedPath> path = evaluateStored(matter.takes, bench, matter.tool, matter.path, milled, progress);
+        Result<EvaluatedPath> path =
+            evaluateStored(std::move(matter.recorded), bench, matter.tool, matter.path, milled, progress);
         if (!path) return std::move(path).error();
         milled.push_back({std::make_shared<const EvaluatedPath>(std::move(*path)), matter.tool});
     }
@@ -128,9 +141,9 @@ Result<std::vector<TakeInfo>> standingTakes(const Project& project) {
     std::vector<TakeInfo> standing;
     for (TakeInfo& info : *takes) {
         if (info.undoneCount > 0) {
-            const Result<Take> take = project.take(info.id);
-            if (!take) return take.error();
-            if (strokeCount(*take) == 0) continue;
+            const Result<std::size_t> strokes = standingStrokes(project, info.id);
+            if (!strokes) return strokes.error();
+            if (*strokes == 0) continue;
         }
         standing.push_back(std::move(info));
     }
@@ -187,16 +200,17 @@ Result<std::vector<StoredPath>> jobPaths(Project& project) {
 }
 
 Result<PathMatter> matterOf(const Project& project, const StoredPath& path) {
-    Result<std::vector<Take>> takes = takesOf(project, path);
-    if (!takes) return std::move(takes).error();
-    if (takes->empty()) return withoutTake();
-    Result<Tool> tool = toolFor(project, takes->front().info.toolId);
+    Result<std::vector<RecordedStrokes>> recorded = recordedOf(project, path);
+    if (!recorded) return std::move(recorded).error();
+    if (recorded->empty()) return withoutTake();
+    Result<Tool> tool = toolFor(project, recorded->front().take.toolId);
     if (!tool) return std::move(tool).error();
-    return PathMatter{path, std::move(*takes), std::move(*tool), nullptr};
+    return PathMatter{path, std::move(*recorded), std::move(*tool), nullptr};
 }
 
-Result<EvaluatedPaths> evaluateInOrder(const Bench& bench, const std::vector<PathMatter>& matters, Progress& progress) {
-    const Result<std::vector<MilledPath>> milled = evaluateEach(bench, matters, milledOrder(matters), progress);
+Result<EvaluatedPaths> evaluateInOrder(const Bench& bench, std::vector<PathMatter> matters, Progress& progress) {
+    const std::vector<std::size_t> order = milledOrder(matters);
+    const Result<std::vector<MilledPath>> milled = evaluateEach(bench, std::move(matters), order, progress);
     if (!milled) return milled.error();
     EvaluatedPaths done;
     for (const MilledPath& each : *milled) {
@@ -234,7 +248,7 @@ Result<EvaluatedPath> evaluateInJob(const Project& project, const Bench& bench, 
     if (matters.empty()) return withoutTake();
     std::vector<std::size_t> order = milledOrder(matters);
     order.erase(std::ranges::find(order, wanted) + 1, order.end());
-    const Result<std::vector<MilledPath>> milled = evaluateEach(bench, matters, order, progress);
+    const Result<std::vector<MilledPath>> milled = evaluateEach(bench, std::move(matters), order, progress);
     if (!milled) return milled.error();
     return *milled->back().evaluated;
 }

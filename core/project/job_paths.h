@@ -16,7 +16,7 @@ std::string toolOf(const StoredPath& path, const std::vector<TakeInfo>& takes);
 bool isFirstOfItsTool(const StoredPath& path, const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes);
 
 /// Takes that a job is made of: not those whose strokes were all taken back, as long as nobody redoes one. Reads the
-/// samples of takes of which something was taken back. Errors: those of Project::takes and Project::take.
+/// samples of takes of which something was taken back. Errors: those of Project::takes and Project::visitSamples.
 Result<std::vector<TakeInfo>> standingTakes(const Project& project);
 
 /// Adds the recordings of its tool that are newer than all of its own. Older ones that it lacks were left out on
@@ -50,13 +50,13 @@ ToolPass passOf(const StoredPath& path, const Tool& tool, const std::vector<Take
 /// A stored path with what it takes to evaluate it.
 struct PathMatter {
     StoredPath path;
-    std::vector<Take> takes;
+    std::vector<RecordedStrokes> recorded;
     Tool tool;
     /// Just this path, where it was evaluated before; counts where the paths before it are still those that it was
     /// evaluated to come after. Null: still to be done.
     std::shared_ptr<const EvaluatedPath> evaluated;
 };
-/// Errors: projectIncomplete (a path without takes), those of Project::take and toolFor.
+/// Errors: projectIncomplete (a path without takes), those of recordedOf and toolFor.
 Result<PathMatter> matterOf(const Project& project, const StoredPath& path);
 
 /// Paths of one job in the order in which they are milled, and what their edits did.
@@ -67,7 +67,8 @@ struct EvaluatedPaths {
 };
 /// Puts paths in order by orderPasses and evaluates each on the stock as those before it leave it.
 /// Errors: those of evaluateStored.
-Result<EvaluatedPaths> evaluateInOrder(const Bench& bench, const std::vector<PathMatter>& matters, Progress& progress);
+/// @param matters moved from, where they may be
+Result<EvaluatedPaths> evaluateInOrder(const Bench& bench, std::vector<PathMatter> matters, Progress& progress);
 
 /// A path as the job mills it, behind those of the job's paths that come before it; in the stead of the job's own where
 /// it is a variant. Errors: those of matterOf and evaluateStored.

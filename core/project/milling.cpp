@@ -23,25 +23,49 @@ constexpr double pressMargin = 5.0; // mm
 /// Between two looks at whether a session has ended.
 constexpr std::chrono::milliseconds glance{5};
 
+/// What the samples of a take add up to.
+class TakeFigures {
+public:
+    explicit TakeFigures(std::span<const SampleRange> undone) noexcept : undone_(undone) {}
+
+    void add(std::span<const Sample> next) noexcept {
+        outcome_.samples += next.size();
+        for (const Sample& sample : next)
+            if (!undone_.holds(index_++)) add(sample);
+    }
+    TakeOutcome outcome(const Grid& grid) const {
+        TakeOutcome outcome = outcome_;
+        outcome.removed = static_cast<double>(units_) * grid.unitVolume();
+        return outcome;
+    }
+
+private:
+    void add(const Sample& sample) noexcept {
+        for (const RemovedMaterial& removed : sample.removed) units_ += removed.units;
+        if ((sample.flags & sampleShankContact) != 0) ++outcome_.shankTicks;
+        if ((sample.flags & sampleOnObstacle) != 0) ++outcome_.obstacleTicks;
+        if ((sample.flags & sampleAxisHeld) != 0) ++outcome_.axisHeldTicks;
+        outcome_.largestForce = std::max(outcome_.largestForce, glm::length(sample.force));
+        outcome_.largestCuttingForce = std::max(outcome_.largestCuttingForce, glm::length(sample.cuttingForce));
+    }
+
+    TakeOutcome outcome_;
+    UndoneSamples undone_;
+    std::uint64_t units_ = 0, index_ = 0;
+};
+
 /// Figures of a take out of the project: what is on the disk, not what was meant to be.
 Result<TakeOutcome> outcomeOf(const Project& project, const Bench& bench, std::int64_t id) {
-    const Result<Take> take = project.take(id);
+    const Result<TakeOutline> take = project.takeOutline(id);
     if (!take) return take.error();
-    TakeOutcome outcome;
+    TakeFigures figures(take->undone);
+    Result<void> read = project.visitSamples(id, [&](std::span<const Sample> samples) -> Result<void> {
+        figures.add(samples);
+        return {};
+    });
+    if (!read) return std::move(read).error();
+    TakeOutcome outcome = figures.outcome(bench.embedded.workpiece.grid());
     outcome.take = id;
-    outcome.samples = take->samples.size();
-    std::uint64_t units = 0, index = 0;
-    UndoneSamples undone(*take);
-    for (const Sample& sample : take->samples) {
-        if (undone.holds(index++)) continue;
-        for (const RemovedMaterial& removed : sample.removed) units += removed.units;
-        if ((sample.flags & sampleShankContact) != 0) ++outcome.shankTicks;
-        if ((sample.flags & sampleOnObstacle) != 0) ++outcome.obstacleTicks;
-        if ((sample.flags & sampleAxisHeld) != 0) ++outcome.axisHeldTicks;
-        outcome.largestForce = std::max(outcome.largestForce, glm::length(sample.force));
-        outcome.largestCuttingForce = std::max(outcome.largestCuttingForce, glm::length(sample.cuttingForce));
-    }
-    outcome.removed = static_cast<double>(units) * bench.embedded.workpiece.grid().unitVolume();
     return outcome;
 }
 

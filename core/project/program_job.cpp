@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/program_job.h"
 
+#include "core/base/available_memory.h"
 #include "core/base/numbers.h"
 #include "core/cutting/coolant_advice.h"
 #include "core/nc/dialect_library.h"
@@ -84,6 +85,13 @@ Result<std::vector<Tool>> toolsMeant(const ParsedProgram& program, const Bench& 
     return called.size() < numbers.size() ? request.tools : called;
 }
 
+/// Measured of the edits of the main job on a recording of an hour: its strokes, and what edits hold of them at most.
+constexpr double bytesPerSample = 300.0;
+
+std::string memorySubject(const StoredPath& path, std::uint64_t samples) {
+    return path.name + " (" + std::to_string(samples) + " samples)";
+}
+
 // What is checked takes time with the length of its moves: a slip of some digits would take hours. mm
 constexpr double longestMove = 1e6, longestProgram = 1e7;
 
@@ -140,17 +148,31 @@ const Tool* CheckedProgram::toolNumbered(int number) const noexcept {
     return found == tools.end() ? nullptr : &*found;
 }
 
-Result<std::vector<Take>> takesOf(const Project& project, const StoredPath& path) {
-    std::vector<Take> takes;
+Result<std::vector<RecordedStrokes>> recordedOf(const Project& project, const StoredPath& path) {
+    std::uint64_t samples = 0;
+    std::vector<TakeOutline> takes;
     for (const std::int64_t id : path.takes) {
-        Result<Take> take = project.take(id);
+        Result<TakeOutline> take = project.takeOutline(id);
         if (!take) return std::move(take).error();
+        samples += take->info.sampleCount - take->info.undoneCount;
         takes.push_back(std::move(*take));
     }
-    return takes;
+    if (Result<void> fits = needMemory(memorySubject(path, samples).c_str(),
+                                       bytesPerSample * static_cast<double>(samples), MemoryRemedy::fewerTakes);
+        !fits)
+        return std::move(fits).error();
+    std::vector<RecordedStrokes> recorded;
+    for (const TakeOutline& take : takes) {
+        StrokeReader reader(take);
+        Result<void> read =
+            project.visitSamples(take.info.id, [&reader](std::span<const Sample> part) { return reader.add(part); });
+        if (!read) return std::move(read).error();
+        recorded.push_back(reader.finish());
+    }
+    return recorded;
 }
 
-Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench& bench, const Tool& tool,
+Result<EvaluatedPath> evaluateStored(std::vector<RecordedStrokes> recorded, const Bench& bench, const Tool& tool,
                                      const StoredPath& path, std::span<const MilledPath> before, Progress& progress) {
     const Property& material = bench.embedded.workpiece.properties()[bench.embedded.stockProperty];
     const Result<CuttingConditions> conditions =
@@ -169,11 +191,11 @@ Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench
         return bench.stock->lend(before, use, lending);
     };
     if (!before.empty()) context.cleared = before.back().evaluated->cleared;
-    if (!takes.empty()) context.tickPeriod = takes.front().info.tickPeriod;
+    if (!recorded.empty()) context.tickPeriod = recorded.front().take.tickPeriod;
     constexpr double editing = 0.9; // of the work
     Result<EvaluatedPath> evaluated = [&] {
         const ProgressPart part(progress, 0.0, editing);
-        return evaluate(path.name, takes, path.edits, context, progress);
+        return evaluate(path.name, std::move(recorded), path.edits, context, progress);
     }();
     if (!evaluated) return evaluated;
     const ProgressPart part(progress, editing, 1.0);
@@ -187,9 +209,9 @@ Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench
 
 Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
                                      Progress& progress) {
-    const Result<std::vector<Take>> takes = takesOf(project, path);
-    if (!takes) return takes.error();
-    return evaluateStored(*takes, bench, bench.tool, path, {}, progress);
+    Result<std::vector<RecordedStrokes>> recorded = recordedOf(project, path);
+    if (!recorded) return std::move(recorded).error();
+    return evaluateStored(std::move(*recorded), bench, bench.tool, path, {}, progress);
 }
 
 Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const ProgramRequest& request,

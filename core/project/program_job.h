@@ -5,6 +5,7 @@
 #include "core/nc/lint.h"
 #include "core/nc/post.h"
 #include "core/path/evaluate.h"
+#include "core/path/stroke.h"
 #include "core/project/bench.h"
 #include "core/project/program_moments.h"
 #include "core/verify/verify.h"
@@ -15,16 +16,18 @@
 
 namespace burin {
 
-/// The takes of a stored path, in its order. Errors: those of Project::take.
-Result<std::vector<Take>> takesOf(const Project& project, const StoredPath& path);
+/// What the takes of a stored path recorded, in its order. Errors: those of Project::visitSamples and StrokeReader;
+/// outOfMemory, before anything is read, where the path would need more than there is.
+Result<std::vector<RecordedStrokes>> recordedOf(const Project& project, const StoredPath& path);
 /// A stored path, evaluated on a bench, with its sides and what it clears.
-/// @param takes  its own
+/// @param recorded  its own; moved from, where it may be
 /// @param before what is milled before it, in order: `stock` for feeds by engagement, low links and sides
 /// Errors: those of evaluate, millingSides, cuttingConditions and MilledStock::lend.
-Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench& bench, const Tool& tool,
-                                     const StoredPath& path, std::span<const MilledPath> before, Progress& progress);
+Result<EvaluatedPath> evaluateStored(std::vector<RecordedStrokes> recorded, const Bench& bench, const Tool& tool,
+                                     const StoredPath& path, std::span<const MilledPath> before,
+                                     Progress& progress);
 /// The same with the bench's tool and takes out of a project, as if it were the only path.
-/// Errors: also those of Project::take.
+/// Errors: also those of recordedOf.
 Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
                                      Progress& progress);
 

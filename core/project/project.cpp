@@ -119,6 +119,12 @@ Result<std::vector<TakeInfo>> Project::takes() const {
 Result<Take> Project::take(std::int64_t id) const {
     return impl_->read([id](Database& database) { return loadTake(database, id); });
 }
+Result<TakeOutline> Project::takeOutline(std::int64_t id) const {
+    return impl_->read([id](Database& database) { return loadTakeOutline(database, id); });
+}
+Result<void> Project::visitSamples(std::int64_t id, const SampleVisitor& visit) const {
+    return impl_->read([&](Database& database) { return burin::visitSamples(database, id, visit); });
+}
 Result<void> Project::removeTake(std::int64_t id) {
     return impl_->change([id](Database& database) { return eraseTake(database, id); });
 }

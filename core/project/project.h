@@ -8,7 +8,7 @@
 #include "core/path/edit.h"
 #include "core/project/kept_guides.h"
 #include "core/project/program_target.h"
-#include "core/recording/sample.h"
+#include "core/recording/sample_source.h"
 #include "core/setup/obstacle.h"
 #include "core/setup/setup.h"
 #include "core/tool/tool.h"
@@ -132,6 +132,11 @@ public:
     Result<std::vector<TakeInfo>> takes() const;
     /// Errors: nameUnknown, projectIncomplete (there is no recording at all).
     Result<Take> take(std::int64_t id) const;
+    /// The same without its samples. Errors: as `take`.
+    Result<TakeOutline> takeOutline(std::int64_t id) const;
+    /// All samples of a take, also those that were taken back, in memory that does not grow with their number.
+    /// @param visit must not use the project. Errors: as `take`, those of `visit`.
+    Result<void> visitSamples(std::int64_t id, const SampleVisitor& visit) const;
     /// Errors: as `take`, argumentInvalid while a path uses it.
     Result<void> removeTake(std::int64_t id);
 

@@ -46,6 +46,8 @@ Result<KeptGuides> loadGuides(Database& database);
 Result<std::int64_t> storeTake(Database& database, const TakeInfo& info);
 Result<std::vector<TakeInfo>> loadTakes(Database& database);
 Result<Take> loadTake(Database& database, std::int64_t id);
+Result<TakeOutline> loadTakeOutline(Database& database, std::int64_t id);
+Result<void> visitSamples(Database& database, std::int64_t id, const SampleVisitor& visit);
 Result<void> eraseTake(Database& database, std::int64_t id);
 Result<void> storeUndone(Database& database, std::int64_t take, const SampleRange& stretch);
 Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRange& stretch);

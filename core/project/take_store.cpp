@@ -66,24 +66,6 @@ Error unknownTake(Database& database, std::int64_t id) {
     return {ErrorCode::nameUnknown, "take", std::to_string(id), known};
 }
 
-Result<void> loadSamples(Database& database, Take& take) {
-    Result<Statement> rows =
-        Statement::prepare(database, "SELECT first, count, samples FROM sample_chunk WHERE take = ? ORDER BY first");
-    if (!rows) return std::move(rows).error();
-    if (Result<void> bound = rows->bind(take.info.id); !bound) return bound;
-    return forEachRow(*rows, [&]() -> Result<void> {
-        const std::int64_t first = rows->integer(0), count = rows->integer(1);
-        std::optional<std::vector<Sample>> samples;
-        if (std::cmp_equal(first, take.samples.size()) && count >= 0)
-            samples = decodeSamples(rows->blob(2), static_cast<std::size_t>(count));
-        if (!samples)
-            return damaged(database,
-                           "take " + std::to_string(take.info.id) + ", sample " + std::to_string(take.samples.size()));
-        take.samples.insert(take.samples.end(), samples->begin(), samples->end());
-        return {};
-    });
-}
-
 /// A stretch may run beyond the samples: those behind its end were lost with their recorder.
 Result<void> loadUndone(Database& database, std::int64_t id, std::uint64_t samples, std::vector<SampleRange>& undone) {
     Result<Statement> rows =
@@ -138,8 +120,8 @@ Result<std::vector<TakeInfo>> loadTakes(Database& database) {
     return takes;
 }
 
-Result<Take> loadTake(Database& database, std::int64_t id) {
-    Take take;
+Result<TakeOutline> loadTakeOutline(Database& database, std::int64_t id) {
+    TakeOutline outline;
     {
         Result<Statement> row = Statement::prepare(database, std::string(selectTakes) + " WHERE id = ?");
         if (!row) return std::move(row).error();
@@ -147,11 +129,42 @@ Result<Take> loadTake(Database& database, std::int64_t id) {
         const Result<bool> found = row->step();
         if (!found) return found.error();
         if (!*found) return unknownTake(database, id);
-        take.info = infoOf(*row);
+        outline.info = infoOf(*row);
     }
-    if (Result<void> read = loadSamples(database, take); !read) return std::move(read).error();
-    if (Result<void> read = loadUndone(database, take.info, take.undone); !read) return std::move(read).error();
-    take.info.seconds = take.samples.empty() ? 0.0 : take.samples.back().time;
+    if (Result<void> read = loadUndone(database, outline.info, outline.undone); !read) return std::move(read).error();
+    if (Result<void> read = loadSeconds(database, outline.info); !read) return std::move(read).error();
+    return outline;
+}
+
+Result<void> visitSamples(Database& database, std::int64_t id, const SampleVisitor& visit) {
+    Result<Statement> rows =
+        Statement::prepare(database, "SELECT first, count, samples FROM sample_chunk WHERE take = ? ORDER BY first");
+    if (!rows) return std::move(rows).error();
+    if (Result<void> bound = rows->bind(id); !bound) return bound;
+    std::uint64_t visited = 0;
+    Result<void> done = forEachRow(*rows, [&]() -> Result<void> {
+        const std::int64_t first = rows->integer(0), count = rows->integer(1);
+        std::optional<std::vector<Sample>> samples;
+        if (std::cmp_equal(first, visited) && count >= 0)
+            samples = decodeSamples(rows->blob(2), static_cast<std::size_t>(count));
+        if (!samples) return damaged(database, "take " + std::to_string(id) + ", sample " + std::to_string(visited));
+        visited += samples->size();
+        return visit(*samples);
+    });
+    if (!done || visited > 0) return done;
+    Result<TakeOutline> empty = loadTakeOutline(database, id); // if it is there at all
+    return empty ? Result<void>() : std::move(empty).error();
+}
+
+Result<Take> loadTake(Database& database, std::int64_t id) {
+    Result<TakeOutline> outline = loadTakeOutline(database, id);
+    if (!outline) return std::move(outline).error();
+    Take take{std::move(outline->info), {}, std::move(outline->undone)};
+    Result<void> read = visitSamples(database, id, [&take](std::span<const Sample> samples) -> Result<void> {
+        take.samples.insert(take.samples.end(), samples.begin(), samples.end());
+        return {};
+    });
+    if (!read) return std::move(read).error();
     return take;
 }
 

@@ -81,11 +81,19 @@ struct Take {
     std::vector<SampleRange> undone; ///< rising, apart from each other, within the samples
 };
 
+/// A recording without its samples, for those who read them in their order, a part at a time: an hour of them takes
+/// 1.2 GB.
+struct TakeOutline {
+    TakeInfo info;
+    std::vector<SampleRange> undone; ///< as in Take
+};
+
 /// Goes through a take from its first sample on and tells which ones were taken back: they are no part of paths, of the
 /// workpiece, or of figures.
 class UndoneSamples {
 public:
     explicit UndoneSamples(const Take& take) noexcept : UndoneSamples(take.undone) {}
+    explicit UndoneSamples(const TakeOutline& take) noexcept : UndoneSamples(take.undone) {}
     explicit UndoneSamples(std::span<const SampleRange> rising) noexcept : ranges_(rising) {}
     /// @param sample no smaller than in the call before
     bool holds(std::uint64_t sample) noexcept {

@@ -5,20 +5,37 @@
 #include "core/recording/sample.h"
 
 #include <cstddef>
+#include <span>
 
 namespace burin {
 
-/// Strokes of a recording that stand: stretches with the spindle turning that were not taken back.
-inline std::size_t strokeCount(const Take& take) {
-    UndoneSamples undone(take);
-    std::size_t strokes = 0;
-    bool before = false;
-    for (std::size_t i = 0; i < take.samples.size(); ++i) {
-        const bool cutting = (take.samples[i].flags & sampleSpindleOff) == 0 && !undone.holds(i);
-        if (cutting && !before) ++strokes;
-        before = cutting;
+/// Counts the strokes of a recording that stand: intervals with the spindle turning that were not taken back.
+class StrokeCounter {
+public:
+    /// @param undone of the take; outlives the counter
+    explicit StrokeCounter(std::span<const SampleRange> undone) noexcept : undone_(undone) {}
+
+    /// @param next samples, behind those of the call before
+    void add(std::span<const Sample> next) noexcept {
+        for (const Sample& sample : next) {
+            const bool cutting = !undone_.holds(index_++) && (sample.flags & sampleSpindleOff) == 0;
+            if (cutting && !cutting_) ++strokes_;
+            cutting_ = cutting;
+        }
     }
-    return strokes;
+    std::size_t strokes() const noexcept { return strokes_; }
+
+private:
+    UndoneSamples undone_;
+    std::uint64_t index_ = 0;
+    std::size_t strokes_ = 0;
+    bool cutting_ = false;
+};
+
+inline std::size_t strokeCount(const Take& take) {
+    StrokeCounter counter(take.undone);
+    counter.add(take.samples);
+    return counter.strokes();
 }
 
 } // namespace burin

@@ -4,9 +4,11 @@
 
 #include "core/base/numbers.h"
 #include "core/base/staged_file.h"
+#include "core/recording/trace_file.h"
 
-#include <array>
+#include <functional>
 #include <string_view>
+#include <utility>
 
 namespace burin {
 
@@ -17,7 +19,6 @@ constexpr std::string_view fixedColumns =
     "stylus_x_mm,stylus_y_mm,stylus_z_mm,tool_x_mm,tool_y_mm,tool_z_mm,axis_x,axis_y,axis_z,"
     "force_x_n,force_y_n,force_z_n,cutting_force_x_n,cutting_force_y_n,cutting_force_z_n,"
     "reported_removal_mm3,buttons,flags";
-constexpr std::size_t pieceSize = 1u << 20; // bytes
 
 void append(std::string& text, double value) {
     text += ',';
@@ -37,15 +38,23 @@ std::uint64_t removedUnits(const Sample& sample, std::uint8_t property) {
 
 } // namespace
 
-std::vector<std::uint8_t> removedProperties(std::span<const Sample> samples) {
-    std::array<bool, 256> seen{};
+void RemovedProperties::add(std::span<const Sample> samples) noexcept {
     for (const Sample& sample : samples)
         for (const RemovedMaterial& entry : sample.removed)
-            if (entry.units > 0) seen[entry.property] = true;
+            if (entry.units > 0) seen_[entry.property] = true;
+}
+
+std::vector<std::uint8_t> RemovedProperties::properties() const {
     std::vector<std::uint8_t> properties;
-    for (std::size_t i = 1; i < seen.size(); ++i)
-        if (seen[i]) properties.push_back(static_cast<std::uint8_t>(i));
+    for (std::size_t i = 1; i < seen_.size(); ++i)
+        if (seen_[i]) properties.push_back(static_cast<std::uint8_t>(i));
     return properties;
+}
+
+std::vector<std::uint8_t> removedProperties(std::span<const Sample> samples) {
+    RemovedProperties removed;
+    removed.add(samples);
+    return removed.properties();
 }
 
 std::string takeCsvHeader(std::span<const std::uint8_t> properties) {
@@ -73,31 +82,44 @@ void appendTakeCsvRow(std::string& text, const Sample& sample, std::span<const s
 
 namespace {
 
-Result<StagedFile> stageTakeCsv(const std::filesystem::path& file, std::span<const Sample> samples) {
+using AppendSample = std::function<void(std::string& text, const Sample& sample)>;
+
+/// A heading, and what `append` makes of each sample.
+Result<void> writeSamples(const std::filesystem::path& file, std::string text, const SampleSource& take,
+                          const AppendSample& append) {
     Result<StagedFile> staged = StagedFile::begin(file);
-    if (!staged) return staged;
-    const std::vector<std::uint8_t> properties = removedProperties(samples);
-    std::string text = takeCsvHeader(properties) + '\n';
-    const auto send = [&]() -> Result<void> {
-        Result<void> sent = staged->append(text);
-        text.clear();
-        return sent;
-    };
-    for (const Sample& sample : samples) {
-        appendTakeCsvRow(text, sample, properties);
-        if (text.size() < pieceSize) continue;
-        if (Result<void> sent = send(); !sent) return std::move(sent).error();
-    }
-    if (Result<void> sent = send(); !sent) return std::move(sent).error();
-    if (Result<void> flushed = staged->flush(); !flushed) return std::move(flushed).error();
-    return staged;
+    if (!staged) return std::move(staged).error();
+    Result<void> written = staged->append(text);
+    if (written)
+        written = take([&](std::span<const Sample> samples) {
+            text.clear();
+            for (const Sample& sample : samples) append(text, sample);
+            return staged->append(text);
+        });
+    if (written) written = staged->flush();
+    return written ? staged->putInPlace() : written;
 }
 
 } // namespace
 
-Result<void> writeTakeCsv(const std::filesystem::path& file, std::span<const Sample> samples) {
-    Result<StagedFile> staged = stageTakeCsv(file, samples);
-    return staged ? staged->putInPlace() : std::move(staged).error();
+Result<void> writeTakeCsv(const std::filesystem::path& file, const SampleSource& take) {
+    RemovedProperties removed; // known once all samples were seen
+    Result<void> seen = take([&removed](std::span<const Sample> samples) -> Result<void> {
+        removed.add(samples);
+        return {};
+    });
+    if (!seen) return seen;
+    const std::vector<std::uint8_t> properties = removed.properties();
+    return writeSamples(
+        file, takeCsvHeader(properties) + '\n', take,
+        [&properties](std::string& text, const Sample& sample) { appendTakeCsvRow(text, sample, properties); });
+}
+
+Result<void> writeTakeTrace(const std::filesystem::path& file, const SampleSource& take) {
+    std::string heading;
+    appendTraceHeading(heading);
+    return writeSamples(file, std::move(heading), take,
+                        [](std::string& text, const Sample& sample) { appendReading(text, readingOf(sample)); });
 }
 
 } // namespace burin

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/recording/sample.h"
+#include "core/recording/sample_source.h"
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -12,7 +14,16 @@
 
 namespace burin {
 
-/// Properties of which anything was removed, rising.
+/// Finds the properties of which anything was removed.
+class RemovedProperties {
+public:
+    void add(std::span<const Sample> samples) noexcept;
+    std::vector<std::uint8_t> properties() const; ///< rising
+
+private:
+    std::array<bool, 256> seen_{};
+};
+/// Those of all samples.
 std::vector<std::uint8_t> removedProperties(std::span<const Sample> samples);
 
 /// The column names of a take as comma-separated values: every field of Sample with its unit, and one column of removed
@@ -22,8 +33,10 @@ std::string takeCsvHeader(std::span<const std::uint8_t> properties);
 /// One tick in those columns, appended to `text` with a line end. Numbers in their shortest form, decimal points.
 void appendTakeCsvRow(std::string& text, const Sample& sample, std::span<const std::uint8_t> properties);
 
-/// Header and all ticks. Written in pieces, so that a long take needs no second copy in memory; the file stands whole
-/// or not at all. Errors: fileNotWritable, diskFull.
-Result<void> writeTakeCsv(const std::filesystem::path& file, std::span<const Sample> samples);
+/// Header and all ticks. Written in pieces, so that hours of a recording need no memory; the file stands whole or not
+/// at all. Errors: fileNotWritable, diskFull, those of `take`.
+Result<void> writeTakeCsv(const std::filesystem::path& file, const SampleSource& take);
+/// The stylus alone, as a trace (trace_file.h) that can be played again. Errors: as writeTakeCsv.
+Result<void> writeTakeTrace(const std::filesystem::path& file, const SampleSource& take);
 
 } // namespace burin

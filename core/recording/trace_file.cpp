@@ -89,7 +89,7 @@ Result<StylusState> parseReading(std::string_view line, std::size_t count, const
     return state;
 }
 
-void appendReading(std::string& text, const StylusState& state) {
+void appendPose(std::string& text, const StylusState& state) {
     const glm::dvec3& p = state.pose.position;
     const glm::dquat& q = state.pose.rotation;
     for (const double value : {state.time, p.x, p.y, p.z, q.w, q.x, q.y, q.z}) {
@@ -119,7 +119,7 @@ void appendTick(std::string& text, const StylusState& state) {
     if (!std::isfinite(told.time)) told.time = 0.0;
     // Whatever is not above 0 is the same fault to a tick.
     if (!std::isfinite(told.period) || told.period <= 0.0) told.period = -1.0;
-    appendReading(text, told);
+    appendPose(text, told);
     text += ',';
     text += formatShortest(told.period);
     text += told.valid ? ",1," : ",0,";
@@ -128,52 +128,80 @@ void appendTick(std::string& text, const StylusState& state) {
     text += '\n';
 }
 
+void appendTraceHeading(std::string& text) {
+    text.append(traceHeader).append("\n");
+}
+
+void appendReading(std::string& text, const StylusState& state) {
+    if (!state.valid) return;
+    appendPose(text, state);
+    text += '\n';
+}
+
 std::string formatTrace(std::span<const StylusState> states) {
     const bool ticks = std::ranges::any_of(states, hasPeriod);
     std::string text;
-    if (ticks) text.append(tickTraceMark).append("\n");
-    text.append(ticks ? tickTraceHeader : traceHeader).append("\n");
-    for (const StylusState& state : states) {
-        if (ticks) {
-            appendTick(text, state);
-        } else if (state.valid) {
-            appendReading(text, state);
-            text += '\n';
-        }
-    }
+    if (ticks)
+        text.append(tickTraceMark).append("\n").append(tickTraceHeader).append("\n");
+    else
+        appendTraceHeading(text);
+    for (const StylusState& state : states) ticks ? appendTick(text, state) : appendReading(text, state);
     return text;
+}
+
+Error TraceParser::invalid(std::string detail) const {
+    return burin::invalid(origin_, line_, std::move(detail));
+}
+
+Result<void> TraceParser::takeHeading(std::string_view line) {
+    if (next_ == Next::firstHeading && line == tickTraceMark) {
+        next_ = Next::secondHeading;
+        return {};
+    }
+    const bool marked = next_ == Next::secondHeading;
+    fields_ = marked ? tickFieldCount : line == firstTickTraceHeader ? firstTickFieldCount : fieldCount;
+    if (line != (marked ? tickTraceHeader : fields_ == fieldCount ? traceHeader : firstTickTraceHeader))
+        return invalid("the " + std::string(marked ? "second" : "first") + " line must be " +
+                       std::string(marked ? tickTraceHeader : traceHeader));
+    next_ = Next::readings;
+    return {};
+}
+
+Result<TraceParser::Line> TraceParser::take(std::string_view line) {
+    ++line_;
+    if (next_ != Next::readings) {
+        if (Result<void> heading = takeHeading(line); !heading) return std::move(heading).error();
+        return Line{};
+    }
+    if (fields_ == tickFieldCount && line.starts_with(changeMark))
+        return Line{{}, TraceChange{readings_, line_, std::string(line.substr(1))}};
+    const Result<StylusState> state = parseReading(line, fields_, origin_, line_);
+    if (!state) return state.error();
+    if (fields_ == fieldCount && readings_ > 0 && !(state->time > lastTime_))
+        return invalid("the time is not later than in the line before");
+    lastTime_ = state->time;
+    ++readings_;
+    return Line{*state, {}};
+}
+
+Result<void> TraceParser::end() {
+    ++line_;
+    if (next_ != Next::readings) return takeHeading({});
+    if (readings_ == 0) return invalid("no reading follows");
+    return {};
 }
 
 Result<Trace> parseTrace(std::string_view text, const std::string& origin) {
     if (text.empty()) return Error{ErrorCode::fileEmpty, origin, "", ""};
-    std::string_view header = takeLine(text);
-    std::size_t number = 1;
-    const bool marked = header == tickTraceMark;
-    if (marked) {
-        header = takeLine(text);
-        ++number;
-    }
-    const std::size_t count = marked                           ? tickFieldCount
-                              : header == firstTickTraceHeader ? firstTickFieldCount
-                                                               : fieldCount;
-    if (header != (marked ? tickTraceHeader : count == fieldCount ? traceHeader : firstTickTraceHeader))
-        return invalid(origin, number,
-                       "the " + std::string(marked ? "second" : "first") + " line must be " +
-                           std::string(marked ? tickTraceHeader : traceHeader));
+    TraceParser parser(origin);
     Trace trace;
-    for (++number; !text.empty(); ++number) {
-        const std::string_view line = takeLine(text);
-        if (marked && line.starts_with(changeMark)) {
-            trace.changes.push_back({trace.readings.size(), number, std::string(line.substr(1))});
-            continue;
-        }
-        const Result<StylusState> state = parseReading(line, count, origin, number);
-        if (!state) return state.error();
-        if (count == fieldCount && !trace.readings.empty() && !(state->time > trace.readings.back().time))
-            return invalid(origin, number, "the time is not later than in the line before");
-        trace.readings.push_back(*state);
+    while (!text.empty()) {
+        Result<TraceParser::Line> line = parser.take(takeLine(text));
+        if (!line) return std::move(line).error();
+        if (line->reading) trace.readings.push_back(*line->reading);
+        if (line->change) trace.changes.push_back(std::move(*line->change));
     }
-    if (trace.readings.empty()) return invalid(origin, number, "no reading follows");
+    if (Result<void> ended = parser.end(); !ended) return std::move(ended).error();
     return trace;
 }
 
@@ -187,11 +215,14 @@ Result<void> writeTrace(const std::filesystem::path& file, std::span<const Stylu
     return writeFileAtomically(file, formatTrace(states));
 }
 
+StylusState readingOf(const Sample& sample) {
+    return {sample.time, sample.device, sample.buttons, (sample.flags & sampleStylusInvalid) == 0};
+}
+
 std::vector<StylusState> traceOf(std::span<const Sample> samples) {
     std::vector<StylusState> states;
     states.reserve(samples.size());
-    for (const Sample& sample : samples)
-        states.push_back({sample.time, sample.device, sample.buttons, (sample.flags & sampleStylusInvalid) == 0});
+    for (const Sample& sample : samples) states.push_back(readingOf(sample));
     return states;
 }
 

@@ -6,10 +6,13 @@
 #include "core/device/stylus.h"
 #include "core/recording/sample.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -41,9 +44,41 @@ struct Trace {
     std::vector<TraceChange> changes; ///< in their order
 };
 
+/// Understands a trace line by line.
+class TraceParser {
+public:
+    /// @param origin names the text in errors (a file)
+    explicit TraceParser(std::string origin) : origin_(std::move(origin)) {}
+
+    /// A line: one of both, or neither (a heading).
+    struct Line {
+        std::optional<StylusState> reading;
+        std::optional<TraceChange> change;
+    };
+    /// @param line without its end. Errors: traceInvalid (place: "line 12"; detail: what is wrong there).
+    Result<Line> take(std::string_view line);
+    /// There are no more lines. Errors: traceInvalid where a heading or the readings are missing.
+    Result<void> end();
+
+private:
+    enum class Next : std::uint8_t { firstHeading, secondHeading, readings };
+    Result<void> takeHeading(std::string_view line);
+    Error invalid(std::string detail) const;
+
+    std::string origin_;
+    Next next_ = Next::firstHeading;
+    std::size_t fields_ = 0; ///< of a reading, which tells the kind of trace
+    std::size_t line_ = 0, readings_ = 0;
+    double lastTime_ = 0.0; ///< s
+};
+
 /// Text of a trace. Numbers in their shortest form: reading gives the same bits. A trace of ticks if the readings have
 /// periods; otherwise readings that are not valid are left out, as that format has no column for them.
 std::string formatTrace(std::span<const StylusState> states);
+/// The first line of a trace of readings alone, with its end.
+void appendTraceHeading(std::string& text);
+/// One line of it; none for a reading that is not valid, as this form has no column for that.
+void appendReading(std::string& text, const StylusState& state);
 /// One line of a trace of ticks. A reading that is not finite becomes one that is not valid: no tick tells them apart.
 void appendTick(std::string& text, const StylusState& state);
 
@@ -58,7 +93,9 @@ Result<Trace> readTrace(const std::filesystem::path& file);
 /// Errors: fileNotWritable, diskFull.
 Result<void> writeTrace(const std::filesystem::path& file, std::span<const StylusState> states);
 
-/// What the stylus did in a recording, to be played again. Ticks without a valid reading are marked so.
+/// What the stylus did in a tick, to be played again. One without a valid reading is marked so.
+StylusState readingOf(const Sample& sample);
+/// What the stylus did in a recording.
 std::vector<StylusState> traceOf(std::span<const Sample> samples);
 
 } // namespace burin

@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "program_run.h"
+#include "tests/benchmarks/scale/exponent.h"
 
 #include <QJsonArray>
 #include <QTest>
 
+#include <cmath>
 #include <csignal>
+#include <iterator>
+#include <map>
 
 /// The shape of what `burin bench` prints; its numbers are no test's business.
 class BenchTest : public QObject {
@@ -14,6 +18,8 @@ private slots:
     void listsWhatThereIs();
     void printsFiguresWithTheirPeers();
     void printsATableForPeople();
+    void exponentsOfKnownCosts();
+    void scaleTellsCostsAtThreeSizesAndHowTheyGrow();
     void roundsAddNoFigures();
     void refusesWhatItDoesNotKnow();
     void stopsWhenAsked();
@@ -69,6 +75,45 @@ void BenchTest::printsATableForPeople() {
     QVERIFY(lines.first().startsWith("figure "));
     QVERIFY2(lines.last().contains(" figures, "), lines.last().constData());
     for (const QByteArray& line : lines) QVERIFY(!line.contains("r0_5"));
+}
+
+void BenchTest::exponentsOfKnownCosts() {
+    using burin::benchmarks::exponentBetween;
+    QCOMPARE(exponentBetween(1000.0, 0.5, 4000.0, 2.0), 1.0);                    // four times as much of all
+    QCOMPARE(exponentBetween(10.0, 3.0, 1000.0, 3.0), 0.0);                      // at no cost
+    QCOMPARE(exponentBetween(8.0, 1.0, 64.0, 64.0), 2.0);                        // every one with every other
+    QVERIFY(std::abs(exponentBetween(8.0, 1.0, 64.0, 4.0) - 2.0 / 3.0) < 1e-12); // a cube's surface
+}
+
+void BenchTest::scaleTellsCostsAtThreeSizesAndHowTheyGrow() {
+    const ProgramRun run = runBurin({"bench", "scale", "--json", "--only", "scale.blocks.read"});
+    QVERIFY2(run.status == 0, run.messages.constData());
+    const QJsonArray figures = listOf(run);
+    const QString stem = QStringLiteral("scale.blocks.read.");
+    std::map<double, double> cost; // s, by blocks
+    for (const QJsonValue& figure : figures) {
+        const QString name = figure["name"].toString();
+        if (!name.endsWith(QStringLiteral(".cpu"))) continue;
+        QCOMPARE(figure["unit"].toString(), QString("s"));
+        const QString size = name.chopped(4).mid(stem.size());
+        cost[size.toDouble()] = figure["value"].toDouble();
+        const QJsonObject peak = named(figures, stem + size + QStringLiteral(".peak"));
+        QCOMPARE(peak["unit"].toString(), QString("MB"));
+        QVERIFY(peak["value"].isDouble());
+    }
+    QCOMPARE(cost.size(), std::size_t{3});
+    const auto small = cost.begin(), middle = std::next(small), large = std::next(middle);
+    QVERIFY(small->first > 1000.0 && small->second > 0.0);
+    const auto grown = [](auto from, auto to) { // (log c2 - log c1) / (log n2 - log n1)
+        return (std::log(to->second) - std::log(from->second)) / (std::log(to->first) - std::log(from->first));
+    };
+    const auto close = [&](const QString& name, double expected) {
+        return std::abs(named(figures, stem + name)["value"].toDouble() - expected) < 1e-6;
+    };
+    QVERIFY(close("exponent", grown(small, large)));
+    QVERIFY(close("exponent.lower", grown(small, middle)));
+    QVERIFY(close("exponent.upper", grown(middle, large)));
+    QCOMPARE(named(figures, stem + "exponent")["limit"].toDouble(), 1.2);
 }
 
 void BenchTest::roundsAddNoFigures() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/messages/messages.h"
 
+#include "core/base/available_memory.h"
 #include "ui/messages/subjects.h"
 
 #include <QCoreApplication>
@@ -36,6 +37,11 @@ QString Messages::sentence(const Error& error) {
     case ErrorCode::cancelled:
         return tr("\"%1\" was cancelled; start it again to finish it.").arg(subject);
     case ErrorCode::outOfMemory:
+        if (error.detail == fewerTakes)
+            return tr("There is not enough memory for \"%1\" (needed and free: %2); make a path of fewer or shorter "
+                      "takes, "
+                      "or close other programs.")
+                .arg(subject, place);
         return error.place.empty()
                    ? tr("There is not enough memory for \"%1\"; close other programs or choose larger voxels.")
                          .arg(subject)

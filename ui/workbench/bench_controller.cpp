@@ -4,7 +4,6 @@
 
 #include "core/machine/machine_library.h"
 #include "core/project/bench_materials.h"
-#include "core/recording/stroke_count.h"
 #include "ui/workbench/setup_controller.h"
 #include "ui/workbench/tool_controller.h"
 
@@ -118,8 +117,8 @@ void BenchController::embed() {
     if (!model_ || embedding()) return;
     reading_ = true;
     emit changed();
-    desk_.project.ask([](Project& project) { return takesOf(project); },
-                      [this](Result<std::vector<TakeWithTool>> takes) {
+    desk_.project.ask([](Project& project) { return cutsOf(project); },
+                      [this](Result<std::vector<RecordedCuts>> takes) {
                           reading_ = false;
                           if (takes)
                               embedWith(std::move(*takes));
@@ -129,7 +128,7 @@ void BenchController::embed() {
                       });
 }
 
-void BenchController::embedWith(std::vector<TakeWithTool> takes) {
+void BenchController::embedWith(std::vector<RecordedCuts> takes) {
     BenchRequest request{model_,        setup_, tool_, machine_.id, materials_, obstaclesOf(wanted_.obstacles),
                          wanted_.travel};
     desk_.tasks.start(
@@ -140,7 +139,7 @@ void BenchController::embedWith(std::vector<TakeWithTool> takes) {
             progress.stage(0.0, 1.0);
             if (Result<void> replayed = replayTakes(takes, *bench, progress); !replayed) return replayed.error();
             ReplayedBench made{std::make_shared<Bench>(std::move(*bench)), {}};
-            for (const TakeWithTool& take : takes) made.strokes[take.take.info.id] = strokeCount(take.take);
+            for (const RecordedCuts& take : takes) made.strokes[take.take] = take.strokes;
             return made;
         },
         [this](Result<ReplayedBench> outcome) {

@@ -71,7 +71,7 @@ signals:
 
 private:
     void changeMaterials();
-    void embedWith(std::vector<TakeWithTool> takes);
+    void embedWith(std::vector<RecordedCuts> takes);
     void adopt(std::shared_ptr<Bench> bench);
     void buildBounds();
     void adoptBounds(const Tool& tool, const WantedBounds& wanted, std::shared_ptr<const ToolBounds> bounds);

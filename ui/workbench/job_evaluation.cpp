@@ -230,7 +230,8 @@ void JobEvaluation::takeRecorded(std::int64_t id, const Basis& asked, Result<Pat
     Entry* entry = find(id);
     const bool asAsked = entry != nullptr && entry->revision == asked.revision && entry->key == asked.key;
     if (asAsked && matter)
-        entry->recorded = std::make_shared<const Recorded>(Recorded{std::move(matter->takes), std::move(matter->tool)});
+        entry->recorded =
+            std::make_shared<const Recorded>(Recorded{std::move(matter->recorded), std::move(matter->tool)});
     if (asAsked && !matter) {
         entry->problem = matter.error();
         entry->failedOn = basisOf(*entry);
@@ -245,7 +246,7 @@ void JobEvaluation::evaluate(const Entry& entry, const Basis& basis) {
         TaskKind::path, tr("Editing the path"),
         [recorded = entry.recorded, bench = bench_.bench(), path = entry.path,
          before = milledBefore(entry)](Progress& progress) {
-            return evaluateStored(recorded->takes, *bench, recorded->tool, path, before, progress);
+            return evaluateStored(recorded->strokes, *bench, recorded->tool, path, before, progress);
         },
         [this, asked = *running_, tool = entry.recorded->tool](Result<EvaluatedPath> outcome) {
             takeEvaluated(asked, tool, std::move(outcome));

@@ -359,7 +359,7 @@ void OperatorTest::traceBetweenReadingsIsInterpolated() {
     QVERIFY(replay.read(9.0).pose.position == second.pose.position);
     TraceStylus backwards({second, first}, {});
     QVERIFY(!backwards.open());
-    QVERIFY(!TraceStylus({}, {}).open());
+    QVERIFY(!TraceStylus(std::vector<StylusState>(), {}).open());
 }
 
 QTEST_APPLESS_MAIN(OperatorTest)

@@ -34,12 +34,15 @@ Lines shown(MillingSession& session) {
     return linesOf(view.workpiece);
 }
 
-/// The workpiece as it is made again from the recordings.
+/// The workpiece as it is made again from the recordings: as a command reads them, and as the window does, which gets
+/// them from another thread. Empty where these differ.
 Lines replayed(const Project& project) {
-    Bench bench = blockBench();
+    Bench bench = blockBench(), handedOver = blockBench();
     Progress progress;
-    if (!replayTakes(project, bench, progress)) return {};
-    return linesOf(bench.embedded.workpiece);
+    const auto cuts = cutsOf(project);
+    if (!cuts || !replayTakes(project, bench, progress) || !replayTakes(*cuts, handedOver, progress)) return {};
+    Lines lines = linesOf(bench.embedded.workpiece);
+    return lines == linesOf(handedOver.embedded.workpiece) ? lines : Lines{};
 }
 
 /// What a second program makes of the project on the disk.

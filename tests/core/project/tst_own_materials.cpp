@@ -52,11 +52,11 @@ Result<Job> milled(const Bench& bench) {
     PathMatter matter;
     matter.path.edits = {{Simplify{}}, {Link{}}, {SetFeed{}}, {level}};
     matter.tool = bench.tool;
-    matter.takes = {takeOf(along({{2.0, 3.0, 8.5}, {18.0, 3.0, 8.5}}, 50.0))};
+    matter.recorded = {*recordedStrokes(takeOf(along({{2.0, 3.0, 8.5}, {18.0, 3.0, 8.5}}, 50.0)))};
     Progress progress;
     const Result<EvaluatedPaths> paths = evaluateInOrder(bench, {matter}, progress);
     if (!paths) return paths.error();
-    Result<EvaluatedPath> path = evaluateStored(matter.takes, bench, bench.tool, matter.path, {}, progress);
+    Result<EvaluatedPath> path = evaluateStored(matter.recorded, bench, bench.tool, matter.path, {}, progress);
     if (!path) return path.error();
     ProgramRequest request;
     request.name = "groove.ngc";

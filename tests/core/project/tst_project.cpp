@@ -7,8 +7,10 @@
 
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <span>
 
 using namespace burin;
 namespace fs = std::filesystem;
@@ -83,6 +85,43 @@ private slots:
         QVERIFY(writer->append(std::span(samples).subspan(15)) && writer->finish());
         QCOMPARE(project->takes()->front().seconds, std::optional(0.0025 * 39.0));
         QCOMPARE(project->take(writer->id())->info.seconds, std::optional(0.0025 * 39.0));
+    }
+
+    /// Hours of samples are looked at in parts; who looks may break off.
+    void aTakeIsVisitedInItsOrder() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        Result<Project::TakeWriter> writer = project->beginTake(fixture::takeInfo("long"));
+        const std::int64_t id = writer->id();
+        const std::vector<Sample> hand = fixture::handSamples(0, 40000);
+        QVERIFY(writer->append(std::span(hand).first(100)) && writer->append(std::span(hand).subspan(100)));
+        QVERIFY(project->undoStretch(id, {90, 60}));
+        std::vector<Sample> seen;
+        std::size_t largest = 0;
+        QVERIFY(project->visitSamples(id, [&](std::span<const Sample> part) -> Result<void> {
+            seen.insert(seen.end(), part.begin(), part.end());
+            largest = std::max(largest, part.size());
+            return {};
+        }));
+        QVERIFY(fixture::identical(seen, hand));
+        QVERIFY(largest < hand.size());
+        const Result<TakeOutline> outline = project->takeOutline(id);
+        QVERIFY(outline);
+        QCOMPARE(outline->info.sampleCount, std::uint64_t{40000});
+        QCOMPARE(outline->undone, (std::vector<SampleRange>{{90, 60}}));
+        QCOMPARE(outline->info.seconds, project->take(id)->info.seconds);
+
+        int calls = 0;
+        const Result<void> broken = project->visitSamples(id, [&](std::span<const Sample>) -> Result<void> {
+            ++calls;
+            return Error{ErrorCode::cancelled, "looking", {}, {}};
+        });
+        QVERIFY(!broken);
+        QCOMPARE(broken.error().subject, std::string("looking"));
+        QCOMPARE(calls, 1);
+        const SampleVisitor nobody = [](std::span<const Sample>) -> Result<void> { return {}; };
+        QCOMPARE(project->visitSamples(id + 1, nobody).error().code, ErrorCode::nameUnknown);
+        QCOMPARE(project->takeOutline(id + 1).error().code, ErrorCode::nameUnknown);
     }
 
     /// What is taken back stays in the file, is told, and comes again.

@@ -245,7 +245,7 @@ Result<CheckedProgram> postedRows(const Bench& block, const Tool& tool) {
     matter.tool = tool;
     Take take = takeOf(along(corners, 50.0));
     take.info.toolId = tool.id;
-    matter.takes = {take};
+    matter.recorded = {*recordedStrokes(take)};
     Progress progress;
     const Result<EvaluatedPaths> paths = evaluateInOrder(block, {matter}, progress);
     if (!paths) return paths.error();

@@ -274,6 +274,9 @@ private slots:
         Progress progress;
         QVERIFY(replayTakes(stage.project, again, progress));
         QVERIFY(linesOf(again.embedded.workpiece) == standing);
+        Bench handedOver = partBench(toolWithHolder());
+        QVERIFY(replayTakes(*cutsOf(stage.project), handedOver, progress));
+        QVERIFY(linesOf(handedOver.embedded.workpiece) == standing);
         // The axis of each sample is that of the tool: what it cut is where the tilted tool was.
         const Result<Take> take = stage.project.take(session->take());
         QVERIFY(take && !take->undone.empty());

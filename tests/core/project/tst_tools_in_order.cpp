@@ -51,7 +51,7 @@ PathMatter matter(std::int64_t id, const Tool& tool, const std::vector<glm::dvec
     Take take = takeOf(along(corners, 50.0), allowance);
     take.info.id = id;
     take.info.toolId = tool.id;
-    made.takes = {take};
+    made.recorded = {*recordedStrokes(take)};
     return made;
 }
 
@@ -72,7 +72,7 @@ Result<std::vector<MilledPath>> milledInTurn(const Bench& bench, const std::vect
     Progress progress;
     std::vector<MilledPath> milled;
     for (const PathMatter& each : matters) {
-        Result<EvaluatedPath> path = evaluateStored(each.takes, bench, each.tool, each.path, milled, progress);
+        Result<EvaluatedPath> path = evaluateStored(each.recorded, bench, each.tool, each.path, milled, progress);
         if (!path) return path.error();
         milled.push_back({std::make_shared<const EvaluatedPath>(std::move(*path)), each.tool});
     }
@@ -198,7 +198,7 @@ void TestToolsInOrder::aKeptPathCountsOnlyBehindTheSamePaths() {
                follower = matter(2, flat("follower", 2, diameter), {{-10, 10, 8}, {50, 10, 8}}, {{levelRemoval()}});
     const Bench bench = plateBench(first.tool);
     Progress progress;
-    const auto path = evaluateStored(follower.takes, bench, follower.tool, follower.path, {}, progress);
+    const auto path = evaluateStored(follower.recorded, bench, follower.tool, follower.path, {}, progress);
     QVERIFY(path);
     EvaluatedPath marked = *path;
     marked.path.spindleSpeed = 4321.0; // so that it is known again
@@ -301,7 +301,7 @@ void TestToolsInOrder::theWishToStopIsHeard() {
     progress.cancel();
     QCOMPARE(evaluateInOrder(bench, {first}, progress).error().code, ErrorCode::cancelled);
     Progress other;
-    const auto path = evaluateStored(first.takes, bench, first.tool, first.path, {}, other);
+    const auto path = evaluateStored(first.recorded, bench, first.tool, first.path, {}, other);
     QVERIFY(path);
     const MilledPath milled{std::make_shared<const EvaluatedPath>(*path), first.tool};
     QCOMPARE(bench.stock

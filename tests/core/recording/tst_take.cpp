@@ -3,9 +3,14 @@
 #include "core/base/file.h"
 #include "core/recording/take_csv.h"
 #include "core/recording/take_statistics.h"
+#include "core/recording/trace_file.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
+
+#include <algorithm>
+#include <span>
+#include <utility>
 
 using namespace burin;
 
@@ -32,6 +37,15 @@ std::vector<Sample> samples() {
     return list;
 }
 
+/// Samples in parts of a few, as a project gives them.
+SampleSource sourceOf(std::vector<Sample> samples, std::size_t part = 3000) {
+    return [samples = std::move(samples), part](const SampleVisitor& visit) -> Result<void> {
+        for (std::span<const Sample> rest(samples); !rest.empty(); rest = rest.subspan(std::min(part, rest.size())))
+            if (Result<void> visited = visit(rest.first(std::min(part, rest.size()))); !visited) return visited;
+        return {};
+    };
+}
+
 QList<QByteArray> lines(const std::string& text) {
     QList<QByteArray> result = QByteArray::fromStdString(text).split('\n');
     result.removeLast(); // the text ends with a line end
@@ -49,6 +63,9 @@ private slots:
     void figuresOfNothing();
     void valuesStandUnderTheirNames();
     void longTakesAreWrittenWhole();
+    void aMaterialThatIsRemovedLateHasItsColumnFromTheStart();
+    void aTraceOfATakeIsWhatTheStylusDid();
+    void whatEndsTheSamplesLeavesNoFile();
     void aFolderThatIsMissingIsNamed();
 };
 
@@ -115,7 +132,7 @@ void TakeTest::figuresOfNothing() {
 void TakeTest::valuesStandUnderTheirNames() {
     const QTemporaryDir folder;
     const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "take.csv";
-    QVERIFY(writeTakeCsv(file, samples()));
+    QVERIFY(writeTakeCsv(file, sourceOf(samples())));
     const QList<QByteArray> text = lines(*readFile(file));
     QCOMPARE(text.size(), 5);
     const QList<QByteArray> names = text[0].split(',');
@@ -141,14 +158,53 @@ void TakeTest::longTakesAreWrittenWhole() {
     for (std::size_t i = 0; i < list.size(); ++i) list[i].tick = i;
     const QTemporaryDir folder;
     const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "take.csv";
-    QVERIFY(writeTakeCsv(file, list));
+    QVERIFY(writeTakeCsv(file, sourceOf(list)));
     const QList<QByteArray> text = lines(*readFile(file));
     QCOMPARE(text.size(), 30001);
     for (int i = 1; i < text.size(); ++i) QVERIFY(text[i].startsWith(QByteArray::number(i - 1) + ","));
 }
 
+void TakeTest::aMaterialThatIsRemovedLateHasItsColumnFromTheStart() {
+    const QTemporaryDir folder;
+    const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "take.csv";
+    QVERIFY(writeTakeCsv(file, sourceOf(samples(), 1)));
+    const QList<QByteArray> text = lines(*readFile(file));
+    QVERIFY(text[0].endsWith(",removed_units_property_2,removed_units_property_3"));
+    QVERIFY(text[1].endsWith(",0,0"));
+    QVERIFY(text[2].endsWith(",7,100"));
+    QVERIFY(text[3].endsWith(",0,23"));
+}
+
+void TakeTest::aTraceOfATakeIsWhatTheStylusDid() {
+    std::vector<Sample> list = samples();
+    for (Sample& sample : list) sample.device.position = {0.1 * static_cast<double>(sample.tick), 1.0 / 3.0, -2.0};
+    list[2].flags |= sampleStylusInvalid;
+    const QTemporaryDir folder;
+    const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "trace.csv";
+    QVERIFY(writeTakeTrace(file, sourceOf(list, 2)));
+    QCOMPARE(*readFile(file), formatTrace(traceOf(list)));
+    const auto read = readTrace(file);
+    QVERIFY(read);
+    QCOMPARE(read->readings.size(), std::size_t{3}); // one was none
+    QVERIFY(read->readings[2].pose.position == list[3].device.position);
+}
+
+void TakeTest::whatEndsTheSamplesLeavesNoFile() {
+    const QTemporaryDir folder;
+    const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "take.csv";
+    const SampleSource breaksOff = [](const SampleVisitor& visit) -> Result<void> {
+        if (Result<void> visited = visit(samples()); !visited) return visited;
+        return Error{ErrorCode::fileDamaged, "p.burin", "take 1, sample 4", ""};
+    };
+    for (const auto& written : {writeTakeCsv(file, breaksOff), writeTakeTrace(file, breaksOff)}) {
+        QVERIFY(!written);
+        QCOMPARE(written.error().place, std::string("take 1, sample 4"));
+    }
+    QVERIFY(QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).isEmpty());
+}
+
 void TakeTest::aFolderThatIsMissingIsNamed() {
-    const auto written = writeTakeCsv("/nowhere/at/all/take.csv", samples());
+    const auto written = writeTakeCsv("/nowhere/at/all/take.csv", sourceOf(samples()));
     QVERIFY(!written);
     QCOMPARE(written.error().code, ErrorCode::fileNotWritable);
     QCOMPARE(written.error().subject, std::string("/nowhere/at/all/take.csv"));

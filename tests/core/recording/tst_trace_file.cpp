@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recording/trace_file.h"
+#include "core/recording/trace_playback.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <cstring>
+#include <fstream>
 #include <locale>
 #include <random>
 #include <rapidcheck.h>
@@ -41,6 +43,9 @@ private slots:
     void doesNotDependOnTheLocale();
     void namesAMissingFile();
     void leavesOutReadingsThatAreNotValid();
+    void aFileIsPlayedAsItIsRead();
+    void aFileWithAFaultIsNotPlayed();
+    void aFileThatShrinksWhileItIsPlayedIsTold();
     void ticksComeBackWithTheirPeriods();
     void ticksThatAreWrongAreNamed_data();
     void ticksThatAreWrongAreNamed();
@@ -287,6 +292,90 @@ void TraceFileTest::leavesOutReadingsThatAreNotValid() {
     QCOMPARE(read->readings.size(), std::size_t{2});
     QCOMPARE(read->readings.back().pose.position.x, 2.0);
     QCOMPARE(read->readings.back().buttons, 2u);
+}
+
+namespace {
+
+/// Everything that a playback gives from where it is.
+std::vector<StylusState> rest(TracePlayback& playback) {
+    std::vector<StylusState> states;
+    for (StylusState state; playback.next(state);) states.push_back(state);
+    return states;
+}
+
+std::filesystem::path written(const QTemporaryDir& folder, const std::string& text) {
+    std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "trace.csv";
+    std::ofstream(file, std::ios::binary) << text;
+    return file;
+}
+
+} // namespace
+
+/// More readings than are kept in memory, and lines that end within and at the parts in which the file is read.
+void TraceFileTest::aFileIsPlayedAsItIsRead() {
+    const std::string line = "0.001,0.1,0.30000000000000004,-12.5,1,0,0,0,0,0.001,1,0";
+    std::string text = std::string(tickTraceMark) + "\n" + std::string(tickTraceHeader) + "\n!{\"first\": 1}\n";
+    std::size_t lines = 3;
+    for (int i = 0; i < 60000; ++i, ++lines) {
+        text += std::to_string(i) + line.substr(5) + (i % 3 == 0 ? "\r\n" : "\n");
+        if (i % 20000 == 19999) {
+            text += "!change " + std::to_string(i) + "\n";
+            ++lines;
+        }
+    }
+    text.pop_back(); // the last line need not end
+    const auto whole = parseTrace(text, "whole");
+    QVERIFY(whole);
+    const QTemporaryDir folder;
+    Result<OpenedTrace> opened = openTrace(written(folder, text));
+    QVERIFY(opened);
+    QCOMPARE(opened->readings->extent().readings, std::uint64_t{60000});
+    QVERIFY(opened->readings->extent().ticks);
+    QCOMPARE(opened->changes.size(), std::size_t{4});
+    for (std::size_t i = 0; i < 4; ++i) {
+        QCOMPARE(opened->changes[i].text, whole->changes[i].text);
+        QCOMPARE(opened->changes[i].reading, whole->changes[i].reading);
+        QCOMPARE(opened->changes[i].line, whole->changes[i].line);
+    }
+    for (int again = 0; again < 2; ++again) {
+        QVERIFY(opened->readings->rewind());
+        StylusState first;
+        QVERIFY(opened->readings->next(first)); // what was begun may be begun anew
+        QVERIFY(opened->readings->rewind());
+        QCOMPARE(formatTrace(rest(*opened->readings)), formatTrace(whole->readings));
+        QVERIFY(opened->readings->outcome());
+    }
+}
+
+void TraceFileTest::aFileWithAFaultIsNotPlayed() {
+    const std::string header = std::string(traceHeader) + "\n";
+    for (const std::string& text :
+         {std::string(), std::string("\n"), header, header + "0,0,0,0,1,0,0,0,0\n0,0,0,0,1,0,0,0,0\n",
+          header + "0,0,0,0,1,0,0,0,0\n1,zero,0,0,1,0,0,0,0\n", std::string(tickTraceMark) + "\n"}) {
+        const QTemporaryDir folder;
+        const std::filesystem::path file = written(folder, text);
+        const auto opened = openTrace(file);
+        const auto read = readTrace(file);
+        QVERIFY(!opened && !read);
+        QCOMPARE(opened.error().code, read.error().code);
+        QCOMPARE(opened.error().place, read.error().place);
+        QCOMPARE(opened.error().detail, read.error().detail);
+    }
+    QCOMPARE(openTrace("/nowhere/trace.csv").error().code, ErrorCode::fileNotFound);
+}
+
+/// Who plays it must hear that it was not all.
+void TraceFileTest::aFileThatShrinksWhileItIsPlayedIsTold() {
+    std::string text = std::string(traceHeader) + "\n";
+    for (int i = 0; i < 100; ++i) text += std::to_string(i) + ",0,0,0,1,0,0,0,0\n";
+    const QTemporaryDir folder;
+    const std::filesystem::path file = written(folder, text);
+    Result<OpenedTrace> opened = openTrace(file);
+    QVERIFY(opened);
+    std::filesystem::resize_file(file, text.size() / 2 - 5);
+    QVERIFY(opened->readings->rewind());
+    QVERIFY(rest(*opened->readings).size() < 100);
+    QVERIFY(!opened->readings->outcome());
 }
 
 QTEST_APPLESS_MAIN(TraceFileTest)

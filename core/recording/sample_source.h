@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.h"
+#include "core/recording/sample.h"
+
+#include <functional>
+#include <span>
+
+namespace burin {
+
+/// Gets some thousands of samples of a take at a time, in their order; its first error ends the visit.
+using SampleVisitor = std::function<Result<void>(std::span<const Sample>)>;
+/// Has all samples of a take visited, as often as it is called. Errors: its own, and those of the visitor.
+using SampleSource = std::function<Result<void>(const SampleVisitor& visit)>;
+
+} // namespace burin
