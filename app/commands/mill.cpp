@@ -27,6 +27,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::string_view tracePrefix = "trace:";
+constexpr std::string_view devicePrefix = "device:";
 
 struct MillArguments {
     std::string project, stylus = "operator", mode, tool = "ball-6", machine, trace, axis;
@@ -109,6 +110,7 @@ struct MillWork {
     Pace pace;
     json& answer;                     ///< gets what is told of the whole session
     std::optional<StagedFile>& trace; ///< gets the trace that was asked for
+    const SessionTrace* played;       ///< the trace that is the stylus; null: none is
 };
 
 /// How much of the cutting was felt, and who says so.
@@ -178,11 +180,10 @@ Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std:
     return std::vector<TakeOutcome>{std::move(*outcome)};
 }
 
-Result<std::vector<TakeOutcome>> millWithTrace(const std::string& file, const MillWork& work) {
-    const Result<SessionTrace> trace = readSessionTrace(file);
-    if (!trace) return trace.error();
-    TraceStylus stylus(trace->readings, trace->began ? trace->began->stylus : touchLikeStylus());
-    return millWith(stylus, std::filesystem::path(file).stem().string(), false, work, &*trace);
+Result<std::vector<TakeOutcome>> millWithTrace(const SessionTrace& trace, const MillWork& work) {
+    TraceStylus stylus(trace.readings, trace.began ? trace.began->stylus : touchLikeStylus());
+    const std::filesystem::path file = work.arguments.stylus.substr(tracePrefix.size());
+    return millWith(stylus, file.stem().string(), false, work, &trace);
 }
 
 /// Its first button, where it has one, is the spindle's.
@@ -205,13 +206,12 @@ Result<std::vector<TakeOutcome>> millWithDevice(const std::string& name, const M
 }
 
 Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
-    constexpr std::string_view device = "device:";
     const std::string& stylus = work.arguments.stylus;
-    if (stylus.starts_with(tracePrefix)) return millWithTrace(stylus.substr(tracePrefix.size()), work);
+    if (work.played != nullptr) return millWithTrace(*work.played, work);
     if (work.arguments.felt)
         return Error{ErrorCode::argumentInvalid, "--stylus", stylus,
                      "with --felt, a trace that does not state how much of the cutting force was felt"};
-    if (stylus.starts_with(device)) return millWithDevice(stylus.substr(device.size()), work);
+    if (stylus.starts_with(devicePrefix)) return millWithDevice(stylus.substr(devicePrefix.size()), work);
     if (stylus != "operator")
         return Error{ErrorCode::nameUnknown, "stylus", stylus, "operator, trace:FILE, device:NAME"};
     if (!work.arguments.trace.empty())
@@ -229,16 +229,21 @@ Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
     return std::move(outcome->takes);
 }
 
-/// What bounds the tool, as the project has it or the arguments say otherwise.
+/// What bounds the tool, as the project has it or the arguments say otherwise. A hand need not wait for all of it.
 Result<ToolBounds> boundsFor(const Project& project, const Bench& bench, const MillArguments& arguments,
-                             Progress& progress) {
+                             const SessionTrace* played, Progress& progress) {
     const Result<AxisMode> axis = arguments.axis.empty() ? project.axisMode() : axisModeOf(arguments.axis);
     if (!axis) return axis.error();
     const Result<TravelPlacement> travel = project.travelPlacement();
     if (!travel) return travel.error();
-    const double allowance = arguments.allowance.value_or(arguments.hand.allowance);
-    return ToolBounds::build(bench, bench.tool, *axis, surroundingsOf(bench, *travel, *axis), std::max(allowance, 0.5),
-                             progress);
+    const Surroundings surroundings = surroundingsOf(bench, *travel, *axis);
+    if (played != nullptr && played->began && played->began->growth && !axis->free)
+        return ToolBounds::asGrown(bench, bench.tool, *axis, surroundings, *played, progress);
+    const double allowance = std::max(arguments.allowance.value_or(arguments.hand.allowance), 0.5);
+    if (!arguments.stylus.starts_with(devicePrefix))
+        return ToolBounds::build(bench, bench.tool, *axis, surroundings, allowance, progress);
+    const std::shared_ptr<const MeshDistance> part(std::shared_ptr<void>(), &bench.part); // the bench outlives them
+    return ToolBounds::grow(bench, part, bench.tool, *axis, surroundings, allowance, {}, progress);
 }
 
 /// Saves what was milled, and the trace with it: both or neither.
@@ -278,15 +283,23 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     if (const Result<void> replayed = replayTakes(*project, *bench, context.progress()); !replayed)
         return context.fail(replayed.error());
 
+    std::optional<SessionTrace> played;
+    if (arguments.stylus.starts_with(tracePrefix)) {
+        Result<SessionTrace> trace = readSessionTrace(arguments.stylus.substr(tracePrefix.size()));
+        if (!trace) return context.fail(trace.error());
+        played = std::move(*trace);
+    }
+    const SessionTrace* const toPlay = played ? &*played : nullptr;
+
     context.stage("Computing the tool's boundary");
-    const Result<ToolBounds> bounds = boundsFor(*project, *bench, arguments, context.progress());
+    const Result<ToolBounds> bounds = boundsFor(*project, *bench, arguments, toPlay, context.progress());
     if (!bounds) return context.fail(bounds.error());
 
     context.stage("Milling");
     json answer;
     std::optional<StagedFile> trace;
     const auto outcome = millAsAsked({arguments, *project, *bench, *bounds, context,
-                                      arguments.realtime ? Pace::realtime : Pace::fast, answer, trace});
+                                      arguments.realtime ? Pace::realtime : Pace::fast, answer, trace, toPlay});
     if (!outcome) {
         // What was recorded until somebody ended it is saved as if it had ended by itself.
         const bool ended = outcome.error().code == ErrorCode::cancelled && project->unsaved() && *project->unsaved();
