@@ -27,6 +27,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::string_view tracePrefix = "trace:";
+constexpr std::string_view devicePrefix = "device:";
 
 struct MillArguments {
     std::string project, stylus = "operator", mode, tool = "ball-6", machine, trace, axis;
@@ -109,6 +110,7 @@ struct MillWork {
     Pace pace;
     json& answer;                     ///< gets what is told of the whole session
     std::optional<StagedFile>& trace; ///< gets the trace that was asked for
+    OpenedSessionTrace* played;       ///< the trace that is the stylus; null: none is
 };
 
 /// How much of the cutting was felt, and who says so.
@@ -178,13 +180,11 @@ Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std:
     return std::vector<TakeOutcome>{std::move(*outcome)};
 }
 
-Result<std::vector<TakeOutcome>> millWithTrace(const std::string& file, const MillWork& work) {
-    Result<OpenedSessionTrace> trace = openSessionTrace(file);
-    if (!trace) return std::move(trace).error();
-    const SessionTrace& session = trace->session;
-    TraceStylus stylus(std::move(trace->readings), session.began ? session.began->stylus : touchLikeStylus());
-    Result<std::vector<TakeOutcome>> takes =
-        millWith(stylus, std::filesystem::path(file).stem().string(), false, work, &session);
+Result<std::vector<TakeOutcome>> millWithTrace(OpenedSessionTrace& trace, const MillWork& work) {
+    const SessionTrace& session = trace.session;
+    TraceStylus stylus(std::move(trace.readings), session.began ? session.began->stylus : touchLikeStylus());
+    const std::filesystem::path file = work.arguments.stylus.substr(tracePrefix.size());
+    Result<std::vector<TakeOutcome>> takes = millWith(stylus, file.stem().string(), false, work, &session);
     if (const Result<void> played = stylus.outcome(); takes && !played) return played.error();
     return takes;
 }
@@ -209,13 +209,12 @@ Result<std::vector<TakeOutcome>> millWithDevice(const std::string& name, const M
 }
 
 Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
-    constexpr std::string_view device = "device:";
     const std::string& stylus = work.arguments.stylus;
-    if (stylus.starts_with(tracePrefix)) return millWithTrace(stylus.substr(tracePrefix.size()), work);
+    if (work.played != nullptr) return millWithTrace(*work.played, work);
     if (work.arguments.felt)
         return Error{ErrorCode::argumentInvalid, "--stylus", stylus,
                      "with --felt, a trace that does not state how much of the cutting force was felt"};
-    if (stylus.starts_with(device)) return millWithDevice(stylus.substr(device.size()), work);
+    if (stylus.starts_with(devicePrefix)) return millWithDevice(stylus.substr(devicePrefix.size()), work);
     if (stylus != "operator")
         return Error{ErrorCode::nameUnknown, "stylus", stylus, "operator, trace:FILE, device:NAME"};
     if (!work.arguments.trace.empty())
@@ -233,16 +232,21 @@ Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
     return std::move(outcome->takes);
 }
 
-/// What bounds the tool, as the project has it or the arguments say otherwise.
+/// What bounds the tool, as the project has it or the arguments say otherwise. A hand need not wait for all of it.
 Result<ToolBounds> boundsFor(const Project& project, const Bench& bench, const MillArguments& arguments,
-                             Progress& progress) {
+                             const SessionTrace* played, Progress& progress) {
     const Result<AxisMode> axis = arguments.axis.empty() ? project.axisMode() : axisModeOf(arguments.axis);
     if (!axis) return axis.error();
     const Result<TravelPlacement> travel = project.travelPlacement();
     if (!travel) return travel.error();
-    const double allowance = arguments.allowance.value_or(arguments.hand.allowance);
-    return ToolBounds::build(bench, bench.tool, *axis, surroundingsOf(bench, *travel, *axis), std::max(allowance, 0.5),
-                             progress);
+    const Surroundings surroundings = surroundingsOf(bench, *travel, *axis);
+    if (played != nullptr && played->began && played->began->growth && !axis->free)
+        return ToolBounds::asGrown(bench, bench.tool, *axis, surroundings, *played, progress);
+    const double allowance = std::max(arguments.allowance.value_or(arguments.hand.allowance), 0.5);
+    if (!arguments.stylus.starts_with(devicePrefix))
+        return ToolBounds::build(bench, bench.tool, *axis, surroundings, allowance, progress);
+    const std::shared_ptr<const MeshDistance> part(std::shared_ptr<void>(), &bench.part); // the bench outlives them
+    return ToolBounds::grow(bench, part, bench.tool, *axis, surroundings, allowance, {}, progress);
 }
 
 /// Saves what was milled, and the trace with it: both or neither.
@@ -282,15 +286,24 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     if (const Result<void> replayed = replayTakes(*project, *bench, context.progress()); !replayed)
         return context.fail(replayed.error());
 
+    std::optional<OpenedSessionTrace> played;
+    if (arguments.stylus.starts_with(tracePrefix)) {
+        Result<OpenedSessionTrace> trace = openSessionTrace(arguments.stylus.substr(tracePrefix.size()));
+        if (!trace) return context.fail(trace.error());
+        played = std::move(*trace);
+    }
+
     context.stage("Computing the tool's boundary");
-    const Result<ToolBounds> bounds = boundsFor(*project, *bench, arguments, context.progress());
+    const Result<ToolBounds> bounds =
+        boundsFor(*project, *bench, arguments, played ? &played->session : nullptr, context.progress());
     if (!bounds) return context.fail(bounds.error());
 
     context.stage("Milling");
     json answer;
     std::optional<StagedFile> trace;
-    const auto outcome = millAsAsked({arguments, *project, *bench, *bounds, context,
-                                      arguments.realtime ? Pace::realtime : Pace::fast, answer, trace});
+    const auto outcome =
+        millAsAsked({arguments, *project, *bench, *bounds, context, arguments.realtime ? Pace::realtime : Pace::fast,
+                     answer, trace, played ? &*played : nullptr});
     if (!outcome) {
         // What was recorded until somebody ended it is saved as if it had ended by itself.
         const bool ended = outcome.error().code == ErrorCode::cancelled && project->unsaved() && *project->unsaved();

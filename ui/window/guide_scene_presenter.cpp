@@ -100,7 +100,7 @@ void GuideScenePresenter::present() {
         const Bench& bench = *workbench_.bench.bench();
         marks.room = roomAround(bench.setup.stock);
         marks.tips = bench.tipRegion();
-        marks.field = workbench_.bench.field();
+        if (workbench_.bench.fieldComplete()) marks.field = workbench_.bench.field();
         marks.lastPass = lastPass_;
         const std::vector<Guide>& guides = workbench_.guides.guides();
         for (std::size_t i = 0; i < guides.size(); ++i)

@@ -106,6 +106,7 @@ bool BenchController::ready() const {
 void BenchController::clear() {
     desk_.tasks.abandon(TaskKind::embedding);
     desk_.tasks.abandon(TaskKind::field);
+    desk_.tasks.abandon(TaskKind::growth);
     bench_.reset();
     bounds_.reset();
     strokes_.clear();
@@ -175,9 +176,11 @@ void BenchController::buildBounds() {
         [bench = bench_, tool = tool_,
          wanted = wanted_](Progress& progress) -> Result<std::shared_ptr<const ToolBounds>> {
             TravelPlacement travel = wanted.travel;
-            travel.on = true; // it is a layer that sessions switch
-            Result<ToolBounds> bounds = ToolBounds::build(
-                *bench, tool, wanted.axis, surroundingsOf(*bench, travel, wanted.axis), maximumAllowance, progress);
+            travel.on = true;                                                    // it is a layer that sessions switch
+            const std::shared_ptr<const MeshDistance> part(bench, &bench->part); // it keeps the bench
+            Result<ToolBounds> bounds =
+                ToolBounds::grow(*bench, part, tool, wanted.axis, surroundingsOf(*bench, travel, wanted.axis),
+                                 maximumAllowance, {}, progress);
             if (!bounds) return std::move(bounds).error();
             return std::make_shared<const ToolBounds>(std::move(*bounds));
         },
@@ -211,10 +214,23 @@ void BenchController::adoptBounds(const Tool& tool, const WantedBounds& wanted,
     emit changed();
 }
 
+/// The tool can mill meanwhile: it is held where the boundary is not there yet.
+void BenchController::watchGrowth() {
+    if (!bounds_ || bounds_->complete()) return;
+    desk_.tasks.start(
+        TaskKind::growth, tr("Computing the boundary around the tool"),
+        [bounds = bounds_](Progress& progress) { return bounds->waitUntilQuiet(progress); },
+        [this](const Result<void>& quiet) {
+            if (!quiet && quiet.error().code != ErrorCode::cancelled) emit failed(quiet.error());
+            emit changed();
+        });
+}
+
 /// What reads the bench in the background would read it while it changes.
 void BenchController::stopReaders(std::function<void()> then) {
     ++changes_;
     emit readersStop();
+    desk_.tasks.abandon(TaskKind::growth);
     desk_.tasks.abandon(TaskKind::planning);
     desk_.tasks.abandon(TaskKind::path);
     desk_.tasks.abandon(TaskKind::program);
@@ -223,6 +239,7 @@ void BenchController::stopReaders(std::function<void()> then) {
 
 void BenchController::goOn() {
     --changes_;
+    if (!changing()) watchGrowth();
     emit readersGoOn();
     emit changed(); // what needs a bench that stands still may be done again
 }

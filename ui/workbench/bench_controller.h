@@ -54,6 +54,8 @@ public:
     const WantedBounds& bound() const noexcept { return bound_; }
     /// The part's clearance over tips, of `bounds`; null: there are none, or the axis is free.
     std::shared_ptr<const ClearanceField> field() const;
+    /// All of the field is there; where it still grows it says too little away from the tool.
+    bool fieldComplete() const { return bounds_ && bounds_->complete(); }
     StrokeHistory& strokes() noexcept { return strokes_; }
 
     /// Asked before bench, tool or field change: whoever mills lets go of them and then calls what it is given.
@@ -75,6 +77,7 @@ private:
     void adopt(std::shared_ptr<Bench> bench);
     void buildBounds();
     void adoptBounds(const Tool& tool, const WantedBounds& wanted, std::shared_ptr<const ToolBounds> bounds);
+    void watchGrowth();
     void switchObstacles();
     void stopReaders(std::function<void()> then); ///< `then` ends with `goOn`
     void goOn();

@@ -35,7 +35,9 @@ void ShowMe::start() {
     stopped_ = false;
     desk_.tasks.start(
         TaskKind::planning, tr("Planning the strokes"),
-        [bench = bench_.bench(), bounds = bench_.bounds(), request = requestFor(bench_.bench()->tool)](Progress&) {
+        [bench = bench_.bench(), bounds = bench_.bounds(),
+         request = requestFor(bench_.bench()->tool)](Progress& progress) -> Result<OperatorPlan> {
+            if (Result<void> whole = bounds->finish(progress); !whole) return std::move(whole).error();
             return planOperator(*bench, *bounds, request);
         },
         [this](Result<OperatorPlan> plan) {

@@ -116,6 +116,8 @@ std::vector<TaskRow> TaskRunner::rows() const {
     std::vector<TaskRow> rows;
     for (const auto& task : tasks_)
         rows.push_back({task->kind, task->title, task->progress.fraction(), task->progress.cancelled()});
+    // What nobody waits for stands behind what somebody started.
+    std::ranges::stable_partition(rows, [](const TaskRow& row) { return row.kind != TaskKind::growth; });
     return rows;
 }
 
