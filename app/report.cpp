@@ -83,6 +83,17 @@ json jsonOf(const Omission& part) {
             {"length_mm", part.length}};
 }
 
+json jsonOf(const std::vector<StrokeEntry>& entries) {
+    json list = json::array();
+    for (const StrokeEntry& entry : entries)
+        list.push_back({{"form", idOf(entry.form)},
+                        {"take", entry.take},
+                        {"tick", entry.sample},
+                        {"to_mm", burin::jsonOf(entry.tip)},
+                        {"depth_mm", entry.depth}});
+    return list;
+}
+
 } // namespace
 
 json jsonOf(const std::vector<EditReport>& reports) {
@@ -99,6 +110,7 @@ json jsonOf(const std::vector<EditReport>& reports) {
             entry["left_out"] = json::array();
             for (const Omission& part : report.omissions) entry["left_out"].push_back(jsonOf(part));
         }
+        if (!report.entries.empty()) entry["entries"] = jsonOf(report.entries);
         list.push_back(std::move(entry));
     }
     return list;
@@ -181,6 +193,29 @@ std::string textOfOmissions(const std::vector<EditReport>& reports) {
                  << formatFixed(place.y, 3) << ", " << formatFixed(place.z, 3) << ") mm: " << textOf(part.reason).text;
         }
         if (parts.size() > most) text << "\n    and " << parts.size() - most << " more";
+    }
+    return text.str();
+}
+
+std::string textOfEntries(const std::vector<EditReport>& reports) {
+    constexpr std::size_t most = 5;
+    std::ostringstream text;
+    for (const EditReport& report : reports) {
+        if (report.entries.empty()) continue;
+        const auto count = [&](EntryForm form) { return countOf(report.entries, form); };
+        const std::size_t plunges = count(EntryForm::plunge);
+        text << "\n  " << report.edit << ": of " << report.entries.size() << " entries into material "
+             << count(EntryForm::ramp) << " by ramp, " << count(EntryForm::helix) << " by helix, " << plunges
+             << " by plunge";
+        std::size_t told = 0;
+        for (const StrokeEntry& entry : report.entries) {
+            if (entry.form != EntryForm::plunge || told == most) continue;
+            ++told;
+            text << "\n    plunge of " << formatFixed(entry.depth, 2) << " mm to (" << formatFixed(entry.tip.x, 3) << ", "
+                 << formatFixed(entry.tip.y, 3) << ", " << formatFixed(entry.tip.z, 3)
+                 << ") mm: no room for a ramp or helix";
+        }
+        if (plunges > told) text << "\n    and " << plunges - told << " more";
     }
     return text.str();
 }

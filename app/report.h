@@ -29,6 +29,8 @@ nlohmann::json jsonOf(const std::vector<LintMark>& marks);
 
 /// What edits left out and why, the longest first; lines that follow others, empty where there is nothing.
 std::string textOfOmissions(const std::vector<EditReport>& reports);
+/// How strokes that begin in material are entered, and where the tool plunges; lines that follow others, or nothing.
+std::string textOfEntries(const std::vector<EditReport>& reports);
 /// The same for people, several lines.
 std::string textOf(const Model& model);
 /// What the check found, what the control would reject and the machine that the program was judged for.

@@ -1373,6 +1373,46 @@
         <source>within the limits alone</source>
         <translation>nur innerhalb der Grenzen</translation>
     </message>
+    <message>
+        <source>Into material</source>
+        <translation>Ins Material</translation>
+    </message>
+    <message>
+        <source>How the tool goes down to a stroke that begins in material: straight down, or by a ramp along the stroke, else a helix beside it</source>
+        <translation>Wie das Werkzeug zu einem Zug hinabgeht, der im Material beginnt: senkrecht, oder auf einer Rampe entlang des Zuges, sonst auf einer Helix daneben</translation>
+    </message>
+    <message>
+        <source>Ramp angle</source>
+        <translation>Rampenwinkel</translation>
+    </message>
+    <message>
+        <source>Largest descent angle of ramps and helices; 0: by material and tool</source>
+        <translation>Größter Eintauchwinkel von Rampen und Helices; 0: nach Werkstoff und Werkzeug</translation>
+    </message>
+    <message>
+        <source>Direction by</source>
+        <translation>Richtung nach</translation>
+    </message>
+    <message>
+        <source>By the recording, leads keep their side when other edits change</source>
+        <translation>Nach der Aufnahme behalten An- und Abfahrten ihre Seite, wenn sich andere Bearbeitungen ändern</translation>
+    </message>
+    <message>
+        <source>straight down</source>
+        <translation>senkrecht</translation>
+    </message>
+    <message>
+        <source>a ramp or helix</source>
+        <translation>Rampe oder Helix</translation>
+    </message>
+    <message>
+        <source>the first move</source>
+        <translation>der ersten Bewegung</translation>
+    </message>
+    <message>
+        <source>the recording</source>
+        <translation>der Aufnahme</translation>
+    </message>
 </context>
 <context>
     <name>EmbeddingWords</name>
@@ -1416,6 +1456,29 @@
     <message>
         <source>“%1” overlaps “%2” in %3; there the later body counts.</source>
         <translation>„%1“ überlappt „%2“ in %3; dort gilt der spätere Körper.</translation>
+    </message>
+</context>
+<context>
+    <name>EntryTexts</name>
+    <message>
+        <source>plunges %1</source>
+        <translation>Eintauchen %1</translation>
+    </message>
+    <message>
+        <source>ramps %1</source>
+        <translation>Rampen %1</translation>
+    </message>
+    <message>
+        <source>helices %1</source>
+        <translation>Helices %1</translation>
+    </message>
+    <message>
+        <source>Plunge of %1 to X %2, Y %3, Z %4: no room for a ramp or helix</source>
+        <translation>Eintauchen um %1 bis X %2, Y %3, Z %4: kein Platz für eine Rampe oder Helix</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
     </message>
 </context>
 <context>
@@ -1879,6 +1942,14 @@
         <source>look at what its edits leave out</source>
         <translation>sehen Sie nach, was ihre Bearbeitungen auslassen</translation>
     </message>
+    <message>
+        <source>There is not enough memory for &quot;%1&quot; (needed and free: %2); make a path of fewer or shorter takes, or close other programs.</source>
+        <translation>Für „%1“ reicht der Speicher nicht (nötig und frei: %2); die Bahn aus weniger oder kürzeren Aufnahmen machen oder andere Programme schließen.</translation>
+    </message>
+    <message>
+        <source>Reading &quot;%1&quot; took more than %2 of processor time and was stopped; simplify the model or allow more time.</source>
+        <translation>Das Lesen von „%1“ brauchte mehr als %2 Rechenzeit und wurde abgebrochen; vereinfachen Sie das Modell oder lassen Sie mehr Zeit zu.</translation>
+    </message>
 </context>
 <context>
     <name>Migration</name>
@@ -1983,6 +2054,14 @@
     <message>
         <source>mill the material around it first, or use a tool with a longer stick-out</source>
         <translation>fräsen Sie zuerst das Material ringsum, oder nehmen Sie ein Werkzeug mit größerer Auskragung</translation>
+    </message>
+    <message>
+        <source>There is no room for a ramp or helix down into the material here, and the tool cannot plunge. Begin beside the material, or use a centre-cutting tool.</source>
+        <translation>Hier ist kein Platz für eine Rampe oder Helix ins Material, und das Werkzeug kann nicht eintauchen. Beginnen Sie neben dem Material, oder verwenden Sie ein Werkzeug mit Zentrumsschnitt.</translation>
+    </message>
+    <message>
+        <source>begin beside the material, or use a centre-cutting tool</source>
+        <translation>beginnen Sie neben dem Material, oder verwenden Sie ein Werkzeug mit Zentrumsschnitt</translation>
     </message>
 </context>
 <context>
@@ -2846,6 +2925,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Computing the boundary for %1</source>
         <translation>Grenzfläche für %1 wird berechnet</translation>
+    </message>
+    <message>
+        <source>Computing the boundary around the tool</source>
+        <translation>Grenzfläche rund um das Werkzeug wird berechnet</translation>
     </message>
 </context>
 <context>

@@ -229,6 +229,7 @@ Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
     Result<OperatorOutcome> outcome =
         millWithOperator(work.project, work.bench, work.bounds, request, work.context.progress().cancelFlag());
     if (!outcome) return std::move(outcome).error();
+    work.answer["levels_mm"] = outcome->plan.levels;
     return std::move(outcome->takes);
 }
 

@@ -214,7 +214,7 @@ int show(const PathArguments& arguments, CommandContext& context) {
         text += "\n  " + report.edit + ": " + std::to_string(report.pointsBefore) + " -> " +
                 std::to_string(report.pointsAfter) + " points, at most " + formatFixed(report.largestDeviation, 4) +
                 " mm";
-    text += textOfOmissions(path->reports);
+    text += textOfEntries(path->reports) + textOfOmissions(path->reports);
     if (!arguments.output.empty()) {
         if (const Result<void> written = writeFileAtomically(arguments.output, csvOf(path->path)); !written)
             return context.fail(written.error());

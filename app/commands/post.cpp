@@ -102,7 +102,8 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     answer["passed"] = program->passed();
     answer["lint"] = jsonOf(program->lint);
     const std::string verdict =
-        textOf(*program, arguments.tolerance, bench->machine) + textOfOmissions(edited->reports);
+        textOf(*program, arguments.tolerance, bench->machine) + textOfEntries(edited->reports) +
+        textOfOmissions(edited->reports);
     answer["overridden"] = program->overridden;
     if (!program->released()) {
         context.answer(answer, verdict);

@@ -132,6 +132,23 @@ private slots:
         QVERIFY(report.toolTip().isEmpty());
     }
 
+    void entriesIntoMaterialAreSaidInTheCard() {
+        PathPanel panel;
+        PathState state = examples::path();
+        state.outdated = false;
+        state.zero = {10.0, 0.0, 0.0};
+        state.reports[4].entries = {{EntryForm::ramp, 1, 5, {0.0, 0.0, -2.0}, 2.0},
+                                    {EntryForm::plunge, 1, 70, {12.5, -3.0, -8.0}, 3.25},
+                                    {EntryForm::ramp, 1, 90, {0.0, 5.0, -2.0}, 2.0}};
+        panel.setState(state);
+        show(panel);
+        const auto plain = [](QString text) { return text.replace(QChar(QChar::Nbsp), QLatin1Char(' ')); };
+        const auto& report = child<QLabel>(panel, "edit5Report");
+        QVERIFY2(plain(report.text()).startsWith(QStringLiteral("plunges 1 · ramps 2")), qPrintable(report.text()));
+        QVERIFY2(plain(report.toolTip()).startsWith(QStringLiteral("Plunge of 3.250 mm to X 2.500, Y -3.000, Z -8.000")),
+                 qPrintable(report.toolTip()));
+    }
+
     void aLevelIsMeasuredAsItsGoalIs() {
         PathPanel panel;
         PathState state = examples::path();
