@@ -13,11 +13,12 @@ namespace burin {
 /// off there. Tiles have numbers, x running fastest. mm.
 struct TileLayout {
     Box tips;
-    double edge = 1.0; ///< of a tile
+    double edge = 1.0;    ///< of a tile
+    double perEdge = 1.0; ///< its reciprocal, for look-ups
     glm::ivec3 tiles{1};
 
     TileLayout() = default;
-    TileLayout(const Box& box, double tileEdge) noexcept : tips(box), edge(tileEdge) {
+    TileLayout(const Box& box, double tileEdge) noexcept : tips(box), edge(tileEdge), perEdge(1.0 / tileEdge) {
         for (int axis = 0; axis < 3; ++axis)
             tiles[axis] = std::max(1, static_cast<int>(std::ceil((box.high[axis] - box.low[axis]) / edge - 1e-9)));
     }
@@ -31,7 +32,7 @@ struct TileLayout {
     }
     /// @param tip in the box
     std::uint32_t tileOf(const glm::dvec3& tip) const noexcept {
-        return tileAt(glm::clamp(glm::ivec3((tip - tips.low) / edge), glm::ivec3(0), tiles - 1));
+        return tileAt(glm::clamp(glm::ivec3((tip - tips.low) * perEdge), glm::ivec3(0), tiles - 1));
     }
     Box boxOf(std::uint32_t tile) const noexcept {
         const glm::ivec3 place = placeOf(tile);
