@@ -74,6 +74,21 @@ PathStroke from(const PathStroke& stroke, std::size_t point) {
 
 } // namespace
 
+void beginAtBottom(PathStroke& stroke) {
+    constexpr double straight = 0.02; // mm beside its top: what smoothing makes of a plumb descent
+    const glm::dvec3& top = stroke.points.front().tip;
+    std::size_t bottom = 0;
+    while (bottom + 1 < stroke.points.size()) {
+        const StrokePoint& next = stroke.points[bottom + 1];
+        const bool down = next.tip.z <= stroke.points[bottom].tip.z && !next.arc;
+        if (!down || std::hypot(next.tip.x - top.x, next.tip.y - top.y) > straight) break;
+        ++bottom;
+    }
+    if (bottom + 1 == stroke.points.size()) return; // it goes nowhere else
+    stroke.points.erase(stroke.points.begin(), stroke.points.begin() + static_cast<std::ptrdiff_t>(bottom));
+    stroke.points.front().arc.reset();
+}
+
 EntryPlanner::EntryPlanner(const Link& edit, const LinkRoom& room, const PartGuard& guard, const PathContext& context,
                            ShankWatch* watch)
     : on_(edit.entry == Link::Entry::ramp)

@@ -13,6 +13,10 @@
 
 namespace burin {
 
+/// A stroke that begins plumb down begins at the bottom of that instead: how the tool gets there is for its entry, and
+/// standing there its flutes remove what they would have removed on the way. @param stroke not empty
+void beginAtBottom(PathStroke& stroke);
+
 /// Finds how the tool goes down to strokes that begin in material: along their own beginning, which removes nothing
 /// that they don't, else in a helix beside them, else straight down.
 class EntryPlanner {

@@ -89,6 +89,7 @@ Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContex
     if (context.stock.empty()) return Error{ErrorCode::argumentInvalid, "stock", "", "links need the stock's box"};
     std::erase_if(state.strokes, [](const PathStroke& stroke) { return stroke.points.empty(); });
     const Deviation deviation = dropBackSteps(state, *guard, progress);
+    if (edit.entry == Link::Entry::ramp) std::ranges::for_each(state.strokes, beginAtBottom);
     LinkTask task{edit, *guard, context, safeHeightOf(edit, state, context, *guard), state.strokes};
     task.accesses.resize(state.strokes.size());
     parallelFor(std::size_t{0}, task.accesses.size(), [&](std::size_t i) {

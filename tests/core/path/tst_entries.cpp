@@ -101,6 +101,9 @@ private slots:
                 ramps += down ? 0 : 1;
             }
             QVERIFY(ramps >= 2);
+            // Once down it stays there: the hand's own descent is not gone through again.
+            for (const PathPoint& point : points)
+                if (point.kind == MoveKind::cut) QVERIFY(std::abs(point.tip.z + 4.0) < 1e-6);
             // It removes nothing beside what the stroke removes.
             if (entry.form == EntryForm::helix) continue;
             for (const PathPoint& point : points) {
