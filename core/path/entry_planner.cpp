@@ -111,8 +111,16 @@ double EntryPlanner::depthAt(const glm::dvec3& tip) const {
 }
 
 bool EntryPlanner::plunges(const glm::dvec3& from, const glm::dvec3& to) const {
+    constexpr double look = 0.25; // mm
     if (!on_ || from.z - to.z <= slope_ * std::hypot(to.x - from.x, to.y - from.y) + leastDepth) return false;
-    return depthAt(to) > leastDepth;
+    const int looks = static_cast<int>(std::ceil(glm::distance(from, to) / look));
+    for (int i = 1; i <= looks; ++i) // a rib may stand between two places that are free
+        if (depthAt(glm::mix(from, to, static_cast<double>(i) / looks)) > leastDepth) return true;
+    return false;
+}
+
+bool EntryPlanner::meetsMaterial(const std::vector<StrokePoint>& way) const {
+    return on_ && std::ranges::any_of(way, [&](const StrokePoint& point) { return depthAt(point.tip) > leastDepth; });
 }
 
 std::optional<EntryPlanner::Entry> EntryPlanner::into(const PathStroke& stroke, std::size_t first) const {
@@ -131,7 +139,7 @@ std::optional<EntryPlanner::Entry> EntryPlanner::into(const PathStroke& stroke, 
     if (entry.depth <= leastDepth) return std::nullopt;
     const PathStroke begun = from(stroke, entry.point);
     for (const EntryForm form : {EntryForm::ramp, EntryForm::helix}) {
-        entry.way = form == EntryForm::ramp ? rampInto(begun, entry.depth + gap) : helixInto(begun, entry.depth + gap);
+        entry.way = form == EntryForm::ramp ? rampInto(begun, entry.depth + gap) : helixInto(begun, entry.depth);
         if (entry.way.empty() || !clearsShank(entry.way)) continue;
         entry.form = form;
         for (StrokePoint& point : entry.way) point.sample = stroke.points[entry.point].sample;
@@ -179,10 +187,19 @@ std::vector<StrokePoint> EntryPlanner::rampInto(const PathStroke& stroke, double
     return finder.isClear(way, stroke.required) ? way : std::vector<StrokePoint>();
 }
 
-std::vector<StrokePoint> EntryPlanner::helixInto(const PathStroke& stroke, double height) const {
-    LeadShape shape{LeadIn::Form::helix, helixShare * diameter_, height, std::atan(slope_)};
-    shape.smallestShare = 0.5;
-    return LeadFinder(shape, guard_, context_).into(stroke);
+/// It begins beside the stroke, where more material may stand than over the stroke's beginning.
+std::vector<StrokePoint> EntryPlanner::helixInto(const PathStroke& stroke, double depth) const {
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        LeadShape shape{LeadIn::Form::helix, helixShare * diameter_, depth + gap, std::atan(slope_)};
+        shape.smallestShare = 0.5;
+        std::vector<StrokePoint> way = LeadFinder(shape, guard_, context_).into(stroke);
+        if (way.empty()) return way;
+        const glm::dvec3& top = way.front().tip;
+        const double bottom = stroke.points.front().tip.z, here = depthAt({top.x, top.y, bottom});
+        if (bottom + here <= top.z + leastDepth) return way;
+        depth = here;
+    }
+    return {};
 }
 
 /// Whether shank and holder stay in empty space, tried in the stock itself.

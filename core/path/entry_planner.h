@@ -37,13 +37,15 @@ public:
 
     /// Whether a straight move leads down into material more steeply than a tool should.
     bool plunges(const glm::dvec3& from, const glm::dvec3& to) const;
+    /// Whether a way down, as links round it, would meet material that is to be ramped into.
+    bool meetsMaterial(const std::vector<StrokePoint>& way) const;
     /// Whether the tool may go straight down where nothing else fits.
     bool mayPlunge() const noexcept { return mayPlunge_; }
 
 private:
     double depthAt(const glm::dvec3& tip) const;
     std::vector<StrokePoint> rampInto(const PathStroke& stroke, double height) const;
-    std::vector<StrokePoint> helixInto(const PathStroke& stroke, double height) const;
+    std::vector<StrokePoint> helixInto(const PathStroke& stroke, double depth) const;
     bool clearsShank(const std::vector<StrokePoint>& way) const;
 
     bool on_, mayPlunge_;

@@ -47,7 +47,14 @@ std::optional<Linker::Piece> Linker::begin(const PathStroke& stroke, const Strok
     piece.entry = planner_.into(stroke, access.entry);
     if (piece.entry && piece.entry->way.empty() && !planner_.mayPlunge()) return std::nullopt;
     if (piece.entry) piece.access.entry = piece.entry->point;
-    piece.way = piece.entry && !piece.entry->way.empty() ? piece.entry->way : swingIn(stroke, piece.access.entry);
+    if (piece.entry && !piece.entry->way.empty()) {
+        piece.way = piece.entry->way;
+        return piece;
+    }
+    piece.way = swingIn(stroke, piece.access.entry);
+    // Where the stroke begins the material may be gone, and beside it still be there.
+    if (piece.way.size() > 1 && planner_.meetsMaterial(piece.way))
+        piece.way.erase(piece.way.begin(), piece.way.end() - 1);
     return piece;
 }
 

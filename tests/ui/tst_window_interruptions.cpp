@@ -23,20 +23,29 @@ Q_DECLARE_METATYPE(Middle)
 class TestWindowInterruptions : public QObject {
     Q_OBJECT
 private slots:
-    void init() {
+    void initTestCase() {
         driver_ = std::make_unique<WindowDriver>();
         QVERIFY(makeReady(*driver_, 1.0));
         viewport().setStandardView(StandardView::top);
         QTest::qWait(400); // the view turns
+    }
+    /// One window for all of them: each begins with nothing cut.
+    void init() {
         QVERIFY(driver_->step(JobStep::mill));
-        QVERIFY(driver_->clickOn("millButton"));
+        for (std::size_t left = bench().bench.strokes().count(); left > 0; --left) {
+            driver_->key(Qt::Key_Z, Qt::ControlModifier);
+            QVERIFY(strokesAre(left - 1));
+        }
+        QVERIFY(driver_->clickOn("strokeButton") && driver_->enter("speedField", "200"));
+        if (!bench().mill.active()) QVERIFY(driver_->clickOn("millButton"));
         QVERIFY(driver_->waitFor([&] { return bench().mill.active(); }, 5000));
         millLine(*driver_, {-12, -9}, {12, -9}); // something to go on from
         QVERIFY(strokesAre(1));
         QVERIFY(driver_->enter("speedField", "15")); // so that what is cut by itself takes its time
         viewport().setFocus();
     }
-    void cleanup() { driver_.reset(); }
+    void cleanup() { letGo(); }
+    void cleanupTestCase() { driver_.reset(); }
 
     /// Esc ends or cancels just that, then the tool is free for the next stroke.
     void escapeEndsWhatIsUnderWay_data() {

@@ -171,15 +171,28 @@ double distanceTo(const glm::dvec3& place, const glm::dvec3& from, const glm::dv
     return glm::distance(place, from + share * along);
 }
 
-/// Where the hand cut, in the frame of the program.
+/// Whether the tool went plumb down from a place: what it cut there it cuts as well where it then stands.
+bool isLeftPlumbDown(const std::vector<glm::dvec3>& places, std::size_t place) {
+    constexpr double beside = 0.05; // mm
+    const glm::dvec3& from = places[place];
+    for (std::size_t i = place + 1; i < places.size(); ++i) {
+        if (glm::distance(glm::dvec2(from), glm::dvec2(places[i])) > beside) return false;
+        if (places[i].z < from.z) return true;
+    }
+    return false;
+}
+
+/// Where the hand cut, in the frame of the program, but for its way straight down: how the program gets there is its own.
 std::vector<glm::dvec3> cutsOf(const Take& take, const glm::dvec3& zero) {
-    std::vector<glm::dvec3> places;
+    std::vector<glm::dvec3> all, places;
     for (const Sample& sample : take.samples) {
         const bool cuts = std::ranges::any_of(sample.removed, [](const RemovedMaterial& one) { return one.units > 0; });
         if (!cuts || (sample.flags & sampleSpindleOff) != 0) continue;
-        const glm::dvec3 place = sample.proxy.tip - zero;
-        if (places.empty() || glm::distance(places.back(), place) > 0.2) places.push_back(place);
+        all.push_back(sample.proxy.tip - zero);
     }
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if ((places.empty() || glm::distance(places.back(), all[i]) > 0.2) && !isLeftPlumbDown(all, i))
+            places.push_back(all[i]);
     return places;
 }
 
