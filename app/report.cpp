@@ -154,7 +154,8 @@ std::string textOf(const Finding& finding) {
     if (finding.limit > 0.0) text += " of " + formatFixed(finding.limit, decimals) + unit;
     text += " at (" + formatFixed(finding.place.x, 3) + ", " + formatFixed(finding.place.y, 3) + ", " +
             formatFixed(finding.place.z, 3) + ") mm";
-    if (finding.count > 1) text += ", and on " + std::to_string(finding.count - 1) + " more lines";
+    if (finding.count > 1)
+        text += ", and on " + std::to_string(finding.count - 1) + (finding.count == 2 ? " more line" : " more lines");
     return text;
 }
 
@@ -211,8 +212,8 @@ std::string textOfEntries(const std::vector<EditReport>& reports) {
         for (const StrokeEntry& entry : report.entries) {
             if (entry.form != EntryForm::plunge || told == most) continue;
             ++told;
-            text << "\n    plunge of " << formatFixed(entry.depth, 2) << " mm to (" << formatFixed(entry.tip.x, 3) << ", "
-                 << formatFixed(entry.tip.y, 3) << ", " << formatFixed(entry.tip.z, 3)
+            text << "\n    plunge of " << formatFixed(entry.depth, 2) << " mm to (" << formatFixed(entry.tip.x, 3)
+                 << ", " << formatFixed(entry.tip.y, 3) << ", " << formatFixed(entry.tip.z, 3)
                  << ") mm: no room for a ramp or helix";
         }
         if (plunges > told) text << "\n    and " << plunges - told << " more";

@@ -44,7 +44,9 @@ void registerImport(CLI::App& program, CommandContext& context, int& status) {
     command->add_option("--stl-unit", arguments->stlUnit, "Millimetres per unit of an STL file")
         ->check(CLI::Range(1e-6, 1e6))
         ->capture_default_str();
-    command->add_option("--seconds", arguments->seconds, "Limit of the import's processor time, s; ten times as long if it waits")
+    command
+        ->add_option("--seconds", arguments->seconds,
+                     "Limit of the import's processor time, s; ten times as long if it waits")
         ->check(CLI::Range(0.1, 86400.0))
         ->capture_default_str();
     command->add_option("--memory", arguments->memory, "Memory limit of the import, MB")

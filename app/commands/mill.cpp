@@ -246,8 +246,7 @@ Result<ToolBounds> boundsFor(const Project& project, const Bench& bench, const M
     const double allowance = std::max(arguments.allowance.value_or(arguments.hand.allowance), 0.5);
     if (!arguments.stylus.starts_with(devicePrefix))
         return ToolBounds::build(bench, bench.tool, *axis, surroundings, allowance, progress);
-    const std::shared_ptr<const MeshDistance> part(std::shared_ptr<void>(), &bench.part); // the bench outlives them
-    return ToolBounds::grow(bench, part, bench.tool, *axis, surroundings, allowance, {}, progress);
+    return ToolBounds::grow(bench, lent(bench.part), bench.tool, *axis, surroundings, allowance, {}, progress);
 }
 
 /// Saves what was milled, and the trace with it: both or neither.

@@ -101,9 +101,8 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     for (const Tool& tool : edited->program.tools) answer["tools"].push_back(jsonOf(tool));
     answer["passed"] = program->passed();
     answer["lint"] = jsonOf(program->lint);
-    const std::string verdict =
-        textOf(*program, arguments.tolerance, bench->machine) + textOfEntries(edited->reports) +
-        textOfOmissions(edited->reports);
+    const std::string verdict = textOf(*program, arguments.tolerance, bench->machine) + textOfEntries(edited->reports) +
+                                textOfOmissions(edited->reports);
     answer["overridden"] = program->overridden;
     if (!program->released()) {
         context.answer(answer, verdict);

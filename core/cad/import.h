@@ -13,14 +13,14 @@
 namespace burin {
 
 struct ImportLimits {
-    double seconds = 120.0;      ///< processor time of the child process: what a busy machine does not stretch
-    double waitSeconds = 1200.0; ///< from its start to its end, for one that waits instead of working
+    double seconds = 120.0;               ///< processor time of the child process: what a busy machine does not stretch
+    double waitSeconds = 1200.0;          ///< from its start to its end, for one that waits instead of working
     std::size_t memoryBytes = 4ULL << 30; ///< address space of the child process
 };
 
 struct ImportOptions {
-    double meshChord = 0.005;  ///< mm, distance between mesh and surface, at most
-    double stlUnit = 1.0;      ///< mm per unit of an STL file, which states none
+    double meshChord = 0.005; ///< mm, distance between mesh and surface, at most
+    double stlUnit = 1.0;     ///< mm per unit of an STL file, which states none
     ImportLimits limits;
     std::filesystem::path worker; ///< the import program; empty: `burin-import` beside the running program
 };

@@ -243,8 +243,7 @@ void WorkerProcess::checkEnd() {
     if (ended == 0 || (ended < 0 && errno == EINTR)) return;
     ::kill(-process_, SIGKILL); // what it may have started
     process_ = -1;
-    if (ended > 0 && WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-        return finish(outOfProcessorTime());
+    if (ended > 0 && WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return finish(outOfProcessorTime());
     if (ended > 0 && WIFSIGNALED(status))
         return finish(
             crashed("signal " + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")"));

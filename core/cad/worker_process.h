@@ -11,8 +11,8 @@
 
 namespace burin {
 
-/// One run of the import program: a child process in a group of its own, with limits on memory, processor time and wall time.
-/// It is killed, with all that it started, when the object goes. Thread: the one that made it.
+/// One run of the import program: a child process in a group of its own, with limits on memory, processor time and wall
+/// time. It is killed, with all that it started, when the object goes. Thread: the one that made it.
 class WorkerProcess {
 public:
     /// Starts `options.worker` on a request. `subject` is what its errors name.

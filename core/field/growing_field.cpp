@@ -3,12 +3,11 @@
 #include "core/field/growing_field.h"
 
 #include "core/base/background.h"
+#include "core/base/guarded.h"
 #include "core/field/field_builder.h"
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
-#include <new>
 #include <utility>
 
 namespace burin {
@@ -51,17 +50,6 @@ int cellsPerTile(const TileLayout& layout) noexcept {
     return cells;
 }
 
-template <class Work>
-auto guarded(const Work& work) -> decltype(work()) {
-    try {
-        return work();
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::outOfMemory, subject, "", ""};
-    } catch (const std::exception& fault) {
-        return Error{ErrorCode::internalFault, subject, "", fault.what()};
-    }
-}
-
 } // namespace
 
 GrowingField::GrowingField(std::shared_ptr<const MeshDistance> part, const ToolFieldRequest& request,
@@ -70,14 +58,18 @@ GrowingField::GrowingField(std::shared_ptr<const MeshDistance> part, const ToolF
 
 GrowingField::~GrowingField() {
     background_.cancel();
-    for (std::jthread& worker : workers_) worker.request_stop();
+    {
+        const std::scoped_lock lock(mutex_); // none is between its look at the stop and its wait
+        for (std::jthread& worker : workers_) worker.request_stop();
+    }
+    changed_.notify_all();
 }
 
 Result<std::shared_ptr<GrowingField>> GrowingField::lay(std::shared_ptr<const MeshDistance> part,
                                                         const ToolFieldRequest& request, const GrowthLimits& limits,
                                                         Progress& progress) {
     if (Result<void> usable = checkFieldRequest(request); !usable) return std::move(usable).error();
-    return guarded([&]() -> Result<std::shared_ptr<GrowingField>> {
+    return guarded(subject, [&]() -> Result<std::shared_ptr<GrowingField>> {
         const std::shared_ptr<GrowingField> field(new GrowingField(std::move(part), request, limits));
         if (Result<void> laid = field->layOutline(progress); !laid) return std::move(laid).error();
         return field;
@@ -151,7 +143,7 @@ std::optional<Error> GrowingField::failure() const {
 }
 
 Result<GrowingField::Bricks> GrowingField::make(std::uint32_t number, Progress& progress) const {
-    return guarded([&]() -> Result<Bricks> {
+    return guarded(subject, [&]() -> Result<Bricks> {
         ToolFieldRequest request = request_;
         request.tips = layout_.boxOf(number);
         Result<BrickField> bricks = buildBrickField(*part_, request, progress);
@@ -280,22 +272,28 @@ void GrowingField::publish(std::uint32_t number, Result<Bricks> made) {
     if (const std::shared_ptr<TileFeed> feed = reader()) feed->news_.push({number, tile.bricks.get()});
 }
 
+/// @param lock of the mutex; open while the tile is made
+void GrowingField::makeClaimed(std::uint32_t number, std::unique_lock<std::mutex>& lock) {
+    lock.unlock();
+    Result<Bricks> made = make(number, background_);
+    lock.lock();
+    publish(number, std::move(made));
+}
+
 void GrowingField::work(const std::stop_token& stop) {
     workInBackground();
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
         listen();
         if (const std::optional<std::uint32_t> number = claim()) {
-            lock.unlock();
-            Result<Bricks> made = make(*number, background_);
-            lock.lock();
-            publish(*number, std::move(made));
+            makeClaimed(*number, lock);
         } else {
-            quiet_ = making_ == 0 &&
-                     std::ranges::none_of(tiles_, [](const Tile& tile) { return tile.state == Tile::State::leaving; });
-            if (quiet_) changed_.notify_all();
+            const bool quiet = making_ == 0 && std::ranges::none_of(tiles_, [](const Tile& tile) {
+                                   return tile.state == Tile::State::leaving;
+                               });
+            if (std::exchange(quiet_, quiet) != quiet) changed_.notify_all();
             const bool answers = reader() && there_ < needed_; // whoever else has something to do wakes us
-            changed_.wait_for(lock, stop, answers ? glance : rest, [] { return false; });
+            changed_.wait_for(lock, answers ? glance : rest);
         }
     }
 }
@@ -309,10 +307,7 @@ Result<void> GrowingField::finish(Progress& progress) {
         progress.report(static_cast<double>(there_) / static_cast<double>(needed_));
         listen();
         if (const std::optional<std::uint32_t> number = claim()) {
-            lock.unlock();
-            Result<Bricks> made = make(*number, background_);
-            lock.lock();
-            publish(*number, std::move(made));
+            makeClaimed(*number, lock);
         } else {
             changed_.wait_for(lock, glance); // others make the rest
         }

@@ -86,6 +86,7 @@ private:
 
     Result<void> layOutline(Progress& progress);
     Result<Bricks> make(std::uint32_t number, Progress& progress) const;
+    void makeClaimed(std::uint32_t number, std::unique_lock<std::mutex>& lock);
     void work(const std::stop_token& stop);
     void start();
     void listen();
@@ -107,7 +108,7 @@ private:
     Progress background_; ///< cancelled at the end
 
     mutable std::mutex mutex_; ///< of what follows
-    mutable std::condition_variable_any changed_;
+    mutable std::condition_variable changed_;
     mutable std::shared_mutex table_; ///< taken after the mutex: of the tiles' bricks, for `at`
     std::vector<Tile> tiles_;
     std::size_t bytes_ = 0, limit_;

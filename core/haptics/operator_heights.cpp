@@ -98,8 +98,8 @@ double StandingStock::highestIn(const glm::dvec2& from, const glm::dvec2& to) co
     const glm::dvec2 first = (from - low) / edge, last = (to - low) / edge;
     double highest = WorkpieceHeights::nothing;
     for (int row = std::max(0, static_cast<int>(std::floor(first.y))); row < std::min<double>(rows, last.y); ++row)
-        for (int column = std::max(0, static_cast<int>(std::floor(first.x))); column < std::min<double>(columns, last.x);
-             ++column)
+        for (int column = std::max(0, static_cast<int>(std::floor(first.x)));
+             column < std::min<double>(columns, last.x); ++column)
             highest = std::max(highest, heights[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
                                                 static_cast<std::size_t>(column)]);
     return highest;

@@ -29,8 +29,8 @@ double trembleMargin(const Cutter& cutter) noexcept;
 
 /// How high stock stands on squares of one size, where something has been milled already.
 struct StandingStock {
-    glm::dvec2 low{0.0};  ///< mm, corner of the first square
-    double edge = 0.0;    ///< mm
+    glm::dvec2 low{0.0}; ///< mm, corner of the first square
+    double edge = 0.0;   ///< mm
     int columns = 0, rows = 0;
     std::vector<double> heights; ///< mm, row by row along x; WorkpieceHeights::nothing: none. Empty: not known
 

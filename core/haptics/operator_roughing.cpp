@@ -171,8 +171,8 @@ private:
             bool open = false;
             const std::vector<bool> worth = worthwhile(row, level);
             for (std::size_t i = 0; i < places_.size(); ++i) {
-                const double y =
-                    worth[i] && cuts(row, i, level, above) ? clearOfShank(row, i, level) : std::numeric_limits<double>::quiet_NaN();
+                const double y = worth[i] && cuts(row, i, level, above) ? clearOfShank(row, i, level)
+                                                                        : std::numeric_limits<double>::quiet_NaN();
                 if (!std::isfinite(y)) {
                     open = false;
                     continue;

@@ -32,8 +32,8 @@ struct RoundCorners {
     double smallestTurn = 0.05; ///< rad
 };
 
-/// What leads go by. By the recording: the hand's own motion where the stroke begins, which no edit changes, chooses the
-/// side, and a first move that is turned far from it by chance does not turn the lead. By the first move: whatever
+/// What leads go by. By the recording: the hand's own motion where the stroke begins, which no edit changes, chooses
+/// the side, and a first move that is turned far from it by chance does not turn the lead. By the first move: whatever
 /// stands before the lead may turn it (earlier version).
 enum class LeadDirection { firstMove, recording };
 

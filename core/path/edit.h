@@ -20,9 +20,9 @@ namespace burin {
 
 /// All kinds of edits. What is known of each stands in one row of edit_rows.h.
 using EditParameters = std::variant<DropAirCuts, DropDwells, CutOut, Trim, Split, Join, Reorder, Reverse, Mirror,
-                                    Rotate, Array, MovePoints, ReplaceStretch, RemoveArea, LiftArea,
-                                    SmoothShape, Smooth, SmoothSpline, LayOnPart, Offset, StepOverRows, HoldOut, Simplify, RoundCorners,
-                                    FitArcs, LeadIn, LeadOut, Link, SetFeed, LevelFeed, AreaFeed>;
+                                    Rotate, Array, MovePoints, ReplaceStretch, RemoveArea, LiftArea, SmoothShape,
+                                    Smooth, SmoothSpline, LayOnPart, Offset, StepOverRows, HoldOut, Simplify,
+                                    RoundCorners, FitArcs, LeadIn, LeadOut, Link, SetFeed, LevelFeed, AreaFeed>;
 
 /// One entry of a path's history.
 struct Edit {
@@ -33,7 +33,8 @@ TextId titleOf(const EditParameters& parameters);
 /// Stable id of an edit's kind: "drop-air-cuts", "smooth", … and back.
 std::string_view idOf(const EditParameters& parameters);
 /// {"edit": id, "enabled": true, parameters with their unit}; what is left out has its first value, or means what it
-/// did before there was that parameter; unknown keys are errors. Errors: argumentInvalid (subject: the key), nameUnknown (the id).
+/// did before there was that parameter; unknown keys are errors. Errors: argumentInvalid (subject: the key),
+/// nameUnknown (the id).
 Result<Edit> editFromJson(std::string_view text);
 std::string toJson(const Edit& edit);
 /// Errors: argumentInvalid (subject: the key, place: its value, detail: what is allowed).

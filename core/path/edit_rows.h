@@ -240,7 +240,8 @@ struct EditRow<LeadIn> {
     static constexpr EditTraits traits{
         .id = "lead-in", .title = BURIN_TEXT("Edit", "Lead in"), .group = EditGroup::links, .step = EditStep::ends};
     static constexpr std::array<std::string_view, 4> forms{"line", "arc", "ramp", "helix"};
-    static constexpr std::tuple fields{stretch("stretch", &LeadIn::stretch), choice("form", &LeadIn::form, forms),
+    static constexpr std::tuple fields{stretch("stretch", &LeadIn::stretch),
+                                       choice("form", &LeadIn::form, forms),
                                        number("size_mm", &LeadIn::size, 0.05, 1000.0),
                                        number("height_mm", &LeadIn::height, 0.01, 1000.0),
                                        number("angle_rad", &LeadIn::angle, 0.002, 1.2),

@@ -52,10 +52,10 @@ struct PathContext {
 struct EditReport {
     std::string edit; ///< its id
     std::size_t pointsBefore = 0, pointsAfter = 0;
-    double largestDeviation = 0.0;   ///< mm, between the path before and after, at the worst place (never understated)
-    glm::dvec3 worstPlace{0.0};      ///< mm, setup frame
-    std::vector<Omission> omissions; ///< what it left out as it can't be made
-    double lengthBefore = 0.0;       ///< mm of strokes that it had before it, where it may leave out any; else 0
+    double largestDeviation = 0.0;    ///< mm, between the path before and after, at the worst place (never understated)
+    glm::dvec3 worstPlace{0.0};       ///< mm, setup frame
+    std::vector<Omission> omissions;  ///< what it left out as it can't be made
+    double lengthBefore = 0.0;        ///< mm of strokes that it had before it, where it may leave out any; else 0
     std::vector<StrokeEntry> entries; ///< of strokes that begin in material, where links look after them
 };
 

@@ -90,7 +90,8 @@ public:
         constexpr double behind = 0.02; // mm
         glm::dvec3 tip = place;
         push(tip);
-        if (glm::distance(tip, place) > farthestAside || glm::dot(place - tip, along) > behind || !guard_.isClear(from, tip, required_, sampling_))
+        if (glm::distance(tip, place) > farthestAside || glm::dot(place - tip, along) > behind ||
+            !guard_.isClear(from, tip, required_, sampling_))
             return std::nullopt;
         return tip;
     }

@@ -75,9 +75,8 @@ bool goesDeep(const LinkTask& task) {
 /// Whether any stroke begins where there was stock.
 bool entersStock(const LinkTask& task) {
     return std::ranges::any_of(task.strokes, [&](const PathStroke& stroke) {
-        return std::ranges::any_of(stroke.points, [&](const StrokePoint& point) {
-            return point.tip.z < task.context.stock.high.z;
-        });
+        return std::ranges::any_of(stroke.points,
+                                   [&](const StrokePoint& point) { return point.tip.z < task.context.stock.high.z; });
     });
 }
 

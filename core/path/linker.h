@@ -38,8 +38,8 @@ private:
     struct Piece {
         const PathStroke* stroke = nullptr;
         StrokeAccess access;
-        bool joined = false;          ///< straight from the last point
-        std::vector<StrokePoint> way; ///< from above to where it is entered
+        bool joined = false;                        ///< straight from the last point
+        std::vector<StrokePoint> way;               ///< from above to where it is entered
         std::optional<EntryPlanner::Entry> entry{}; ///< in material
     };
     /// How far a piece can be made.

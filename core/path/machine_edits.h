@@ -34,9 +34,9 @@ struct Link {
 };
 
 /// Feed, plunge feed, spindle speed and coolant from tool, material and machine. Plunges, and moves that go down by
-/// more than 45°, get the plunge feed; ramps half of the feed, but go down no faster than a plunge. Another spindle speed keeps the chip load, so feeds go with it; both stay within
-/// what tool and machine can do. The material's advice for a coolant that the machine lacks is left aside, a coolant
-/// that was asked for by name is refused then.
+/// more than 45°, get the plunge feed; ramps half of the feed, but go down no faster than a plunge. Another spindle
+/// speed keeps the chip load, so feeds go with it; both stay within what tool and machine can do. The material's advice
+/// for a coolant that the machine lacks is left aside, a coolant that was asked for by name is refused then.
 struct SetFeed {
     enum class Cooling { advised, off, mist, flood };
     double speedFactor = 1.0; ///< of the tables' spindle speed

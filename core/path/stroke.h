@@ -57,11 +57,11 @@ struct PathUnderEdit {
     bool linked = false;
     double spindleSpeed = 0.0; ///< 1/min; 0: not decided yet
     Coolant coolant = Coolant::off;
-    std::shared_ptr<const HandTrail> hand;    ///< that it was made of; nothing: not known
-    bool rampsIn = false;                     ///< its links go down ramps, which have a feed of their own
-    std::vector<StrokeEntry> entries;         ///< into material, by the edit that is applied now
-    std::vector<Omission> omissions;          ///< by the edit that is applied now
-    double lengthBefore = 0.0;                ///< mm of its strokes, those parts among them, where it may leave out any
+    std::shared_ptr<const HandTrail> hand; ///< that it was made of; nothing: not known
+    bool rampsIn = false;                  ///< its links go down ramps, which have a feed of their own
+    std::vector<StrokeEntry> entries;      ///< into material, by the edit that is applied now
+    std::vector<Omission> omissions;       ///< by the edit that is applied now
+    double lengthBefore = 0.0;             ///< mm of its strokes, those parts among them, where it may leave out any
 
     std::size_t count() const noexcept;
 };

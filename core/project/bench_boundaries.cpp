@@ -153,8 +153,7 @@ Result<ToolBounds> ToolBounds::asGrown(const Bench& bench, const Tool& tool, con
     const TracedSession::Growth growth = trace.began->growth.value();
     Result<ToolBounds> bounds = withoutField(bench, tool, axis, surroundings);
     if (!bounds) return bounds;
-    const std::shared_ptr<const MeshDistance> part(std::shared_ptr<void>(), &bench.part); // the bench's own
-    const Seen seen{part, axis.direction == upright ? glm::dmat3(1.0) : frameAlong(axis.direction)};
+    const Seen seen{lent(bench.part), axis.direction == upright ? glm::dmat3(1.0) : frameAlong(axis.direction)};
     if (Result<void> laid = bounds->lay(bench, seen, tool, growth.maximumAllowance, {}, progress); !laid)
         return std::move(laid).error();
     if (growth.whole) {
@@ -198,8 +197,7 @@ std::unique_ptr<PoseBoundary> ToolBounds::partBoundary() const {
     if (replayed_) return std::make_unique<GrowingBoundary>(growing_, turn_, *replayed_);
     if (growing_) return std::make_unique<GrowingBoundary>(growing_, turn_);
     if (field_) return std::make_unique<FixedAxisBoundary>(field_);
-    const std::shared_ptr<const MeshDistance> mesh(std::shared_ptr<void>(), mesh_); // the bench's own
-    return std::make_unique<MeshBoundary>(mesh, pieces(tool_.cutter), voxel_);
+    return std::make_unique<MeshBoundary>(lent(*mesh_), pieces(tool_.cutter), voxel_);
 }
 
 BoundaryLayers ToolBounds::boundaryLayers() const {

@@ -19,6 +19,11 @@
 
 namespace burin {
 
+/// A mesh that somebody keeps for longer than what gets it: the bench's own part, as a rule.
+inline std::shared_ptr<const MeshDistance> lent(const MeshDistance& mesh) {
+    return {std::shared_ptr<void>(), &mesh};
+}
+
 /// What bounds a bench's tool besides the part.
 struct Surroundings {
     std::vector<Obstacle> obstacles; ///< layers 1, 2, …

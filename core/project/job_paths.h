@@ -27,8 +27,8 @@ void addNewerTakes(StoredPath& path, const std::vector<TakeInfo>& takes);
 /// Errors: projectIncomplete (no such take), those of standingTakes.
 Result<StoredPath> standardPath(const Project& project, const std::string& toolId);
 
-/// What the job mills with: the first path of each tool of standing takes, in the order of these. A tool that no path is
-/// of yet gets a new one, which the project keeps. Errors: projectIncomplete (no take), those of Project::addPath.
+/// What the job mills with: the first path of each tool of standing takes, in the order of these. A tool that no path
+/// is of yet gets a new one, which the project keeps. Errors: projectIncomplete (no take), those of Project::addPath.
 Result<std::vector<StoredPath>> jobPaths(Project& project);
 
 /// The job's paths among all of a project: the first of each tool.

@@ -118,7 +118,8 @@ StandingStock standingStock(const Bench& bench) {
     const RunVolume& workpiece = bench.embedded.workpiece;
     const Grid& grid = workpiece.grid();
     constexpr double untouched = 1e-6; // of its volume
-    if (grid.axis() != RunAxis::z || bench.workpieceVolume() > (1.0 - untouched) * bench.embedded.stockVolume) return {};
+    if (grid.axis() != RunAxis::z || bench.workpieceVolume() > (1.0 - untouched) * bench.embedded.stockVolume)
+        return {};
     StandingStock standing{glm::dvec2(grid.low()), grid.edge(), grid.lineCountU(), grid.lineCountV(), {}};
     for (std::int32_t v = 0; v < grid.lineCountV(); ++v)
         for (std::int32_t u = 0; u < grid.lineCountU(); ++u) {

@@ -24,8 +24,7 @@ Result<std::vector<RecordedStrokes>> recordedOf(const Project& project, const St
 /// @param before what is milled before it, in order: `stock` for feeds by engagement, low links and sides
 /// Errors: those of evaluate, millingSides, cuttingConditions and MilledStock::lend.
 Result<EvaluatedPath> evaluateStored(std::vector<RecordedStrokes> recorded, const Bench& bench, const Tool& tool,
-                                     const StoredPath& path, std::span<const MilledPath> before,
-                                     Progress& progress);
+                                     const StoredPath& path, std::span<const MilledPath> before, Progress& progress);
 /// The same with the bench's tool and takes out of a project, as if it were the only path.
 /// Errors: also those of recordedOf.
 Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,

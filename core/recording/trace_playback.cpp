@@ -77,7 +77,8 @@ public:
         stream_.clear();
         errno = 0;
         if (!stream_.seekg(0)) return readError(file_, errno);
-        for (StylusState rest; ahead_.pop({&rest, 1}) > 0;) {} // of an earlier playback
+        for (StylusState rest; ahead_.pop({&rest, 1}) > 0;) {
+        } // of an earlier playback
         outcome_ = {};
         ended_.store(false, std::memory_order_relaxed);
         reader_ = std::jthread([this](const std::stop_token& stop) {

@@ -145,8 +145,9 @@ private slots:
         const auto plain = [](QString text) { return text.replace(QChar(QChar::Nbsp), QLatin1Char(' ')); };
         const auto& report = child<QLabel>(panel, "edit5Report");
         QVERIFY2(plain(report.text()).startsWith(QStringLiteral("plunges 1 · ramps 2")), qPrintable(report.text()));
-        QVERIFY2(plain(report.toolTip()).startsWith(QStringLiteral("Plunge of 3.250 mm to X 2.500, Y -3.000, Z -8.000")),
-                 qPrintable(report.toolTip()));
+        QVERIFY2(
+            plain(report.toolTip()).startsWith(QStringLiteral("Plunge of 3.250 mm to X 2.500, Y -3.000, Z -8.000")),
+            qPrintable(report.toolTip()));
     }
 
     void aLevelIsMeasuredAsItsGoalIs() {

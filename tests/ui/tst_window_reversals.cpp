@@ -182,7 +182,8 @@ bool isLeftPlumbDown(const std::vector<glm::dvec3>& places, std::size_t place) {
     return false;
 }
 
-/// Where the hand cut, in the frame of the program, but for its way straight down: how the program gets there is its own.
+/// Where the hand cut, in the frame of the program, but for its way straight down: how the program gets there is its
+/// own.
 std::vector<glm::dvec3> cutsOf(const Take& take, const glm::dvec3& zero) {
     std::vector<glm::dvec3> all, places;
     for (const Sample& sample : take.samples) {

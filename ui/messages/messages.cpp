@@ -80,7 +80,8 @@ QString Messages::sentence(const Error& error) {
         return tr("This version does not support \"%1\"; use \"%2\" instead.").arg(subject, place);
     case ErrorCode::importTimedOut:
         return (error.detail.empty()
-                    ? tr("Reading \"%1\" took more than %2 of processor time and was stopped; simplify the model or allow more time.")
+                    ? tr("Reading \"%1\" took more than %2 of processor time and was stopped; simplify the model or "
+                         "allow more time.")
                     : tr("Reading \"%1\" took longer than %2 and was stopped; simplify the model or allow more time."))
             .arg(file, place);
     case ErrorCode::importOutOfMemory:

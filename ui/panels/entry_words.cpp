@@ -23,7 +23,8 @@ class EntryTexts {
 QString entriesText(const EditReport& report) {
     QStringList parts;
     const auto add = [&](EntryForm form, const QString& text) {
-        if (const std::size_t count = countOf(report.entries, form); count > 0) parts.append(text.arg(countText(count)));
+        if (const std::size_t count = countOf(report.entries, form); count > 0)
+            parts.append(text.arg(countText(count)));
     };
     add(EntryForm::plunge, EntryTexts::tr("plunges %1"));
     add(EntryForm::ramp, EntryTexts::tr("ramps %1"));

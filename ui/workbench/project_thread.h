@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/guarded.h"
 #include "core/project/project.h"
-#include "ui/workbench/guarded.h"
 
 #include <QObject>
 #include <QThread>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/guarded.h"
 #include "core/base/progress.h"
-#include "ui/workbench/guarded.h"
 
 #include <QObject>
 #include <QString>
@@ -28,8 +28,9 @@ struct TaskRow {
     bool cancelling = false;
 };
 
-/// Long work on worker threads, with progress and cancel, behind what the window draws and the hand does. A task that is started while another of its kind runs
-/// replaces it: the old one is cancelled, its outcome dropped. User interface's thread.
+/// Long work on worker threads, with progress and cancel, behind what the window draws and the hand does. A task that
+/// is started while another of its kind runs replaces it: the old one is cancelled, its outcome dropped. User
+/// interface's thread.
 class TaskRunner : public QObject {
     Q_OBJECT
 public:

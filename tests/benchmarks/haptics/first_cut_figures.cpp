@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/project/first_cut.h"
+#include "tests/benchmarks/haptics/first_cut.h"
 #include "tests/benchmarks/haptics/haptic_groups.h"
 #include "tests/benchmarks/scenes/part_meshes.h"
 #include "tests/core/project/session_bench.h"

@@ -52,32 +52,32 @@ ScaledWork workOn(const Solids& solids, std::string name, double limit, double (
     return scaled;
 }
 
+/// @param voxel mm, of the first one @param grow what makes the next one larger
+template <class Grow>
+Solids solidsOf(double voxel, const Grow& grow) {
+    ReliefJob job;
+    job.meshCells = 128;
+    job.voxel = voxel;
+    Solids solids;
+    for (auto& solid : solids) {
+        solid = std::make_unique<Solid>(job);
+        grow(job);
+    }
+    return solids;
+}
+
 } // namespace
 
 void solidScale(Session& session) {
     constexpr double linear = 1.2;
     if (session.wants("scale.voxels")) {
-        Solids solids;
-        ReliefJob job;
-        job.meshCells = 128;
-        job.voxel = 0.8;
-        for (auto& solid : solids) {
-            solid = std::make_unique<Solid>(job);
-            job.voxel /= 2.0;
-        }
+        const Solids solids = solidsOf(0.8, [](ReliefJob& job) { job.voxel /= 2.0; });
         // The surface has the number of voxels to the power of 2/3, and so has what is done at it.
         scaleFigures(session, workOn(solids, "voxels.embed", linear, &Solid::voxels, &Solid::embed));
         scaleFigures(session, workOn(solids, "voxels.boundary", linear, &Solid::voxels, &Solid::boundary));
     }
     if (session.wants("scale.triangles")) {
-        Solids solids;
-        ReliefJob job;
-        job.voxel = 0.4;
-        job.meshCells = 128;
-        for (auto& solid : solids) {
-            solid = std::make_unique<Solid>(job);
-            job.meshCells *= 2;
-        }
+        const Solids solids = solidsOf(0.4, [](ReliefJob& job) { job.meshCells *= 2; });
         scaleFigures(session, workOn(solids, "triangles.embed", linear, &Solid::triangles, &Solid::embed));
         scaleFigures(session, workOn(solids, "triangles.boundary", linear, &Solid::triangles, &Solid::boundary));
     }

@@ -142,9 +142,9 @@ void OperatorPlanTest::onlyTheRestOfALargerToolIsMilled() {
         for (int column = 0; column < 160; ++column) {
             const glm::dvec2 at(-40 + 0.5 * (column + 0.5), -30 + 0.5 * (row + 0.5));
             const bool pit = std::abs(at.x) < 22 && std::abs(at.y) < 14;
-            request.standing.heights.push_back(!pit                            ? WorkpieceHeights::nothing
+            request.standing.heights.push_back(!pit                           ? WorkpieceHeights::nothing
                                                : at.x > left && at.y > behind ? 12.0
-                                                                               : 0.0);
+                                                                              : 0.0);
         }
     const auto rest = planMilling(part, ballTool(3.0, 14.0), request);
     QVERIFY(rest);

@@ -82,7 +82,8 @@ private slots:
         QCOMPARE(std::get<SmoothShape>(newer->parameters).wavelength, 3.0); // at 15 mm/s
         QCOMPARE(std::get<SmoothShape>(newer->parameters).tolerance, 0.02);
         QVERIFY(!updated(*newer));
-        const auto lead = editFromJson(R"({"edit":"lead-in","form":"line","size_mm":4})"); // before they had a direction
+        const auto lead =
+            editFromJson(R"({"edit":"lead-in","form":"line","size_mm":4})"); // before they had a direction
         QVERIFY(lead && std::get<LeadIn>(lead->parameters).direction == LeadDirection::firstMove);
         const std::optional<Edit> newerLead = updated(*lead);
         QVERIFY(newerLead && std::get<LeadIn>(newerLead->parameters).direction == LeadDirection::recording);

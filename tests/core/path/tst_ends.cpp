@@ -179,9 +179,9 @@ private slots:
                     LeadIn in;
                     LeadOut out;
                     in.direction = out.direction = direction;
-                    const auto path = run({takeOf(ticks)},
-                                          {{SmoothShape{wavelength, tolerance}}, {HoldOut{}}, {FitArcs{}}, {in}, {out}},
-                                          context);
+                    const auto path =
+                        run({takeOf(ticks)},
+                            {{SmoothShape{wavelength, tolerance}}, {HoldOut{}}, {FitArcs{}}, {in}, {out}}, context);
                     if (!path) return std::array{-1, -1};
                     left[0] += path->path.points.front().tip.y > 1.0 ? 1 : 0;
                     left[1] += path->path.points.back().tip.y > 1.0 ? 1 : 0;
@@ -223,7 +223,8 @@ private slots:
             const glm::dvec3 before = path->path.points.front().tip, after = turned->path.points.front().tip;
             const glm::dvec3 expected(std::cos(angle) * before.x - std::sin(angle) * before.y,
                                       std::sin(angle) * before.x + std::cos(angle) * before.y, before.z);
-            QVERIFY2(glm::distance(after, expected) < 1e-6, qPrintable(QString::number(glm::distance(after, expected))));
+            QVERIFY2(glm::distance(after, expected) < 1e-6,
+                     qPrintable(QString::number(glm::distance(after, expected))));
         }
     }
 

@@ -75,8 +75,7 @@ private slots:
         for (const CutterType type : {CutterType::flat, CutterType::ball}) {
             const Tool tool = stubbyTool(type);
             const std::vector<Tick> ticks = along(corners, 40.0);
-            const auto path =
-                run({takeOf(ticks)}, {{Simplify{}}, {rampingLink()}, {SetFeed{}}}, blockContext(tool));
+            const auto path = run({takeOf(ticks)}, {{Simplify{}}, {rampingLink()}, {SetFeed{}}}, blockContext(tool));
             QVERIFY2(path, path ? "" : path.error().detail.c_str());
             const EditReport& link = reportOf(*path, "link");
             QCOMPARE(link.entries.size(), std::size_t{1});
@@ -95,8 +94,8 @@ private slots:
             std::size_t ramps = 0;
             for (std::size_t i = 1; i < points.size(); ++i) {
                 if (points[i].kind != MoveKind::plunge) continue;
-                const bool down = glm::distance(glm::dvec2(points[i].tip), glm::dvec2(points[i - 1].tip)) < 1e-9 &&
-                                  !points[i].arc;
+                const bool down =
+                    glm::distance(glm::dvec2(points[i].tip), glm::dvec2(points[i - 1].tip)) < 1e-9 && !points[i].arc;
                 QCOMPARE(points[i].feed, down ? 300.0 : 450.0);
                 ramps += down ? 0 : 1;
             }

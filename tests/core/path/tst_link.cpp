@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "path_fixture.h"
+#include "block_fixture.h"
 
 #include <rapidcheck.h>
 
@@ -43,16 +43,6 @@ private:
     }
     std::vector<glm::dvec3> points_;
 };
-
-/// Short, fat tool: shank and holder come into play in a small stock.
-Tool stubbyTool(CutterType type) {
-    Tool tool = type == CutterType::ball ? ballTool(4.0) : flatTool(4.0);
-    tool.cutter.fluteLength = 6.0;
-    tool.cutter.shankDiameter = 5.0;
-    tool.cutter.stickOut = 9.0;
-    tool.cutter.holder = {{10.0, 10.0, 20.0}};
-    return tool;
-}
 
 /// Strokes in layers of 2.5 mm with air between them, so that shank and holder stay clear in the recording.
 std::vector<Tick> layeredStrokes() {

@@ -364,9 +364,8 @@ private slots:
         const Surroundings surroundings = surroundingsOf(aroundTheBlock());
         AroundStage live(folder, {false, axis}, surroundings, 1500);
         Progress progress;
-        const std::shared_ptr<const MeshDistance> part(std::shared_ptr<void>(), &live.bench.part);
-        const Result<ToolBounds> grown = ToolBounds::grow(live.bench, part, live.bench.tool, {false, axis},
-                                                          surroundings, 0.75, GrowthLimits{}, progress);
+        const Result<ToolBounds> grown = ToolBounds::grow(live.bench, lent(live.bench.part), live.bench.tool,
+                                                          {false, axis}, surroundings, 0.75, GrowthLimits{}, progress);
         QVERIFY(grown && grown->growth() && !grown->growth()->whole);
         SessionRequest request = handRequest(Pace::realtime);
         request.takeName = "grown";

@@ -4,7 +4,7 @@
 
 #include "core/project/bench_boundaries.h"
 
-namespace burin {
+namespace burin::benchmarks {
 
 /// What there is between the wish to mill and the first cut.
 struct FirstCut {
@@ -20,4 +20,4 @@ struct FirstCut {
 /// ToolBounds::grow; notSupported (a part fills the stock there, so that nothing is cut within 30 s).
 Result<FirstCut> firstCut(Bench& bench, Progress& progress);
 
-} // namespace burin
+} // namespace burin::benchmarks

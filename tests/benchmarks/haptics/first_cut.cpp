@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/project/first_cut.h"
+#include "tests/benchmarks/haptics/first_cut.h"
 
 #include "core/haptics/haptic_step.h"
 #include "core/haptics/operator.h"
@@ -8,7 +8,7 @@
 #include <chrono>
 #include <thread>
 
-namespace burin {
+namespace burin::benchmarks {
 
 namespace {
 
@@ -28,9 +28,9 @@ Result<FirstCut> firstCut(Bench& bench, Progress& progress) {
     FirstCut first;
     const Clock::time_point begin = Clock::now();
     const AxisMode axis;
-    const std::shared_ptr<const MeshDistance> part(std::shared_ptr<void>(), &bench.part); // the bench's own
-    const Result<ToolBounds> bounds = ToolBounds::grow(
-        bench, part, bench.tool, axis, surroundingsOf(bench, bench.travel, axis), maximumAllowance, {}, progress);
+    const Result<ToolBounds> bounds =
+        ToolBounds::grow(bench, lent(bench.part), bench.tool, axis, surroundingsOf(bench, bench.travel, axis),
+                         maximumAllowance, {}, progress);
     if (!bounds) return bounds.error();
     first.ready = secondsSince(begin);
 
@@ -63,4 +63,4 @@ Result<FirstCut> firstCut(Bench& bench, Progress& progress) {
     return Error{ErrorCode::notSupported, "first cut", "stock above the part in the middle", {}};
 }
 
-} // namespace burin
+} // namespace burin::benchmarks

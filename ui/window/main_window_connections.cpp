@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+// What follows when an action is chosen, when work is done, and when something is asked for on the welcome page.
+#include "ui/dialogs/questions.h"
+#include "ui/messages/messages.h"
+#include "ui/panels/program_editor.h"
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QFileInfo>
+#include <QShortcut>
+#include <QStackedWidget>
+
+#include <algorithm>
+
+namespace burin {
+
+void MainWindow::connectActions() {
+    for (std::size_t id = 0; id < static_cast<std::size_t>(ActionId::count); ++id)
+        addAction(actions_[static_cast<ActionId>(id)]); // shortcuts hold wherever the keyboard is
+    flow_.connectActions(actions_);
+    const auto on = [this](ActionId id, auto what) { connect(actions_[id], &QAction::triggered, this, what); };
+    on(ActionId::quit, [this] { close(); });
+    on(ActionId::preferences, [this] { showPreferences(); });
+    const auto step = [this](int by) {
+        const int next = std::clamp(static_cast<int>(presenters_->job.shown()) + by, 0, JobLine::steps - 1);
+        showStep(static_cast<JobStep>(next));
+    };
+    on(ActionId::nextStep, [step] { step(1); });
+    on(ActionId::previousStep, [step] { step(-1); });
+    on(ActionId::embed, [this] { workbench_.bench.embed(); });
+    on(ActionId::millMode, [this](bool wanted) {
+        showStep(JobStep::mill);
+        if (wanted)
+            workbench_.mill.enter();
+        else
+            workbench_.mill.leave();
+    });
+    on(ActionId::showMe, [this] { workbench_.showHowItIsDone(); });
+    on(ActionId::stopShow, [this] { workbench_.showMe.stop(); });
+    on(ActionId::guides, [this](bool wanted) { workbench_.guides.setOn(wanted); });
+    on(ActionId::nearestEdge, [this] { workbench_.guides.add(GuideKind::curve); });
+    on(ActionId::levelAbove, [this] { workbench_.guides.stepLevel(1); });
+    on(ActionId::levelBelow, [this] { workbench_.guides.stepLevel(-1); });
+    on(ActionId::addFixtureFile, [this] { flow_.importFixture(); });
+    on(ActionId::axisOfView, [this] {
+        workbench_.surroundings.setAxis({false, -viewport_->sight(QRectF(viewport_->rect()).center()).rayDirection});
+    });
+    connect(&presenters_->surroundings, &SurroundingsPresenter::fixtureFileWanted, &flow_,
+            &DocumentFlow::importFixture);
+    connect(panels_->surroundings, &SurroundingsPanel::axisOfViewRequested, actions_[ActionId::axisOfView],
+            &QAction::trigger);
+    on(ActionId::newPath, [this] { workbench_.path.makeNew(); });
+    on(ActionId::drawStretch, [this] { presenters_->pathScene.setDrawing(!presenters_->pathScene.drawing()); });
+    on(ActionId::drawEdit, [this] {
+        showStep(JobStep::path);
+        presenters_->pathScene.toggleLastDrawing();
+    });
+    on(ActionId::evaluatePath, [this] { workbench_.path.evaluate(); });
+    on(ActionId::post, [this] { workbench_.program.post(programName(workbench_)); });
+    on(ActionId::findInProgram, [this] {
+        showStep(JobStep::program);
+        panels_->program->editor().startSearch();
+    });
+    on(ActionId::programDock, [this](bool docked) {
+        if (docked) showStep(JobStep::program); // where one sees what it did
+    });
+    on(ActionId::overrideCheck, [this] { overrideCheck(); });
+    on(ActionId::restart, [this] {
+        showStep(JobStep::program);
+        flow_.restartProgram(panels_->program->line());
+    });
+    on(ActionId::machines, [this] { showMachines(); });
+    connect(panels_->program, &ProgramPanel::machinesRequested, actions_[ActionId::machines], &QAction::trigger);
+    connect(panels_->program, &ProgramPanel::overrideRequested, actions_[ActionId::overrideCheck], &QAction::trigger);
+    on(ActionId::welcome, [this] {
+        if (pages_->currentWidget() != welcome_) {
+            leftFrom_ = QApplication::focusWidget();
+            showWelcome();
+        } else {
+            goBack();
+        }
+    });
+    connect(welcome_, &WelcomePage::backRequested, this, &MainWindow::goBack);
+    connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MainWindow::escape);
+    on(ActionId::keyList, [this] { showKeys(); });
+    on(ActionId::about, [this] { showAbout(this, QCoreApplication::applicationVersion()); });
+    connect(panels_->part, &PartPanel::importRequested, &flow_, &DocumentFlow::import);
+    connect(panels_->part, &PartPanel::stlUnitChosen, &flow_, &DocumentFlow::importAgain);
+    connect(panels_->program, &ProgramPanel::exportRequested, &flow_, &DocumentFlow::exportProgram);
+    connect(panels_->path, &PathPanel::visibilityToggled, actions_[ActionId::showPath], &QAction::setChecked);
+    presenters_->mill.connectActions(actions_);
+    presenters_->hand.connectActions(actions_, *viewport_);
+    connect(&presenters_->millMode, &MillMode::refused, this,
+            [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
+    connect(&presenters_->mill, &MillPresenter::takeRemovalRequested, this, &MainWindow::removeTake);
+    connect(jobLine_, &JobLine::stepChosen, this, &MainWindow::showStep);
+    connect(menus_, &Menus::recentChosen, &flow_, &DocumentFlow::openAny);
+}
+
+void MainWindow::connectWorkbench() {
+    connect(&workbench_, &Workbench::failed, this, [this](const Error& error) {
+        const bool stopped = error.code == ErrorCode::cancelled;
+        message_->tell(stopped ? Notice::Kind::information : Notice::Kind::error, Messages::sentence(error));
+    });
+    connect(&flow_, &DocumentFlow::refused, this,
+            [this](const QString& sentence) { message_->tell(Notice::Kind::error, sentence); });
+    connect(&flow_, &DocumentFlow::begun, message_, &MessageStrip::dismiss);
+    connect(&flow_, &DocumentFlow::alreadyOpen, this, [this] { showBench(true); });
+    connect(&workbench_.hand, &HandController::batteryLow, this, &MainWindow::tellAboutBattery);
+    workbench_.styluses.start();
+    connect(&workbench_.document, &DocumentController::changed, this, &MainWindow::updateTitle);
+    connect(&workbench_.document, &DocumentController::opened, this, [this](const ProjectContents& contents) {
+        tellAboutOpened();
+        const auto left = leftAtFromJson(contents.leftAt);
+        if (left) goTo(*left);
+    });
+    workbench_.document.keepLeftAt([this] { return toJson(leftAt()); });
+    connect(&workbench_.model, &ModelController::imported, this, [this] {
+        message_->dismiss();
+        showStep(JobStep::stock);
+    });
+    connect(&workbench_.session, &SessionRunner::changed, this, [this] {
+        panels_->meters->setVisible(workbench_.session.running());
+        if (workbench_.showMe.showing()) showStep(JobStep::mill);
+    });
+    connect(&workbench_.showMe, &ShowMe::finished, this, [this] {
+        // What was just recorded may not be in the list yet.
+        workbench_.mill.refreshTakes([this] {
+            if (workbench_.mill.takes().empty() || ending_) return;
+            showStep(JobStep::path);
+            workbench_.path.makeNew();
+        });
+    });
+    connect(&flow_, &DocumentFlow::recentFilesChanged, this, [this] {
+        menus_->setRecentFiles(settings_.recentFiles());
+        welcome_->setRecentFiles(settings_.recentFiles());
+    });
+    connect(&flow_, &DocumentFlow::exported, this, [this](const QString& file) {
+        message_->tell(Notice::Kind::passed, tr("The program was written to “%1”.").arg(QFileInfo(file).fileName()));
+    });
+    connect(&flow_, &DocumentFlow::restartExported, this, [this](int line, const QString& file) {
+        message_->tell(Notice::Kind::passed,
+                       tr("The rest of the program from line %1 on passed its check and was written to “%2”.")
+                           .arg(QString::number(line), QFileInfo(file).fileName()));
+    });
+    connect(viewport_, &Viewport::drawingFailed, this,
+            [this](const QString& sentence) { message_->tell(Notice::Kind::error, sentence); });
+    menus_->setRecentFiles(settings_.recentFiles());
+}
+
+void MainWindow::connectWelcome() {
+    connect(welcome_, &WelcomePage::importRequested, &flow_, &DocumentFlow::import);
+    connect(welcome_, &WelcomePage::sampleRequested, &flow_, &DocumentFlow::importSample);
+    connect(welcome_, &WelcomePage::showMeRequested, &flow_, &DocumentFlow::showSample);
+    connect(welcome_, &WelcomePage::openRequested, &flow_, &DocumentFlow::open);
+    connect(welcome_, &WelcomePage::recentChosen, &flow_, &DocumentFlow::openAny);
+    connect(welcome_, &WelcomePage::leftWorkChosen, &flow_, &DocumentFlow::openAny);
+    connect(welcome_, &WelcomePage::leftWorkForgotten, this, [this](const QString& file) {
+        if (!confirm(this, tr("Delete this work?"), tr("It was never saved. This can't be undone."), tr("Delete")))
+            return;
+        DocumentController::forget({file.toStdString(), {}});
+        showWelcome();
+    });
+    lookAgain_.setSingleShot(true);
+    lookAgain_.setInterval(std::chrono::seconds(2));
+    connect(&lookAgain_, &QTimer::timeout, this, [this] {
+        if (pages_->currentWidget() == welcome_) lookForLeftWork();
+    });
+}
+
+} // namespace burin
