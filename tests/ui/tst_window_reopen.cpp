@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/project/project.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/notice.h"
 #include "ui/scene/camera_view.h"
@@ -19,6 +20,7 @@ class TestWindowReopen : public QObject {
     Q_OBJECT
 private slots:
     void aProjectIsWhereItWasLeft();
+    void aWorkpieceIsThereWithoutAStroke();
     void lookingAroundIsNothingToSave();
     void whatCanBeUndoneIsSaid();
     void aProgramThatPassedIsPassedAgain();
@@ -106,6 +108,36 @@ void TestWindowReopen::aProjectIsWhereItWasLeft() {
     QVERIFY(driver.step(JobStep::mill));
     QVERIFY(driver.visible<QPushButton>("alongPartButton")->isChecked());
     QCOMPARE(driver.visible<QAbstractSpinBox>("pressField")->text().left(3), QStringLiteral("1.5"));
+}
+
+/// Embedded in a window, embedded by the command line (which says nothing of a window), not embedded at all.
+void TestWindowReopen::aWorkpieceIsThereWithoutAStroke() {
+    WindowDriver driver;
+    QVERIFY(makeReady(driver, 1.0));
+    const QString file = driver.folder().filePath("embedded.burin");
+    QVERIFY(saveAs(driver, file));
+    QVERIFY(driver.restart());
+    QVERIFY(reopen(driver));
+    QVERIFY(driver.visible<QWidget>("millPanel") != nullptr || driver.step(JobStep::mill));
+    QVERIFY(driver.window().workbench().document.file() == file.toStdString());
+    QVERIFY(driver.restart());
+
+    {
+        Result<Project> project = Project::open(file.toStdString());
+        QVERIFY(project && project->setLeftAt("") && project->save());
+    }
+    QVERIFY(reopen(driver));
+    QVERIFY(driver.step(JobStep::stock) && driver.enter("topMarginField", QStringLiteral("4")));
+    QVERIFY(driver.settle() && !driver.window().workbench().bench.embedded());
+    driver.key(Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(driver.waitFor([&] { return !driver.window().workbench().document.unsaved(); }, 10000));
+    QVERIFY(driver.restart());
+
+    const Workbench& bench = driver.window().workbench();
+    QVERIFY(driver.clickOn("recentFileButton"));
+    QVERIFY(driver.waitFor([&] { return bench.model.model() != nullptr; }) && driver.settle());
+    QTest::qWait(200);
+    QVERIFY(!bench.bench.embedded() && !bench.bench.embedding());
 }
 
 void TestWindowReopen::lookingAroundIsNothingToSave() {

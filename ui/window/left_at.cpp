@@ -68,6 +68,7 @@ std::string toJson(const LeftAt& left) {
                            {"raster", left.mill.drag == DragRule::raster},
                            {"step_over_mm", left.mill.stepOver}};
     const QJsonObject all{{"step", stepIds[static_cast<std::size_t>(left.step)]},
+                          {"embedded", left.embedded},
                           {"tool", QString::fromStdString(left.tool)},
                           {"mill", mill},
                           {"camera", toObject(left.camera)},
@@ -81,6 +82,8 @@ std::optional<LeftAt> leftAtFromJson(const std::string& text) {
     LeftAt left;
     for (std::size_t i = 0; i < stepIds.size(); ++i)
         if (all[QLatin1String("step")].toString() == QLatin1String(stepIds[i])) left.step = static_cast<JobStep>(i);
+    // Older projects don't say it: whoever was at the tool's work had a workpiece.
+    left.embedded = all[QLatin1String("embedded")].toBool(left.step >= JobStep::mill);
     left.tool = all[QLatin1String("tool")].toString().toStdString();
     left.mill = millFrom(all[QLatin1String("mill")].toObject());
     left.camera = cameraFrom(all[QLatin1String("camera")].toObject());

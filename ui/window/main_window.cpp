@@ -211,6 +211,7 @@ void MainWindow::showStep(JobStep step) {
 LeftAt MainWindow::leftAt() const {
     LeftAt left;
     left.step = presenters_->job.shown();
+    left.embedded = workbench_.bench.embedded();
     left.tool = workbench_.tool.current().id;
     left.mill = presenters_->millMode.settings();
     left.camera = viewport_->cameraView();

@@ -114,6 +114,8 @@ void MainWindow::connectWorkbench() {
         tellAboutOpened();
         const auto left = leftAtFromJson(contents.leftAt);
         if (left) goTo(*left);
+        // Without a word of a window: it was embedded by the command line.
+        if (left ? left->embedded : contents.setup.has_value()) workbench_.ensureWorkpiece();
     });
     workbench_.document.keepLeftAt([this] { return toJson(leftAt()); });
     connect(&workbench_.model, &ModelController::imported, this, [this] {

@@ -118,9 +118,13 @@ void Workbench::adoptPart(const std::shared_ptr<const Model>& part, bool abandon
     });
 }
 
+void Workbench::ensureWorkpiece() {
+    if (setup.usable() && !bench.embedded()) bench.embed();
+}
+
 void Workbench::showHowItIsDone() {
     showWhenReady_ = true;
-    if (setup.usable() && !bench.embedded()) bench.embed();
+    ensureWorkpiece();
     continueShow();
 }
 

@@ -60,6 +60,8 @@ public:
     /// @param abandon what the project then had unsaved is not wanted
     void adoptPart(const std::shared_ptr<const Model>& part, bool abandon);
     bool importNeedsNewProject() const { return !document.isOpen() || !mill.takes().empty(); }
+    /// Embeds where there is no workpiece yet and the setup allows one.
+    void ensureWorkpiece();
     /// Shows how it is done as soon as part, workpiece and boundary are there; embeds where that is missing.
     void showHowItIsDone();
     /// The newest entry of the undo stack; nothing happens while a stroke is under way or the virtual operator mills.
