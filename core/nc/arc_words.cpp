@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nc/arc_words.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace burin {
 namespace {
 
-constexpr double smallestRadius = 1e-9; // mm
+constexpr double noChord = 1e-9;   // mm
+constexpr double noRadius = 0.001; // mm, that an R may state
 constexpr std::array<char, 3> offsetLetters{'I', 'J', 'K'};
 
 class ArcReader {
@@ -65,10 +67,9 @@ private:
         }
         if (given == 0 || (state_.centresAbsolute && given < 2)) return fail(ProgramProblem::arcCentreMissing, column_);
         const ArcTurn turn = turnOf(arc);
-        if (turn.startRadius < smallestRadius || turn.endRadius < smallestRadius)
+        if (std::min(turn.startRadius, turn.endRadius) < control_.arcRadius.zero)
             return fail(ProgramProblem::arcRadiusZero, column_);
-        const double difference = std::abs(turn.startRadius - turn.endRadius);
-        return control_.arcRadius.accepts(difference, std::max(turn.startRadius, turn.endRadius), state_.inch()) ||
+        return control_.arcRadius.acceptsRadii(turn.startRadius, turn.endRadius, state_.inch()) ||
                fail(ProgramProblem::arcRadiusDiffers, column_);
     }
 
@@ -77,12 +78,11 @@ private:
         Arc& arc = words_.arc;
         const int u = (arc.axis + 1) % 3, v = (arc.axis + 2) % 3;
         const double radius = std::abs(word.value) * state_.length;
-        if (radius < smallestRadius) return fail(ProgramProblem::arcRadiusZero, word.column);
+        if (radius < noRadius) return fail(ProgramProblem::arcRadiusZero, word.column);
         const double du = arc.to[u] - arc.from[u], dv = arc.to[v] - arc.from[v];
         const double half = 0.5 * std::hypot(du, dv);
-        if (half < smallestRadius) return fail(ProgramProblem::arcRadiusFullTurn, word.column);
-        if (half > radius && !control_.arcRadius.accepts(half - radius, 0.0, state_.inch()))
-            return fail(ProgramProblem::arcRadiusTooSmall, word.column);
+        if (half < noChord) return fail(ProgramProblem::arcRadiusFullTurn, word.column);
+        if (half - radius > control_.arcRadius.shortBy) return fail(ProgramProblem::arcRadiusTooSmall, word.column);
         const double height = half < radius ? std::sqrt((radius - half) * (radius + half)) : 0.0;
         // The centre of a short anticlockwise arc lies to the left of its chord.
         const double side = (arc.clockwise ? -1.0 : 1.0) * (word.value < 0.0 ? -1.0 : 1.0) * height / (2.0 * half);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nc/control.h"
 
+#include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 namespace burin {
@@ -159,18 +161,34 @@ Control linuxCnc() {
     control.arcTurns = true;
     control.blendWords = true;
     control.retractsToHeight = true;
-    control.arcRadius = {0.0282842712474619, 0.001, 2.82842712474619};
-    control.arcRadius.inchFactor = 2.54;
+    control.tapeMarks = TapeMarks::paired;
+    control.cycleCancel = CycleCancel::withMotion;
+    control.bareLineNeedsFeed = true;
+    control.blanksInNumbers = true;
+    control.mostMWords = 4;
+    control.arcRadius = {.absolute = 0.0282842712474619,
+                         .relative = 0.001,
+                         .ceiling = 2.82842712474619,
+                         .inchFactor = 2.54,
+                         .shortBy = 0.00127,
+                         .zero = 0.00127};
     return control;
 }
 
-/// GRBL 1.1: doc/markdown/commands.md, gcode.c. Blanks, comments and / are dropped before the line is measured.
+constexpr ArcRadiusRule grblArcs{
+    .absolute = 0.005, .relative = 0.001, .ceiling = 0.5, .ofStart = true, .shortBy = 1e-6};
+
+/// GRBL 1.1: doc/markdown/commands.md, gcode.c. Blanks, comments and / are dropped before the line is measured. M7 is
+/// there only where it was compiled in.
 Control grbl() {
-    Control control = controlOf("grbl", "FIJKLPRSTXYZ", {commonG, {100, 281, 301, 431, 911, 921, 930}}, {commonM, {7}});
-    control.percent = false;
+    Control control = controlOf("grbl", "FIJKLPRSTXYZ", {commonG, {100, 281, 301, 431, 911, 921, 930}}, {commonM});
+    control.tapeMarks = TapeMarks::none;
     control.slashIsDropped = true;
     control.arcNeedsAxis = true;
-    control.arcRadius = {0.005, 0.001, 0.5};
+    control.bareLineNeedsFeed = true;
+    control.blanksInNumbers = true;
+    control.readsOnBehindEnd = true;
+    control.arcRadius = grblArcs;
     control.lineLength = 79;
     control.lengthCountsWordsAlone = true;
     return control;
@@ -182,12 +200,18 @@ Control grblHal() {
                                 {commonG, drilling, {100, 281, 301, 430, 431, 500, 591, 592, 593, 911, 921, 930, 950}},
                                 {commonM, {6, 7, 61}});
     control.arcNeedsAxis = true;
-    control.arcRadius = {0.005, 0.001, 0.5};
+    control.bareLineNeedsFeed = true;
+    control.blanksInNumbers = true;
+    control.readsOnBehindEnd = true;
+    control.arcRadius = grblArcs;
     control.lineLength = 256;
     return control;
 }
 
-/// Fanuc 0i and 30i with custom macros; how far radii may differ is parameter 3410: a cautious 0.01 mm is taken.
+/// Where nothing is published: how far radii may differ is Fanuc's parameter 3410.
+constexpr ArcRadiusRule cautiousArcs{.absolute = 0.01, .ceiling = 0.01, .shortBy = 0.002};
+
+/// Fanuc 0i and 30i with custom macros.
 Control fanuc() {
     Control control =
         controlOf("fanuc", "DFHIJKLOPQRSTXYZ",
@@ -200,7 +224,8 @@ Control fanuc() {
     control.repeatsByK = true;
     control.dwellByX = true;
     control.dwellUnit = DwellUnit::milliseconds;
-    control.arcRadius = {0.01, 0.0, 0.01};
+    control.cycleCancel = CycleCancel::restoresMotion;
+    control.arcRadius = cautiousArcs;
     return control;
 }
 
@@ -216,7 +241,8 @@ Control haas() {
     control.expressions = true;
     control.pointNeeded = true;
     control.dwellUnit = DwellUnit::pointDecides;
-    control.arcRadius = {0.01, 0.0, 0.01};
+    control.cycleCancel = CycleCancel::restoresMotion;
+    control.arcRadius = cautiousArcs;
     control.lineLength = 80;
     return control;
 }
@@ -231,7 +257,9 @@ Control mach() {
     control.expressions = true;
     control.unitsByG70 = true;
     control.arcModeIsSetting = true;
-    control.arcRadius = {0.002, 0.0, 0.002};
+    control.cycleCancel = CycleCancel::withMotion;
+    control.blanksInNumbers = true;
+    control.arcRadius = {.absolute = 0.002, .ceiling = 0.002, .shortBy = 0.002};
     return control;
 }
 
@@ -242,10 +270,10 @@ const std::array<Control, 6>& all() {
 
 } // namespace
 
-bool ArcRadiusRule::accepts(double difference, double radius, bool inch) const noexcept {
-    const double factor = inch ? inchFactor : 1.0;
+bool ArcRadiusRule::acceptsRadii(double start, double end, bool inch) const noexcept {
+    const double factor = inch ? inchFactor : 1.0, difference = std::abs(start - end);
     if (difference <= absolute * factor) return true;
-    return difference <= ceiling * factor && difference <= relative * radius;
+    return difference <= ceiling * factor && difference <= relative * (ofStart ? start : std::max(start, end));
 }
 
 bool Control::readsG(int tenfold) const noexcept {

@@ -67,34 +67,48 @@ bool ExpressionReader::finite(double value, std::size_t at) {
 
 bool ExpressionReader::value(std::size_t word, std::size_t& at, double& value, bool& point) {
     skipBlanks(at);
-    if (at < line_.size()) {
-        const char c = line_[at];
-        const char next = at + 1 < line_.size() ? line_[at + 1] : ' ';
-        const bool sign = c == '-' || c == '+';
-        if (isDigit(c) || c == '.' || (sign && (isDigit(next) || next == '.'))) return number(word, at, value, point);
-    }
+    if (beginsNumber(at)) return number(word, at, value, point);
     point = true;
     if (!general(word, at, value)) return false;
     return std::abs(value) <= largestNumber || fail(ProgramProblem::numberOutOfRange, word, at);
 }
 
+bool ExpressionReader::beginsNumber(std::size_t at) const noexcept {
+    if (at < line_.size() && (line_[at] == '-' || line_[at] == '+')) at = behindBlanks(at + 1);
+    return at < line_.size() && (isDigit(line_[at]) || line_[at] == '.');
+}
+
+/// Of a number that is being read.
+std::size_t ExpressionReader::behindBlanks(std::size_t at) const noexcept {
+    if (control_.blanksInNumbers) skipBlanks(at);
+    return at;
+}
+
 /// Decimal number without exponent. Up to 15 digits are exact in the integer and so is the power of ten, hence their
 /// quotient is the nearest double (the common, fast case).
-bool ExpressionReader::number(std::size_t word, std::size_t& at, double& value, bool& point) noexcept {
+bool ExpressionReader::number(std::size_t word, std::size_t& at, double& value, bool& point) {
     bool negative = false;
-    if (at < line_.size() && (line_[at] == '-' || line_[at] == '+')) negative = line_[at++] == '-';
+    if (at < line_.size() && (line_[at] == '-' || line_[at] == '+')) {
+        negative = line_[at] == '-';
+        at = behindBlanks(at + 1);
+    }
     const std::size_t first = at;
     std::uint64_t digits = 0;
     std::size_t count = 0, decimals = 0;
     point = false;
-    for (; at < line_.size() && (isDigit(line_[at]) || (line_[at] == '.' && !point)); ++at) {
+    const auto goesOn = [&](std::size_t place) {
+        return place < line_.size() && (isDigit(line_[place]) || (line_[place] == '.' && !point));
+    };
+    while (goesOn(at)) {
         if (line_[at] == '.') {
             point = true;
-            continue;
+        } else {
+            if (count < 15) digits = digits * 10 + static_cast<std::uint64_t>(line_[at] - '0');
+            ++count;
+            if (point) ++decimals;
         }
-        if (count < 15) digits = digits * 10 + static_cast<std::uint64_t>(line_[at] - '0');
-        ++count;
-        if (point) ++decimals;
+        ++at;
+        if (const std::size_t next = behindBlanks(at); next != at && goesOn(next)) at = next;
     }
     if (count == 0) return fail(ProgramProblem::numberMissing, word, at);
     if (count <= 15) {
@@ -102,8 +116,10 @@ bool ExpressionReader::number(std::size_t word, std::size_t& at, double& value, 
                                                        1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
         value = static_cast<double>(digits) / powers[decimals];
     } else {
+        std::string written(line_.substr(first, at - first));
+        std::erase_if(written, isBlank);
         const auto [end, error] =
-            std::from_chars(line_.data() + first, line_.data() + at, value, std::chars_format::fixed);
+            std::from_chars(written.data(), written.data() + written.size(), value, std::chars_format::fixed);
         if (error != std::errc{}) return fail(ProgramProblem::numberOutOfRange, word, at);
     }
     if (value > largestNumber) return fail(ProgramProblem::numberOutOfRange, word, at);
@@ -115,10 +131,8 @@ bool ExpressionReader::general(std::size_t word, std::size_t& at, double& value)
     skipBlanks(at);
     if (at >= line_.size()) return fail(ProgramProblem::numberMissing, word);
     const char c = line_[at];
-    const char next = at + 1 < line_.size() ? line_[at + 1] : ' ';
     bool point = false;
-    if (isDigit(c) || c == '.' || ((c == '-' || c == '+') && (isDigit(next) || next == '.')))
-        return number(word, at, value, point);
+    if (beginsNumber(at)) return number(word, at, value, point);
     const bool letter = upperLetter(c) >= 'A' && upperLetter(c) <= 'Z';
     if (c != '-' && c != '+' && c != '[' && c != '#' && !letter) return fail(ProgramProblem::numberMissing, word, at);
     if (!control_.expressions) {

@@ -18,8 +18,8 @@ inline constexpr double largestNumber = 1e7; ///< beyond any machine; keeps sums
 /// ** * / MOD + - AND OR XOR, comparisons EQ NE GT GE LT LE (LinuxCNC), and the functions ABS ACOS ASIN ATAN[]/[] COS
 /// EXISTS EXP FIX FUP LN ROUND SIN SQRT TAN, angles in degrees. ** binds before * / MOD, then + -, then comparisons,
 /// then AND OR XOR: LinuxCNC's order, from which the report's differs in having the last ones beside + and -. Equal
-/// ones go from left to right. Blanks may stand anywhere but inside numbers and names. Nothing throws, no number is
-/// infinite.
+/// ones go from left to right. Blanks may stand anywhere but inside names, and inside numbers where the control says
+/// so. No number is infinite.
 class ExpressionReader {
 public:
     ExpressionReader(std::string_view line, const Control& control, Parameters& parameters, BlockFault& fault) noexcept
@@ -35,7 +35,9 @@ public:
 private:
     bool fail(ProgramProblem problem, std::size_t from, std::size_t to = 0) noexcept;
     void skipBlanks(std::size_t& at) const noexcept;
-    bool number(std::size_t word, std::size_t& at, double& value, bool& point) noexcept;
+    bool beginsNumber(std::size_t at) const noexcept;
+    std::size_t behindBlanks(std::size_t at) const noexcept;
+    bool number(std::size_t word, std::size_t& at, double& value, bool& point);
     bool general(std::size_t word, std::size_t& at, double& value);
     bool bracket(std::size_t& at, double& value);
     bool function(std::size_t& at, double& value);

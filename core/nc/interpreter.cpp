@@ -25,7 +25,6 @@ bool Interpreter::fail(ProgramProblem problem, std::uint32_t column) {
 bool Interpreter::run(const Block& block, std::uint32_t line, BlockFault& fault) {
     fault_ = &fault;
     writer_.beginBlock(line);
-    if (program.ended) return fail(ProgramProblem::behindEnd, block.firstColumn);
     if (program.motions.size() > mostMoves) return fail(ProgramProblem::tooManyMoves, block.firstColumn);
     ++program.blocks;
     return checkCodes(block) && checkWords(block) && checkUse(block) && feedAndSpeed(block) && toolChange(block) &&
@@ -41,7 +40,7 @@ bool Interpreter::feedAndSpeed(const Block& block) {
     double length = state_.length;
     if (units.given()) {
         length = units.number == gcode::inch || units.number == gcode::inchByG70 ? millimetresPerInch : 1.0;
-        if (feed.given() && state_.unitsStated && length != state_.length)
+        if (feed.given() && length != state_.length) // before they are stated they are taken for millimetres
             return fail(ProgramProblem::unitsChangeBesideFeed, feed);
     }
     if (mode.given()) {
@@ -137,7 +136,9 @@ PartialPlace Interpreter::axisWords(const Block& block) const {
 
 int Interpreter::motionOf(const Block& block) const noexcept {
     const Code& code = block.code(GGroup::motion);
-    return code.given() ? code.number : state_.motion;
+    if (!code.given()) return state_.motion;
+    const bool restores = code.number == gcode::noMotion && control_.cycleCancel == CycleCancel::restoresMotion;
+    return restores ? state_.motionBesideCycles : code.number;
 }
 
 bool Interpreter::target(const Block& block, glm::dvec3& place, std::array<bool, 3>& known) {
@@ -158,13 +159,17 @@ bool Interpreter::target(const Block& block, glm::dvec3& place, std::array<bool,
 bool Interpreter::motion(const Block& block) {
     const Code& code = block.code(GGroup::motion);
     state_.motion = motionOf(block);
-    if (!CannedCycles::isCycle(state_.motion)) cycles_.end();
+    if (!CannedCycles::isCycle(state_.motion)) {
+        cycles_.end();
+        state_.motionBesideCycles = state_.motion;
+    }
     const Code& once = block.code(GGroup::once);
     if (once.given() && once.number != gcode::machineFrame) return true; // that code has used the axis words
     if (block.code(GGroup::lengthOffset).number == gcode::statedLength) return true; // and so has G43.1
     const bool words = block.hasAxis() || block.hasOffset() || block.word('R').given();
     const bool restated =
         code.given() && code.number != gcode::noMotion && code.number != gcode::rapid && code.number != gcode::line;
+    if (!words && code.number == gcode::line && control_.bareLineNeedsFeed) return feedSuffices(block, code.column);
     if (!words && !restated) return true;
     if (state_.motion == gcode::noMotion)
         return fail(ProgramProblem::axisWithoutMotion, block.hasAxis() ? block.firstAxis() : block.firstColumn);
@@ -173,18 +178,22 @@ bool Interpreter::motion(const Block& block) {
     return straight(block);
 }
 
+/// For a move at feed.
+bool Interpreter::feedSuffices(const Block& block, std::uint32_t column) {
+    if (!(state_.feed > 0.0)) return fail(ProgramProblem::feedMissing, column);
+    if (state_.feedMode == FeedMode::inverseTime && !block.word('F').given())
+        return fail(ProgramProblem::feedMissingInverseTime, column);
+    if (state_.feedMode == FeedMode::perRevolution && !state_.spindleTurns())
+        return fail(ProgramProblem::spindleStandsStill, column);
+    return true;
+}
+
 bool Interpreter::straight(const Block& block) {
     glm::dvec3 place;
     std::array<bool, 3> known{};
     if (!target(block, place, known)) return false;
     const std::uint32_t column = block.hasAxis() ? block.firstAxis() : block.firstColumn;
-    if (state_.motion != gcode::rapid) {
-        if (!(state_.feed > 0.0)) return fail(ProgramProblem::feedMissing, column);
-        if (state_.feedMode == FeedMode::inverseTime && !block.word('F').given())
-            return fail(ProgramProblem::feedMissingInverseTime, column);
-        if (state_.feedMode == FeedMode::perRevolution && !state_.spindleTurns())
-            return fail(ProgramProblem::spindleStandsStill, column);
-    }
+    if (state_.motion != gcode::rapid && !feedSuffices(block, column)) return false;
     if (state_.motion == gcode::rapid || state_.motion == gcode::line) {
         writer_.move(state_.motion == gcode::rapid ? NcMotionKind::rapid : NcMotionKind::line, place, known, column);
         return true;
@@ -197,8 +206,10 @@ bool Interpreter::straight(const Block& block) {
 
 bool Interpreter::stop(const Block& block) {
     const Code& code = block.code(MGroup::stop);
-    if (code.number == 20 || code.number == 300) program.ended = true;
     program.workOffset = state_.frames.workOffset();
+    if (code.number != 20 && code.number != 300) return true;
+    program.ended = true;
+    if (control_.readsOnBehindEnd) state_.setBack();
     return true;
 }
 

@@ -16,6 +16,8 @@ public:
 
     /// @return false and `fault` filled
     bool run(const Block& block, std::uint32_t line, BlockFault& fault);
+    /// The program is over: nothing of what follows is read.
+    bool atEnd() const noexcept { return program.ended && !control_.readsOnBehindEnd; }
     const ModalState& state() const noexcept { return state_; }
     /// Value of one of the control's own parameters.
     std::optional<double> parameter(int number) const {
@@ -45,6 +47,7 @@ private:
     bool home(const Block& block, const Code& code);
     bool shift(const Block& block, const Code& code);
     bool motion(const Block& block);
+    bool feedSuffices(const Block& block, std::uint32_t column);
     bool straight(const Block& block);
     bool machineFrame(const Block& block);
     bool stop(const Block& block);

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nc/line_reader.h"
 
+#include "core/nc/canned_cycles.h"
 #include "core/nc/expression.h"
+#include "core/nc/letter.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace burin {
@@ -86,26 +90,29 @@ private:
     }
 
     bool tapeMark() noexcept {
-        if (!control_.percent) return fail(ProgramProblem::percentNotRead, at_);
+        if (control_.tapeMarks == TapeMarks::none) return fail(ProgramProblem::percentNotRead, at_);
         block_.percent = true;
         ++at_;
-        if (!skip()) return false;
+        if (control_.tapeMarks == TapeMarks::paired)
+            while (!atEnd() && isSpaceOrTab(line_[at_])) ++at_;
+        else if (!skip())
+            return false;
         return atEnd() || fail(ProgramProblem::percentNotAlone, at_);
     }
 
     bool word() {
         const std::size_t start = at_;
-        char letter = line_[at_];
-        if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
+        const char letter = upperLetter(line_[at_]);
         if (letter < 'A' || letter > 'Z') return fail(ProgramProblem::characterNotAllowed, start);
         ++at_;
         const bool code = letter == 'G' || letter == 'M';
         if (letter == 'O' && !control_.programNumbers) return fail(ProgramProblem::subprogram, start);
         if (!code && letter != 'N' && control_.letters.find(letter) == std::string_view::npos)
-            return fail(ProgramProblem::wordNotRead, start);
+            return fail(saysFlow(start) ? ProgramProblem::subprogram : ProgramProblem::wordNotRead, start);
         Word read;
         read.column = static_cast<std::uint32_t>(start + 1);
-        if (!values_.value(start, at_, read.value, read.point)) return false;
+        if (!values_.value(start, at_, read.value, read.point))
+            return saysFlow(start) ? fail(ProgramProblem::subprogram, start) : false;
         const bool first = block_.firstColumn == 0;
         if (first) block_.firstColumn = read.column;
         if (letter == 'N') return first || fail(ProgramProblem::lineNumberNotFirst, start);
@@ -114,6 +121,14 @@ private:
         if (place.given()) return fail(ProgramProblem::wordTwice, start);
         place = read;
         return true;
+    }
+
+    /// Words of the macro languages, which begin like words of a block.
+    bool saysFlow(std::size_t at) const noexcept {
+        constexpr std::array<std::string_view, 6> words{"IF", "WHILE", "GOTO", "DO", "END", "THEN"};
+        return std::ranges::any_of(words, [&](std::string_view word) {
+            return std::ranges::equal(line_.substr(at, word.size()), word, {}, upperLetter);
+        });
     }
 
     bool code(char letter, std::size_t start, double value) noexcept {
@@ -125,8 +140,25 @@ private:
         const auto index = static_cast<std::size_t>(number);
         Code& place = letter == 'G' ? block_.g[static_cast<std::size_t>(control_.gGroups[index])]
                                     : block_.m[static_cast<std::size_t>(control_.mGroups[index])];
+        if (letter == 'M' && ++mWords_ > control_.mostMWords && control_.mostMWords > 0)
+            return fail(ProgramProblem::tooManyMWords, start);
+        const Code read{number, static_cast<std::uint32_t>(start + 1)};
+        if (letter == 'G' && place.given() && &place == &block_.g[static_cast<std::size_t>(GGroup::motion)])
+            return secondMotion(place, read);
         if (place.given()) return fail(ProgramProblem::codesOfOneGroup, start);
-        place = {number, static_cast<std::uint32_t>(start + 1)};
+        place = read;
+        return true;
+    }
+
+    /// Two words of the group of motions, one of which is G80: "G0 … G80 G90" is how many programs begin.
+    bool secondMotion(Code& place, const Code& read) noexcept {
+        const Code& motion = read.number == gcode::noMotion ? place : read;
+        const bool cancels = read.number == gcode::noMotion || place.number == gcode::noMotion;
+        const bool apart =
+            control_.cycleCancel == CycleCancel::withMotion ||
+            (control_.cycleCancel == CycleCancel::restoresMotion && !CannedCycles::isCycle(motion.number));
+        if (!cancels || !apart) return fail(ProgramProblem::codesOfOneGroup, read.column - 1);
+        place = motion;
         return true;
     }
 
@@ -136,6 +168,7 @@ private:
     Block& block_;
     BlockFault& fault_;
     std::size_t at_ = 0;
+    int mWords_ = 0;
 };
 
 } // namespace

@@ -35,9 +35,12 @@ public:
                 add(fault);
                 continue;
             }
-            ended = lines.closes(block_);
+            const LineWalker::Mark mark = lines.mark(block_, control_.tapeMarks);
+            if (mark == LineWalker::Mark::misplaced) add({ProgramProblem::percentMisplaced, 1, 1});
+            ended = mark == LineWalker::Mark::closes;
             if (ended) break;
             if (!block_.empty()) judge();
+            if (interpreter_.atEnd()) break;
         }
         if (!ended && !interpreter_.program.ended && !faultyEnd_)
             add({ProgramProblem::endMissing, 1, 1}, LintSeverity::error);

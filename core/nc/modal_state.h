@@ -17,7 +17,8 @@ struct ModalState {
 
     Frames frames;
     int motion = gcode::noMotion;
-    int planeAxis = 2; ///< normal to the plane of arcs and cycles
+    int motionBesideCycles = gcode::noMotion; ///< before a cycle that is in force
+    int planeAxis = 2;                        ///< normal to the plane of arcs and cycles
     bool incremental = false;
     bool centresAbsolute = false;
     bool retractToHeight = false; ///< G99
@@ -32,6 +33,16 @@ struct ModalState {
     bool mist = false, flood = false;
     int selectedTool = 0, tool = 0;
 
+    /// M2 and M30 of a control that reads on (GRBL 1.1, gcode.c).
+    void setBack() {
+        motion = motionBesideCycles = gcode::line;
+        planeAxis = 2;
+        incremental = false;
+        feedMode = FeedMode::perMinute;
+        spindle = SpindleState::off;
+        mist = flood = false;
+        frames.setWorkOffset(54);
+    }
     bool inch() const noexcept { return length != 1.0; }
     bool spindleTurns() const noexcept { return spindle != SpindleState::off && spindleSpeed > 0.0; }
 };

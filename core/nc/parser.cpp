@@ -33,12 +33,16 @@ Result<ParsedProgram> parseProgram(std::string_view text, const std::string& ori
     while (const std::optional<std::string_view> line = lines.next()) {
         if (!readLine(*line, control, parameters, block, fault))
             return syntaxError(origin, lines.number(), *line, fault);
-        if (lines.closes(block)) {
+        const LineWalker::Mark mark = lines.mark(block, control.tapeMarks);
+        if (mark == LineWalker::Mark::misplaced)
+            return syntaxError(origin, lines.number(), *line, {ProgramProblem::percentMisplaced, 1, 1});
+        if (mark == LineWalker::Mark::closes) {
             interpreter.program.ended = true;
             break;
         }
         if (!block.empty() && !interpreter.run(block, lines.number(), fault))
             return syntaxError(origin, lines.number(), *line, fault);
+        if (interpreter.atEnd()) break;
     }
     return std::move(interpreter.program);
 }

@@ -20,6 +20,7 @@ enum class ProgramProblem : std::uint8_t {
     commentNested,
     percentNotAlone,
     percentNotRead,
+    percentMisplaced,
     lineNumberNotFirst,
     // words
     wordNotRead,
@@ -32,6 +33,7 @@ enum class ProgramProblem : std::uint8_t {
     pointMissing,
     codeNotRead,
     codesOfOneGroup,
+    tooManyMWords,
     codeReadsAxes,
     // parameters and expressions
     expressionNotRead,
@@ -40,7 +42,6 @@ enum class ProgramProblem : std::uint8_t {
     parameterNotAllowed,
     parameterUnknown,
     // state
-    behindEnd,
     tooManyMoves,
     cutterCompensation,
     subprogram,

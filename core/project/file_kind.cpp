@@ -3,10 +3,12 @@
 #include "core/project/file_kind.h"
 
 #include "core/base/file.h"
+#include "core/nc/line_walker.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -48,7 +50,7 @@ LineKind lineKind(std::string_view line) {
         if (letter < 'A' || letter > 'Z') return LineKind::other;
         line = trimmed(line.substr(1));
         if (line.empty() || values.find(line.front()) == std::string_view::npos) return LineKind::other;
-        line.remove_prefix(std::min(line.find_first_not_of("+-.0123456789#[]*"), line.size()));
+        line.remove_prefix(std::min(line.find_first_not_of("+-.0123456789#[]* \t"), line.size()));
         if (letter == 'G' || letter == 'M') kind = LineKind::command;
         if (kind == LineKind::nothing) kind = LineKind::block;
     }
@@ -59,15 +61,14 @@ LineKind lineKind(std::string_view line) {
 bool isProgram(std::string_view text, bool cut) {
     if (text.find('\0') != std::string_view::npos) return false;
     if (text.find("BEGIN PGM") != std::string_view::npos) return true; // Heidenhain's plain language
+    if (cut) text = text.substr(0, text.find_last_of("\r\n") + 1);     // without half a line
     std::size_t blocks = 0, commands = 0, others = 0;
-    while (!text.empty()) {
-        const std::size_t end = text.find('\n');
-        if (end == std::string_view::npos && cut) break; // half a line
-        const LineKind kind = lineKind(text.substr(0, end));
+    LineWalker lines(text);
+    while (const std::optional<std::string_view> line = lines.next()) {
+        const LineKind kind = lineKind(*line);
         commands += kind == LineKind::command ? 1 : 0;
         blocks += kind == LineKind::command || kind == LineKind::block ? 1 : 0;
         others += kind == LineKind::other ? 1 : 0;
-        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     }
     return commands > 0 && blocks >= 9 * others;
 }

@@ -4,6 +4,7 @@
 
 #include "core/base/numbers.h"
 #include "core/nc/dialect_library.h"
+#include "core/nc/line_walker.h"
 #include "core/nc/restart.h"
 
 #include <algorithm>
@@ -15,11 +16,6 @@ namespace {
 constexpr double clearance = 2.0;                         // mm above the stock, where the tool stops to rapid
 constexpr double largestTouch = 0.001;                    // mm³, as the check allows a rapid
 constexpr double shortestLead = 5.0, leadDiameters = 1.0; // mm; of the cutter
-
-std::uint32_t linesOf(const std::string& text) {
-    const auto ends = std::ranges::count(text, '\n');
-    return static_cast<std::uint32_t>(ends) + (text.empty() || text.back() == '\n' ? 0U : 1U);
-}
 
 /// The tools that a text may call; without a number, or with one tool for all, it is that one.
 std::map<int, PostTool> postTools(const ParsedProgram& program, const Bench& bench, const ProgramRequest& request) {
@@ -116,7 +112,7 @@ private:
 
 Result<RestartedProgram> makeRestart(const Bench& bench, const std::string& text, std::uint32_t line,
                                      const ProgramRequest& request, Progress& progress) {
-    if (const std::uint32_t lines = linesOf(text); line < 1 || line > lines)
+    if (const std::uint32_t lines = lineCount(text); line < 1 || line > lines)
         return Error{ErrorCode::argumentInvalid, "restart line", std::to_string(line), "1 to " + std::to_string(lines)};
     const Result<ParsedProgram> interrupted =
         parseProgram(text, "interrupted program", controlOfDialect(request.dialect));

@@ -28,7 +28,7 @@ const std::map<int, char>& gGroups() {
 
 const std::map<int, char>& mGroups() {
     static const std::map<int, char> table{{0, 's'}, {1, 's'}, {2, 's'}, {30, 's'}, {3, 'r'},
-                                           {4, 'r'}, {5, 'r'}, {7, 'k'}, {8, 'k'},  {9, 'k'}};
+                                           {4, 'r'}, {5, 'r'}, {8, 'k'}, {9, 'k'}}; // M7: where it was compiled in
     return table;
 }
 
@@ -101,8 +101,7 @@ private:
                 const int key = letter == 'G' ? tenfold : tenfold % 10 == 0 ? tenfold / 10 : -1;
                 const auto found = table.find(key);
                 if (found == table.end()) return 20;
-                // M7 and M8 may stand together.
-                if (!groups_.emplace(found->second, key).second && found->second != 'k') return 21;
+                if (!groups_.emplace(found->second, key).second) return 21;
                 continue;
             }
             static const std::string known = "FIJKLNPRSTXYZ";
@@ -154,7 +153,15 @@ private:
         if (error != 0) return error;
         for (const char letter : {'I', 'J', 'K', 'L', 'P', 'R'})
             if (has(letter) && !used_.contains(letter)) return 36;
+        if (group('s') == 2 || group('s') == 30) setBack();
         return 0;
+    }
+
+    /// M2 and M30: the program's end, and lines that follow are read.
+    void setBack() {
+        motion_ = 10;
+        axis_ = 2;
+        inverse_ = incremental_ = false;
     }
 
     int move() {

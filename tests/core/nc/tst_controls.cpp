@@ -31,6 +31,10 @@ private slots:
         row("LinuxCNC: subroutines", "linuxcnc", "o100 sub\n", "subprogram");
         row("LinuxCNC: near half a circle by R", "linuxcnc", "G0 X0 Y0\nG2 X2 Y0 R0.999 F1\n");
         row("LinuxCNC: radius far too small", "linuxcnc", "G0 X0 Y0\nG2 X2 Y0 R0.9 F1\n", "arc_radius_too_small");
+        row("Fanuc: condition", "fanuc", "IF [#1 EQ 1.] GOTO 5\n", "subprogram");
+        row("Fanuc: loop", "fanuc", "WHILE [#1 LT 1.] DO1\n", "subprogram");
+        row("Fanuc: loop's end", "fanuc", "END1\n", "subprogram");
+        row("Fanuc: number in two parts", "fanuc", "G00 X1. 2\n", "character_not_allowed");
         row("GRBL: seconds", "grbl", "G4 P0.5\n");
         row("GRBL: /", "grbl", "/G0 X1\n");
         row("GRBL: expressions", "grbl", "G0 X[1+1]\n", "expression_not_read");

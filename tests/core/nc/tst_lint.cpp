@@ -134,8 +134,17 @@ private slots:
                                                           << "3:8+2 feed_above_machine";
         QTest::newRow("spindle too fast") << "linuxcnc" << begin + "S24001 M3\nM2\n"
                                           << "2:1+6 spindle_beyond_machine";
-        QTest::newRow("behind the end") << "linuxcnc" << begin + "M2\nG0 X1\n"
-                                        << "3:1+2 behind_end";
+        QTest::newRow("behind the end") << "linuxcnc" << begin + "M2\nsee you\n"
+                                        << "";
+        QTest::newRow("behind the end of GRBL") << "grbl" << begin + "M2\nsee you\n"
+                                                << "3:1+1 number_missing";
+        QTest::newRow("% behind a comment") << "linuxcnc"
+                                            << "(job)\n%\n" + begin + "M2\n"
+                                            << "2:1+1 percent_misplaced";
+        QTest::newRow("five M words") << "linuxcnc" << begin + "M5 M9 M48 M1 M6\nM2\n"
+                                      << "2:14+2 too_many_m_words";
+        QTest::newRow("mist on GRBL") << "grbl" << begin + "M7\nM2\n"
+                                      << "2:1+2 code_not_read";
     }
     void whatAControlRejectsIsMarked() {
         QFETCH(QString, control);
@@ -254,7 +263,8 @@ private slots:
 
     void noTextBringsItDown() {
         QVERIFY(rc::check("marks lie in the text", [](const std::string& text) {
-            const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1;
+            const auto ends = std::ranges::count_if(text, [](char c) { return c == '\n' || c == '\r'; });
+            const auto lines = static_cast<std::size_t>(ends) + 1;
             for (const Control& control : controls())
                 for (const LintMark& mark : lint(text, {&control, nullptr, nullptr}))
                     RC_ASSERT(mark.line >= 1 && mark.line <= lines && mark.column >= 1 && mark.length >= 1);

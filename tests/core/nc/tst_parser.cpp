@@ -239,8 +239,6 @@ private slots:
                                         << "line 1, column 4";
         QTest::newRow("letter without number") << "G0 X Y1"
                                                << "line 1, column 4";
-        QTest::newRow("number in two parts") << "G0 X1 2"
-                                             << "line 1, column 7";
         QTest::newRow("two points in a number") << "G0 X1.2.3"
                                                 << "line 1, column 8";
         QTest::newRow("two signs") << "G0 X--1"
@@ -291,8 +289,6 @@ private slots:
                                             << "line 2, column 4";
         QTest::newRow("arc from nowhere") << "G2 X1 Y0 I1 F1"
                                           << "line 1, column 4";
-        QTest::newRow("words behind the end") << "M2\nG0 X1"
-                                              << "line 2, column 1";
         QTest::newRow("control character") << QString("G0 X1 ") + QChar(1) << "line 1, column 7";
     }
     void nothingIsIgnored() {

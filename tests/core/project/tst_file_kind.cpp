@@ -42,6 +42,9 @@ private slots:
                                                              "X7\nX8\nX9\nM30\n")
                                                << program;
         QTest::newRow("lower case, Windows") << "a.tap" << QByteArray("g21\r\ng0 x1\r\nm2\r\n") << program;
+        QTest::newRow("lines that end in CR") << "a.nc" << QByteArray("G21\rG0 X1\rM2\r") << program;
+        QTest::newRow("byte order mark") << "a.nc" << QByteArray("\xEF\xBB\xBFG21\nG0 X1\nM2\n") << program;
+        QTest::newRow("blanks in numbers") << "a.nc" << QByteArray("G 2 1\nG0 X1 0 . 5\nM2\n") << program;
         QTest::newRow("Heidenhain") << "a.h" << QByteArray("0 BEGIN PGM A MM\n1 L X+1 FMAX\n") << program;
         QTest::newRow("a program named as a model") << "a.stl" << QByteArray("G21\nG0 X1\nM2\n") << program;
         QTest::newRow("a letter") << "a.txt" << QByteArray("Dear Emil,\nG1 is what I mean.\n") << model;
