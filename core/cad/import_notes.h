@@ -46,11 +46,14 @@ inline constexpr TextId stlOpen =
 inline constexpr TextId piecesApart = BURIN_TEXT("ImportNote", "%1 consists of %2 pieces that are not connected. Where "
                                                                "they overlap, its volume counts twice.");
 inline constexpr TextId restLeftOut = BURIN_TEXT("ImportNote", "Data after the last triangle was left out.");
+inline constexpr TextId endMissing =
+    BURIN_TEXT("ImportNote", "The file ends without \"endsolid\"; what was read of it is whole.");
+inline constexpr TextId noVolume = BURIN_TEXT("ImportNote", "%1 has no volume, so nothing of it can be protected.");
 
 inline constexpr std::array all{
     unitConverted,     unitsMixed, brepWithoutUnit, stlWithoutUnit, sizeDoubtful, repaired,      notRepaired, solidOpen,
     insideOut,         faceSewn,   facesSewn,       faceLeftOut,    facesLeftOut, curvesLeftOut, facesFilled, meshOpen,
-    meshVolumeDiffers, facesApart, trianglesTurned, stlOpen,        piecesApart,  restLeftOut};
+    meshVolumeDiffers, facesApart, trianglesTurned, stlOpen,        piecesApart,  restLeftOut,   endMissing,  noVolume};
 
 /// The names that are given where a file has none; %1: a number from 1.
 inline constexpr TextId unnamedBody = BURIN_TEXT("ImportNote", "Body %1");

@@ -5,6 +5,7 @@
 #include "core/base/numbers.h"
 #include "core/cad/import_notes.h"
 #include "core/cad/reader/document_shapes.h"
+#include "core/cad/reader/file_format.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -119,19 +120,21 @@ std::string unitName(double millimetres, const std::string& otherwise) {
     return otherwise;
 }
 
-Result<CadFile> readStepFile(const std::string& file, const std::string& protocol, const ReportFraction& report) {
+Result<CadFile> readStepFile(const std::string& file, std::string_view content, const ReportFraction& report) {
     stateSettings();
     STEPCAFControl_Reader reader;
     reader.SetNameMode(Standard_True);
     reader.SetColorMode(Standard_True);
     if (reader.ReadFile(file.c_str()) != IFSelect_RetDone) return damaged("");
     CadFile read;
-    read.format = protocol;
+    read.format = stepProtocol(content);
     stateStepUnit(read, reader.ChangeReader());
     Handle(TDocStd_Document) document = newDocument();
     const Handle(ReaderProgress) progress = new ReaderProgress(report, 0.1, 0.4);
-    if (reader.NbRootsForTransfer() == 0) return Error{ErrorCode::modelHasNoSolid, {}, "no shape", {}};
-    if (!reader.Transfer(document, progress->Start())) return damaged("");
+    const bool tessellated = content.find("TESSELLATED_") != std::string_view::npos;
+    const Error noSolid{ErrorCode::modelHasNoSolid, {}, tessellated ? "a tessellation alone" : "no shape", {}};
+    if (reader.NbRootsForTransfer() == 0) return noSolid;
+    if (!reader.Transfer(document, progress->Start())) return tessellated ? noSolid : damaged("");
     read.shapes = documentShapes(document);
     return read;
 }

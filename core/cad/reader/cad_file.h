@@ -29,8 +29,8 @@ struct CadFile {
     std::vector<ImportNote> notes;
 };
 
-/// @param protocol what to call the format. Errors, with an empty subject: fileDamaged, modelHasNoSolid.
-Result<CadFile> readStepFile(const std::string& file, const std::string& protocol, const ReportFraction& report);
+/// @param content of the file. Errors, with an empty subject: fileDamaged, modelHasNoSolid.
+Result<CadFile> readStepFile(const std::string& file, std::string_view content, const ReportFraction& report);
 Result<CadFile> readIgesFile(const std::string& file, const ReportFraction& report);
 Result<CadFile> readBrepFile(const std::string& content, bool binary);
 

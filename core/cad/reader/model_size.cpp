@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/reader/model_size.h"
 
+#include "core/base/numbers.h"
 #include "core/cad/import_notes.h"
 
 #include <algorithm>
@@ -38,7 +39,12 @@ Result<void> judgeSize(Model& model) {
     for (const Body& body : model.bodies) whole.include(body.box);
     if (whole.empty()) return {};
     const double reach = largestOf(glm::max(glm::abs(whole.low), glm::abs(whole.high)));
-    if (!(reach <= farthest)) return Error{ErrorCode::modelTooLarge, {}, lengthText(reach), lengthText(farthest)};
+    if (!(reach <= farthest)) {
+        // So little beyond that four digits don't tell.
+        const bool alike = numberText(reach) == numberText(farthest);
+        const auto text = [&](double length) { return alike ? formatFixed(length, 3) + " mm" : lengthText(length); };
+        return Error{ErrorCode::modelTooLarge, {}, text(reach), text(farthest)};
+    }
     const double size = largestOf(whole.high - whole.low);
     if (size < smallest || size > largest)
         model.notes.push_back(

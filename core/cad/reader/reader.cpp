@@ -117,7 +117,7 @@ Result<CadFile> readCadFile(const std::string& file, FileFormat format, const st
                             const ReportFraction& report) {
     switch (format) {
     case FileFormat::step:
-        return readStepFile(file, stepProtocol(content), report);
+        return readStepFile(file, content, report);
     case FileFormat::iges:
         return readIgesFile(file, report);
     default:

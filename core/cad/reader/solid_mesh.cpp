@@ -3,10 +3,12 @@
 #include "core/cad/reader/solid_mesh.h"
 
 #include "core/cad/reader/shape_mesh.h"
+#include "core/cad/reader/solids.h"
 
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <IMeshTools_Parameters.hxx>
+#include <ShapeUpgrade_ShapeDivideClosed.hxx>
 
 #include <array>
 
@@ -14,9 +16,11 @@ namespace burin {
 
 namespace {
 
-void runMesher(const TopoDS_Solid& solid, double chord, double angle, const ReportFraction& report) {
+void runMesher(const TopoDS_Shape& solid, double chord, double angle, IMeshTools_MeshAlgoType algorithm,
+               const ReportFraction& report) {
     BRepTools::Clean(solid);
     IMeshTools_Parameters parameters;
+    parameters.MeshAlgo = algorithm;
     parameters.Deflection = chord;
     parameters.Angle = angle;
     parameters.Relative = Standard_False;
@@ -28,7 +32,14 @@ void runMesher(const TopoDS_Solid& solid, double chord, double angle, const Repo
     BRepMesh_IncrementalMesh mesher(solid, parameters, progress->Start());
 }
 
-SolidMesh collect(const TopoDS_Solid& solid, double chord) {
+/// The same surface, its closed faces in two halves each.
+TopoDS_Shape withoutSeams(const TopoDS_Solid& solid) {
+    ShapeUpgrade_ShapeDivideClosed division(healed(solid));
+    division.Perform();
+    return division.Result();
+}
+
+SolidMesh collect(const TopoDS_Shape& solid, double chord) {
     ShapeMesh shape(solid, chord);
     SolidMesh result;
     for (const std::size_t face : shape.emptyFaces())
@@ -58,12 +69,24 @@ bool isBetter(const SolidMesh& a, const SolidMesh& b) {
 SolidMesh meshSolid(const TopoDS_Solid& solid, double chord, const ReportFraction& report) {
     struct Attempt {
         double part, angle; // of the chord; rad
+        IMeshTools_MeshAlgoType algorithm = IMeshTools_MeshAlgoType_Watson;
+        bool divides = false; // closed faces along their seams: noise there keeps the mesher from them
     };
-    constexpr std::array<Attempt, 4> attempts{{{1.0, 0.5}, {0.7, 0.35}, {0.9, 0.2}, {0.4, 0.5}}};
+    constexpr auto delabella = IMeshTools_MeshAlgoType_Delabella;
+    constexpr std::size_t usual = 4; // the others are for faces that get no mesh at all
+    constexpr std::array<Attempt, 7> attempts{{{1.0, 0.5},
+                                               {0.7, 0.35},
+                                               {0.9, 0.2},
+                                               {0.4, 0.5},
+                                               {1.0, 0.5, delabella},
+                                               {1.0, 0.5, IMeshTools_MeshAlgoType_Watson, true},
+                                               {0.9, 0.2, delabella, true}}};
     SolidMesh best;
     for (std::size_t i = 0; i < attempts.size(); ++i) {
-        runMesher(solid, attempts[i].part * chord, attempts[i].angle, report);
-        SolidMesh result = collect(solid, attempts[i].part * chord);
+        if (i >= usual && best.facesWithoutTriangles == 0) break;
+        const TopoDS_Shape shape = attempts[i].divides ? withoutSeams(solid) : TopoDS_Shape(solid);
+        runMesher(shape, attempts[i].part * chord, attempts[i].angle, attempts[i].algorithm, report);
+        SolidMesh result = collect(shape, attempts[i].part * chord);
         result.attempts = i + 1;
         if (i == 0 || isBetter(result, best)) best = std::move(result);
         if (best.facesWithoutTriangles == 0 && best.openEdges == 0) break;

@@ -133,11 +133,13 @@ bool readFacet(Words& words, TriangleMesh& mesh) {
     return true;
 }
 
-/// Behind the word "solid" and the name.
-Result<TriangleMesh> readFacets(Words& words) {
+/// Behind the word "solid" and the name. @param ended  whether "endsolid" stood there, which many writers leave out
+Result<TriangleMesh> readFacets(Words& words, bool& ended) {
     TriangleMesh mesh;
-    for (std::string_view word = words.next(); !equalsIgnoringCase(word, "endsolid"); word = words.next())
+    std::string_view word = words.next();
+    for (; !word.empty() && !equalsIgnoringCase(word, "endsolid"); word = words.next())
         if (!equalsIgnoringCase(word, "facet") || !readFacet(words, mesh)) return damaged(words.place());
+    ended = !word.empty();
     words.restOfLine();
     return weldIdenticalVertices(mesh);
 }
@@ -145,7 +147,7 @@ Result<TriangleMesh> readFacets(Words& words) {
 } // namespace
 
 bool hasLengthOfBinaryStl(std::string_view content) {
-    return content.size() > startOfTriangles &&
+    return content.size() >= startOfTriangles &&
            content.size() == startOfTriangles + triangleSize * std::size_t{statedCount(content)};
 }
 
@@ -166,13 +168,14 @@ std::string whereBinaryStlEnds(std::string_view content) {
     return "triangle " + std::to_string(heldCount(content) + 1) + " of " + std::to_string(statedCount(content));
 }
 
-Result<std::vector<StlSolid>> readTextStl(std::string_view content) {
+Result<std::vector<StlSolid>> readTextStl(std::string_view content, bool& ended) {
+    ended = true;
     std::vector<StlSolid> solids;
     Words words(content);
     for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
         if (!equalsIgnoringCase(word, "solid")) return damaged(words.place());
         const std::string name(words.restOfLine());
-        Result<TriangleMesh> mesh = readFacets(words);
+        Result<TriangleMesh> mesh = readFacets(words, ended);
         if (!mesh) return std::move(mesh).error();
         if (!mesh->empty()) solids.push_back({name, std::move(*mesh)});
     }

@@ -26,8 +26,9 @@ bool isLongerBinaryStl(std::string_view content);
 /// Where a binary STL file was cut off ("triangle 17 of 684"); empty when the content does not look like one.
 std::string whereBinaryStlEnds(std::string_view content);
 
-/// Errors: fileDamaged (place: the line or triangle), with an empty subject.
-Result<std::vector<StlSolid>> readTextStl(std::string_view content);
+/// Errors of both: fileDamaged (place: the line or triangle), with an empty subject.
+/// @param ended false: "endsolid" is missing, behind whole facets
+Result<std::vector<StlSolid>> readTextStl(std::string_view content, bool& ended);
 Result<std::vector<StlSolid>> readBinaryStl(std::string_view content);
 
 } // namespace burin

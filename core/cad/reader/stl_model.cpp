@@ -8,6 +8,7 @@
 #include "core/cad/reader/stl_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace burin {
@@ -18,6 +19,9 @@ namespace {
 
 /// With more of its edges open than this part, a mesh is a heap of triangles and no surface of a solid.
 constexpr double mostOpen = 1.0 / 3.0;
+/// Of the area to the power of 1.5: a plate with less volume has none but for rounding. A foil of 1 m and 1 µm has 400
+/// times as much.
+constexpr double flat = 1e-9;
 
 void note(Model& model, ImportNote::Kind kind, std::string text) {
     model.notes.push_back({kind, std::move(text)});
@@ -49,6 +53,8 @@ Body makeBody(Model& model, StlSolid solid, MeshConnection& connection) {
     if (body.openEdges > 0)
         note(model, ImportNote::Kind::warning,
              fill(import_notes::stlOpen, {title(body), std::to_string(body.openEdges)}));
+    if (!(std::abs(body.volume) > flat * std::pow(body.area, 1.5)))
+        note(model, ImportNote::Kind::warning, fill(import_notes::noVolume, {title(body)}));
     notePieces(model, body, connection.pieces);
     return body;
 }
@@ -56,7 +62,8 @@ Body makeBody(Model& model, StlSolid solid, MeshConnection& connection) {
 } // namespace
 
 Result<Model> readStlModel(std::string_view content, bool binary, double unit) {
-    Result<std::vector<StlSolid>> solids = binary ? readBinaryStl(content) : readTextStl(content);
+    bool ended = true;
+    Result<std::vector<StlSolid>> solids = binary ? readBinaryStl(content) : readTextStl(content, ended);
     if (!solids) return std::move(solids).error();
     Model model;
     model.format = binary ? "STL binary" : "STL ASCII";
@@ -65,6 +72,7 @@ Result<Model> readStlModel(std::string_view content, bool binary, double unit) {
     note(model, ImportNote::Kind::unit, fill(import_notes::stlWithoutUnit, {formatShortest(unit)}));
     if (binary && !hasLengthOfBinaryStl(content))
         note(model, ImportNote::Kind::warning, import_notes::restLeftOut.text);
+    if (!ended) note(model, ImportNote::Kind::warning, import_notes::endMissing.text);
     std::size_t triangles = 0, edges = 0, boundary = 0;
     for (StlSolid& solid : *solids) {
         MeshConnection connection;
