@@ -75,6 +75,7 @@ std::string toJson(const MachineProfile& machine) {
     addSpindle(file, machine);
     file["tool_change_height_mm"] = machine.toolChangeHeight;
     addIfStated(file, "tool_change_s", machine.toolChangeSeconds);
+    if (machine.home) file["home_mm"] = jsonOf(*machine.home);
     addArcs(file, machine.arcs);
     addCoolants(file, machine);
     file["coordinate_decimals"] = machine.coordinateDecimals;

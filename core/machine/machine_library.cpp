@@ -6,16 +6,21 @@
 #include "core/base/resource_folder.h"
 #include "core/machine/machine_ranges.h"
 
+#include <cmath>
+
 namespace burin {
 
 namespace {
 
 using namespace machine_range;
 
-glm::dvec3 axesOr(JsonObject& file, std::string_view key, NumberRange range) {
-    if (!file.has(key)) return glm::dvec3(0.0);
+glm::dvec3 axesOf(JsonObject& file, std::string_view key, NumberRange range) {
     const std::vector<double> axes = file.numbers(key, 3, range);
     return {axes[0], axes[1], axes[2]};
+}
+
+glm::dvec3 axesOr(JsonObject& file, std::string_view key, NumberRange range) {
+    return file.has(key) ? axesOf(file, key, range) : glm::dvec3(0.0);
 }
 
 void readMotion(JsonObject& file, MachineProfile& machine) {
@@ -97,6 +102,10 @@ void checkTogether(JsonObject& file, const MachineProfile& machine) {
                       "has to be at most rapid_feed_mm_per_min, the greatest feed of all");
     if (machine.toolChangeHeight >= machine.travel.z)
         file.fail("tool_change_height_mm", "has to be below the travel of Z");
+    for (int axis = 0; machine.home && axis < 3; ++axis) // whichever end of the travel its zero is at
+        if (std::abs((*machine.home)[axis]) > machine.travel[axis])
+            file.fail("home_mm[" + std::to_string(axis) + "]",
+                      "has to be at most travel_mm[" + std::to_string(axis) + "] from the machine's zero");
 }
 
 } // namespace
@@ -108,14 +117,14 @@ Result<MachineProfile> machineFromJson(std::string_view text, const std::string&
     machine.id = file->text("id");
     machine.name = file->text("name");
     if (file->has("dialect")) machine.dialect = file->text("dialect");
-    const std::vector<double> axes = file->numbers("travel_mm", 3, travel);
-    machine.travel = {axes[0], axes[1], axes[2]};
+    machine.travel = axesOf(*file, "travel_mm", travel);
     readMotion(*file, machine);
     readSpindle(*file, machine);
     readArcs(*file, machine.arcs);
     readCoolants(*file, machine);
     machine.toolChangeHeight = file->number("tool_change_height_mm", height);
     machine.toolChangeSeconds = file->numberOr("tool_change_s", 0.0, toolChange);
+    if (file->has("home_mm")) machine.home = axesOf(*file, "home_mm", home);
     machine.coordinateDecimals = file->integer("coordinate_decimals", fewestDecimals, mostDecimals);
     machine.maximumLineLength = file->integer("maximum_line_length", shortestLine, longestLine);
     readSources(*file, machine);

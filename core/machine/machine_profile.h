@@ -75,6 +75,9 @@ struct MachineProfile {
     std::optional<std::vector<Coolant>> coolants{};
     int coordinateDecimals = 3;  ///< digits behind the point in mm
     int maximumLineLength = 255; ///< characters
+    /// mm, machine frame: where the spindle parks for a tool change and at the end, first Z, then X and Y; nothing: not
+    /// stated, so that it stays where the dialect leaves it.
+    std::optional<glm::dvec3> home{};
 
     /// Whether the value of a key is somebody's estimate, by what its source says.
     bool isEstimate(const std::string& key) const {

@@ -8,6 +8,7 @@
 namespace burin::machine_range {
 
 inline constexpr NumberRange travel{1.0, 1e5};         ///< mm, of an axis
+inline constexpr NumberRange home{-1e5, 1e5};          ///< mm, of an axis in the machine frame
 inline constexpr NumberRange feed{1.0, 1e6};           ///< mm/min
 inline constexpr NumberRange spindleSpeed{0.0, 1e6};   ///< 1/min
 inline constexpr NumberRange spindlePower{1.0, 1e6};   ///< W

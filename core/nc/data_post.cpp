@@ -43,7 +43,8 @@ public:
         , numbers_(dialect, program.units, machine.coordinateDecimals)
         , writer_(dialect, std::max(3, std::min(dialect.lineLength, machine.maximumLineLength)), sink)
         , arcs_(limitsOf(dialect.arcs, machine.arcs))
-        , clearHeight_(std::max(program.safeHeight, machine.toolChangeHeight)) {}
+        , clearHeight_(std::max(program.safeHeight, machine.toolChangeHeight))
+        , home_(machine.home) {}
 
     Result<void> write(Progress& progress) {
         if (Result<void> fits = check(); !fits) return fits;
@@ -92,7 +93,8 @@ private:
         }
         if (Result<void> done = straight(NcMoveKind::rapid, height(clearHeight_), 0.0); !done) return done;
         if (Result<void> done = plane(2); !done) return done;
-        return blocks(dialect_.toolEnd);
+        if (Result<void> done = blocks(dialect_.toolEnd); !done || !home_) return done;
+        return blocks(dialect_.home);
     }
 
     /// Where the tool stands after its change is not known here: along Z first, unless the change leaves it at the top.
@@ -278,7 +280,17 @@ private:
             return program_.spindleStartTime > 0.0 ? dwellWords(program_.spindleStartTime) : std::string();
         if (word == "program_number") return programNumber();
         if (word == "rapid") return dialect_.rapid;
+        if (word.starts_with("home_")) return homeWord(static_cast<std::size_t>(word.back() - 'x'));
         return Error{ErrorCode::internalFault, "dialect " + dialect_.id, std::string(word), "no such word"};
+    }
+
+    /// An axis and where it parks, in the machine's frame.
+    Result<std::string> homeWord(std::size_t axis) const {
+        Target home{};
+        home[axis] = (*home_)[static_cast<int>(axis)];
+        const Result<StepPlace> steps = stepsOf(home);
+        if (!steps) return steps.error();
+        return std::string(1, axisLetters[axis]) + numbers_.coordinate((*steps)[axis]);
     }
 
     Result<std::string> workOffset() const {
@@ -329,6 +341,7 @@ private:
     BlockWriter writer_;
     DialectArcs arcs_;
     double clearHeight_;                            // mm
+    std::optional<glm::dvec3> home_;                // mm, machine frame
     std::array<std::optional<long long>, 3> place_; // in steps of the last digit; nothing: not known
     glm::dvec3 reached_{0.0};                       // mm, the same before it was rounded
     std::optional<std::string> motion_;

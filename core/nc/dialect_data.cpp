@@ -11,6 +11,7 @@
 namespace burin {
 namespace {
 
+constexpr std::array<std::string_view, 4> homeWords{"rapid", "home_x", "home_y", "home_z"};
 constexpr std::array<std::string_view, 14> blockWords{
     "units",   "work_offset", "blend",       "blend_end",      "tool",  "tool_2",   "speed",
     "spindle", "coolant",     "start_dwell", "program_number", "rapid", "comments", "tool_comment"};
@@ -46,10 +47,11 @@ std::optional<std::string> optionalText(JsonObject& file, std::string_view key) 
     return file.has(key) ? std::optional<std::string>(file.text(key)) : std::nullopt;
 }
 
-std::vector<std::string> blocks(JsonObject& file, std::string_view key) {
+std::vector<std::string> blocks(JsonObject& file, std::string_view key,
+                                std::span<const std::string_view> words = blockWords) {
     std::vector<std::string> texts = file.texts(key);
     for (std::size_t i = 0; i < texts.size(); ++i)
-        checkWords(file, std::string(key) + "[" + std::to_string(i) + "]", texts[i], blockWords);
+        checkWords(file, std::string(key) + "[" + std::to_string(i) + "]", texts[i], words);
     return texts;
 }
 
@@ -146,6 +148,7 @@ Result<DialectData> dialectFromJson(std::string_view text, const std::string& or
     dialect.toolChange = blocks(*file, "tool_change");
     dialect.toolEnd = blocks(*file, "tool_end");
     dialect.end = blocks(*file, "end");
+    if (file->has("home")) dialect.home = blocks(*file, "home", homeWords);
     if (Result<void> read = file->finish(); !read) return read.error();
     return dialect;
 }

@@ -31,8 +31,9 @@ struct DialectArcs {
 /// resources/dialects/<id>.json; the user's own stand in dialects/ of the folder that userResourceDirectory names, and
 /// replace ours of the same id. core/nc/README.md explains every key. In the blocks a word in braces stands for a
 /// value: {units} {work_offset} {blend} {blend_end} {tool} {tool_2} (two digits) {speed} {spindle} {coolant}
-/// {start_dwell} {program_number} {rapid}; a block that is one of {comments}, {tool_comment} stands for a comment of as
-/// many lines as it needs. A block of which nothing is left is left out.
+/// {start_dwell} {program_number} {rapid}, and in `home` {home_x} {home_y} {home_z} (the axis and its position); a
+/// block that is one of {comments}, {tool_comment} stands for a comment of as many lines as it needs. A block of which
+/// nothing is left is left out.
 struct DialectData {
     std::string id, name, source, fileSuffix;
     std::string control;                   ///< id of the Control that reads it
@@ -63,6 +64,9 @@ struct DialectData {
     std::string firstHeight;        ///< first block along Z: {rapid}, {clear} (Z and its height), {tool}, {tool_2}
     DialectArcs arcs;
     std::vector<std::string> begin, toolChange, toolEnd, end; ///< blocks
+    /// Blocks behind each tool's end that go to MachineProfile::home, for machines that state one; empty: the control
+    /// has no words for it.
+    std::vector<std::string> home;
 };
 
 /// @param origin file name for messages. Errors: resourceInvalid, with the key and what it has to be.

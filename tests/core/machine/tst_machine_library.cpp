@@ -32,7 +32,7 @@ const char* const fullProfile = R"({
   "blocks_per_second": 40, "rapids": "tip", "junctions": {"rule": "deviation", "tolerance_mm": 0.015},
   "minimum_spindle_speed_rpm": 100, "maximum_spindle_speed_rpm": 8000, "spindle_power_w": 750,
   "spindle_torque": [{"speed_rpm": 500, "torque_nm": 12.5}, {"speed_rpm": 8000, "torque_nm": 0.9}],
-  "tool_change_height_mm": 20, "tool_change_s": 7.5,
+  "tool_change_height_mm": 20, "tool_change_s": 7.5, "home_mm": [-10, 201.5, 0],
   "arcs": {"largest_sweep_deg": 355, "smallest_radius_mm": 0.05, "largest_radius_mm": 900, "radius_mismatch_mm": 0.004},
   "coolant": {"mist": true, "flood": false}, "coordinate_decimals": 4, "maximum_line_length": 80})";
 
@@ -258,6 +258,9 @@ private slots:
         QTest::newRow("a tool change above the travel") << R"("tool_change_height_mm": 60)"
                                                         << R"("tool_change_height_mm": 260)"
                                                         << "tool_change_height_mm";
+        QTest::newRow("a home beyond the travel") << R"("coordinate_decimals": 3)"
+                                                  << R"("home_mm": [-500, -401, 0], "coordinate_decimals": 3)"
+                                                  << "home_mm[1]";
         QTest::newRow("missing") << R"("coordinate_decimals": 3,)"
                                  << ""
                                  << "coordinate_decimals";

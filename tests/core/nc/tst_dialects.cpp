@@ -169,6 +169,48 @@ private slots:
             QFAIL((std::to_string(mark.line) + ": " + mark.text).c_str());
     }
 
+    void theSpindleParksWhereItsMachineSays_data() { addDialects(); }
+    /// Two blocks in the machine's frame behind each tool, Z first; all others stay as they are.
+    void theSpindleParksWhereItsMachineSays() {
+        QFETCH(QString, dialect);
+        QFETCH(bool, inch);
+        const std::string id = dialect.toStdString();
+        const NcProgram job = jobFor(id, unitsOf(inch));
+        MachineProfile machine = roomyMachine();
+        machine.home = glm::dvec3(-254.0, 12.7, -2.54);
+        const auto without = posted(id, job), with = posted(id, job, machine);
+        QVERIFY(without && with);
+        const double unit = inch ? 25.4 : 1.0;
+        const QRegularExpression height("^(N\\d+ )?G53 G00? Z([-.\\d]+)$"),
+            across("^(N\\d+ )?G53 G00? X([-.\\d]+) Y([-.\\d]+)$");
+        QStringList rest;
+        std::size_t parked = 0;
+        const QStringList lines = QString::fromStdString(*with).split('\n');
+        for (int i = 0; i < lines.size(); ++i) {
+            const auto up = height.match(lines[i]), aside = across.match(lines.value(i + 1));
+            if (!aside.hasMatch()) {
+                rest << lines[i];
+                continue;
+            }
+            QVERIFY2(up.hasMatch(), qPrintable(lines[i]));
+            QCOMPARE(up.captured(2).toDouble() * unit, -2.54);
+            QCOMPARE(aside.captured(2).toDouble() * unit, -254.0);
+            QCOMPARE(aside.captured(3).toDouble() * unit, 12.7);
+            ++parked;
+            ++i;
+        }
+        QCOMPARE(rest.join('\n').toStdString(), *without);
+        QCOMPARE(parked, job.sections.size());
+        const Control& control = *findControl(id);
+        QVERIFY(lint(*with, {&control, &machine, nullptr}).empty());
+        MachineState known; // of a control that is told where the work lies
+        known.workOffsets[54] = {100.0, 200.0, -300.0};
+        for (const int number : {0, 3, 12}) known.lengthOffsets[number] = 0.0;
+        const auto read = parseProgram(*with, "job", control, known);
+        QVERIFY(read && read->ended);
+        QVERIFY(glm::distance(read->motions.back().to, glm::dvec3(-354.0, -187.3, 297.46)) < 1e-6);
+    }
+
     void roundingTurnsNothingBack_data() { addDialects(); }
     /// A line of short moves with turns of up to 154 degrees has none of more than 155 once it is written.
     void roundingTurnsNothingBack() {
@@ -226,8 +268,8 @@ private slots:
             const double heading = 6.28 * share(random), sweep = 2.0 * std::asin(0.5 * chord / radius);
             const glm::dvec3 centre = at - radius * glm::dvec3(std::cos(heading), std::sin(heading), 0.0);
             const double end = heading + sweep;
-            NcMove move = lineTo(figure(centre.x + radius * std::cos(end)), figure(centre.y + radius * std::sin(end)),
-                                 -1, 300);
+            NcMove move =
+                lineTo(figure(centre.x + radius * std::cos(end)), figure(centre.y + radius * std::sin(end)), -1, 300);
             move.kind = NcMoveKind::arc;
             move.arc = {{figure(centre.x), figure(centre.y), -1.0}, 2, false};
             at = move.target;
