@@ -10,6 +10,16 @@ namespace burin {
 
 namespace {
 constexpr int level = 3; // Zstandard's own choice: higher ones gained little on noisy doubles
+// So that many frames together stay below what their file may come to, too.
+constexpr std::size_t evenBytes = 64U << 10U, mostPacking = 256;
+constexpr std::size_t skippableHeader = 8;
+
+/// RFC 8878, 3.1.2: a number that says "skip" and the size of what follows, both with the lowest byte first.
+std::string skippableFrame(std::size_t zeros) {
+    std::string frame("\x50\x2a\x4d\x18", 4);
+    for (std::size_t i = 0; i < 4; ++i) frame.push_back(static_cast<char>((zeros >> (8 * i)) & 0xff));
+    return frame.append(zeros, '\0');
+}
 } // namespace
 
 std::string compress(std::string_view bytes) {
@@ -22,6 +32,10 @@ std::string compress(std::string_view bytes) {
     // With room for the bound, all that can be lacking is memory for its tables.
     if (ZSTD_isError(written) != 0) throw std::bad_alloc();
     frame.resize(written);
+    if (bytes.size() > evenBytes + mostPacking * written) {
+        const std::size_t lacking = (bytes.size() - evenBytes) / mostPacking + 1 - written;
+        frame += skippableFrame(lacking > skippableHeader ? lacking - skippableHeader : 0);
+    }
     return frame;
 }
 

@@ -15,17 +15,38 @@ using nlohmann::json;
 
 namespace {
 
-/// nlohmann::json keeps the last of two equal keys without a word; here that is a fault.
-struct DoubledKey {
-    std::vector<std::set<std::string>> open;
-    std::string key;
-    bool operator()(int, json::parse_event_t event, json& value) {
-        if (event == json::parse_event_t::object_start) open.emplace_back();
-        if (event == json::parse_event_t::object_end) open.pop_back();
-        if (event == json::parse_event_t::key && !open.back().insert(value.get<std::string>()).second && key.empty())
-            key = value.get<std::string>();
+/// nlohmann::json keeps the last of two equal keys without a word; here that is a fault. Its parser would call for each
+/// key too, but then looks through a whole list after each object in it.
+class DoubledKey final : public json::json_sax_t {
+public:
+    const std::string& key() const noexcept { return first_; } ///< empty: there is none
+
+    bool start_object(std::size_t) override {
+        open_.emplace_back();
         return true;
     }
+    bool end_object() override {
+        open_.pop_back();
+        return true;
+    }
+    bool key(string_t& name) override {
+        if (!open_.back().insert(name).second && first_.empty()) first_ = name;
+        return true;
+    }
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t&) override { return true; }
+    bool string(string_t&) override { return true; }
+    bool binary(binary_t&) override { return true; }
+    bool start_array(std::size_t) override { return true; }
+    bool end_array() override { return true; }
+    bool parse_error(std::size_t, const std::string&, const json::exception&) override { return false; }
+
+private:
+    std::vector<std::set<std::string>> open_;
+    std::string first_;
 };
 
 std::string rangeText(NumberRange range) {
@@ -44,11 +65,12 @@ double standIn(NumberRange range) {
 Result<JsonObject> JsonObject::parse(std::string_view text, const std::string& origin) {
     auto shared = std::make_shared<Shared>();
     shared->origin = origin;
-    DoubledKey doubled;
-    shared->document = json::parse(text, std::ref(doubled), /*allow_exceptions=*/false);
+    shared->document = json::parse(text, nullptr, /*allow_exceptions=*/false);
     if (shared->document.is_discarded()) return Error{ErrorCode::resourceInvalid, origin, {}, "is not JSON"};
     if (!shared->document.is_object()) return Error{ErrorCode::resourceInvalid, origin, {}, "is not a JSON object"};
-    if (!doubled.key.empty()) return Error{ErrorCode::resourceInvalid, origin, doubled.key, "stands twice"};
+    DoubledKey doubled;
+    json::sax_parse(text, &doubled);
+    if (!doubled.key().empty()) return Error{ErrorCode::resourceInvalid, origin, doubled.key(), "stands twice"};
     const json& top = shared->document;
     return JsonObject(std::move(shared), top, {});
 }

@@ -19,9 +19,11 @@ Result<GuideCurve> GuideCurve::make(std::vector<glm::dvec3> points, std::vector<
     if (points.size() < 2 || tangents.size() != points.size())
         return invalid(points.size(), "two points or more, each with a tangent");
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!isFinite(points[i]) || !isFinite(tangents[i])) return invalid(i, "finite coordinates");
-        if (i > 0 && points[i] == points[i - 1]) return invalid(i, "a point other than the one before");
-        const double length = glm::length(tangents[i]);
+        // Numbers whose squares overflow or vanish have no length, and so no direction.
+        const double chord = i > 0 ? glm::length(points[i] - points[i - 1]) : 1.0, length = glm::length(tangents[i]);
+        if (!isFinite(points[i]) || !isFinite(tangents[i]) || !std::isfinite(chord) || !std::isfinite(length))
+            return invalid(i, "finite coordinates");
+        if (!(chord > 0.0)) return invalid(i, "a point other than the one before");
         if (!(length > 1e-9)) return invalid(i, "a tangent");
         if (std::abs(length - 1.0) > unitRounding) tangents[i] /= length;
     }

@@ -47,11 +47,21 @@ std::optional<std::string> optionalText(JsonObject& file, std::string_view key) 
     return file.has(key) ? std::optional<std::string>(file.text(key)) : std::nullopt;
 }
 
+/// What stands for blocks of their own can't be part of one.
+void checkAlone(JsonObject& file, std::string_view key, const std::string& text) {
+    for (const std::string_view word : {"{comments}", "{tool_comment}"})
+        if (text != word && text.find(word) != std::string::npos)
+            file.fail(key, "has more than " + std::string(word) + ", which has to stand alone");
+}
+
 std::vector<std::string> blocks(JsonObject& file, std::string_view key,
                                 std::span<const std::string_view> words = blockWords) {
     std::vector<std::string> texts = file.texts(key);
-    for (std::size_t i = 0; i < texts.size(); ++i)
-        checkWords(file, std::string(key) + "[" + std::to_string(i) + "]", texts[i], words);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const std::string place = std::string(key) + "[" + std::to_string(i) + "]";
+        checkWords(file, place, texts[i], words);
+        checkAlone(file, place, texts[i]);
+    }
     return texts;
 }
 

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::uint64_t signBit = std::uint64_t{1} << 63;
 constexpr std::size_t columnWordBytes = 8;
-constexpr std::size_t smallBytes = 16U << 20U, mostPacking = 256;
 
 // The first byte of a packed column. A value n >= columnBefore refers to the column n - columnBefore + 1 places before.
 enum Prediction : unsigned char { rowBefore = 0, straightOn = 1, columnBefore = 2 };
@@ -92,9 +91,10 @@ std::string encodeColumns(const std::vector<Column>& columns, std::size_t refere
 }
 
 std::optional<std::vector<Column>> decodeColumns(std::string_view bytes, std::size_t columns, std::size_t rows) {
+    const std::size_t most = mostUnpacked(bytes.size());
+    if (rows > most / columnWordBytes) return std::nullopt; // no product below overflows
     const std::size_t columnSize = 1 + columnWordBytes * rows;
-    // Recordings and meshes pack to a third; a frame that claims to hold very much more is none of ours.
-    if (columns * columnSize > smallBytes + mostPacking * bytes.size()) return std::nullopt;
+    if (columns * columnSize > most) return std::nullopt;
     const std::optional<std::string> plain = decompress(bytes, columns * columnSize);
     if (!plain || plain->size() != columns * columnSize) return std::nullopt;
     std::vector<Column> result;

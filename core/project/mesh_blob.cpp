@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/mesh_blob.h"
 
+#include "core/base/compression.h"
 #include "core/project/column_codec.h"
 
 #include <limits>
@@ -75,6 +76,12 @@ std::optional<TriangleMesh> decodeMesh(std::string_view blob) {
             mesh.triangles[i][corner] = static_cast<std::uint32_t>(index);
         }
     return mesh;
+}
+
+bool MeshesTogether::add(const TriangleMesh& mesh, std::size_t packed) noexcept {
+    taken_ += mesh.vertices.size() * sizeof(mesh.vertices[0]) + mesh.triangles.size() * sizeof(mesh.triangles[0]);
+    packed_ += packed;
+    return taken_ <= mostUnpackedTogether(packed_);
 }
 
 std::string encodeBox(const Box& box) {

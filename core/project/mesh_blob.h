@@ -4,6 +4,7 @@
 
 #include "core/geometry/triangle_mesh.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,17 @@ std::string encodeMesh(const TriangleMesh& mesh);
 
 /// Nothing when the blob is damaged or a triangle names a vertex that isn't there.
 std::optional<TriangleMesh> decodeMesh(std::string_view blob);
+
+/// What the meshes of one file take in memory. Each alone is held to its packed size by `decodeMesh`; many small blobs
+/// could still come to gigabytes.
+class MeshesTogether {
+public:
+    /// False: they take more than their blobs can come to. @param packed bytes of the blob that `mesh` was read from
+    bool add(const TriangleMesh& mesh, std::size_t packed) noexcept;
+
+private:
+    std::size_t taken_ = 0, packed_ = 0;
+};
 
 /// Six doubles of a box, bit for bit (an empty box is infinite, which JSON can't write).
 std::string encodeBox(const Box& box);

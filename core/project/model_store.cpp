@@ -6,7 +6,6 @@
 #include "core/project/stores.h"
 
 #include <array>
-#include <limits>
 #include <utility>
 
 namespace burin {
@@ -64,6 +63,7 @@ Result<void> storeNotes(Database& database, const std::vector<ImportNote>& notes
 }
 
 Result<void> loadBodies(Database& database, std::vector<Body>& bodies) {
+    MeshesTogether together;
     Result<Statement> rows =
         Statement::prepare(database, "SELECT name, colour, volume, area, box, mesh, open_edges, face_count FROM body "
                                      "ORDER BY position");
@@ -76,7 +76,7 @@ Result<void> loadBodies(Database& database, std::vector<Body>& bodies) {
         body.area = rows->real(3);
         const std::optional<Box> box = decodeBox(rows->blob(4));
         std::optional<TriangleMesh> mesh = decodeMesh(rows->blob(5));
-        if (!box || !mesh) return damaged(database, "body " + body.name);
+        if (!box || !mesh || !together.add(*mesh, rows->blob(5).size())) return damaged(database, "body " + body.name);
         body.box = *box;
         body.mesh = std::move(*mesh);
         body.openEdges = static_cast<std::size_t>(rows->integer(6));
@@ -108,7 +108,7 @@ Result<Model> loadHead(Database& database) {
     model.lengthUnit = cleanLine(row->text(2));
     model.unitScale = row->real(3);
     model.meshChord = row->real(4);
-    std::optional<std::string> brep = decompress(row->blob(5), std::numeric_limits<std::int32_t>::max());
+    std::optional<std::string> brep = decompress(row->blob(5), mostUnpacked(row->blob(5).size()));
     if (!brep) return damaged(database, "model");
     model.brep = std::move(*brep);
     return model;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/project/mesh_blob.h"
 #include "core/project/stores.h"
 #include "core/project/surroundings_record.h"
 
@@ -90,9 +91,12 @@ Result<std::vector<Obstacle>> loadObstacles(Database& database) {
     Result<Statement> rows = Statement::prepare(database, "SELECT json, mesh FROM obstacle ORDER BY position");
     if (!rows) return std::move(rows).error();
     std::vector<Obstacle> obstacles;
+    MeshesTogether together;
     Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
         std::optional<Obstacle> obstacle = obstacleFrom(rows->text(0), rows->blob(1));
-        if (!obstacle) return damaged(database, "obstacle " + std::to_string(obstacles.size() + 1));
+        const auto* mesh = obstacle ? std::get_if<TriangleMesh>(&obstacle->shape) : nullptr;
+        if (!obstacle || (mesh != nullptr && !together.add(*mesh, rows->blob(1).size())))
+            return damaged(database, "obstacle " + std::to_string(obstacles.size() + 1));
         obstacles.push_back(std::move(*obstacle));
         return {};
     });
@@ -172,7 +176,8 @@ Result<KeptGuides> loadGuides(Database& database) {
     Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
         std::optional<GuideCurve> curve;
         std::optional<Guide> guide = guideFrom(rows->text(0), rows->blob(1), curve);
-        if (!guide) return damaged(database, "guide " + std::to_string(kept.guides.size() + 1));
+        if (!guide || kept.guides.size() == GuideSettings::capacity)
+            return damaged(database, "guide " + std::to_string(kept.guides.size() + 1));
         if (curve) {
             kept.curves.push_back(std::make_shared<const GuideCurve>(std::move(*curve)));
             guide->curve = kept.curves.back().get();

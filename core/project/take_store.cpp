@@ -77,8 +77,8 @@ Result<void> loadUndone(Database& database, std::int64_t id, std::uint64_t sampl
         const std::int64_t first = rows->integer(0), count = rows->integer(1);
         if (count <= 0 || count > mostSamples || first > mostSamples || std::cmp_less(first, end))
             return damaged(database, "take " + std::to_string(id) + ", undone samples");
-        end = static_cast<std::uint64_t>(first + count);
         const auto from = static_cast<std::uint64_t>(first);
+        end = from + static_cast<std::uint64_t>(count);
         if (from < samples) undone.push_back({from, std::min(end, samples) - from});
         return {};
     });

@@ -12,7 +12,7 @@ QList<FaultCommand> faultCommands() {
          false,
          true},
         {"setup", {"setup", "p.burin", "--units", "inch", "--keep-out", "0,0,-20,5,5,-10"}, {}},
-        {"mill", {"mill", "p.burin", "--step-over", "4", "--seconds", "1"}, {}, true},
+        {"mill", {"mill", "p.burin", "--intent", "scribble", "--seconds", "1"}, {}, true},
         {"mill a trace",
          {"mill", "p.burin", "--stylus", "trace:hand.csv", "--trace", "again.csv", "--felt", "1", "--seconds", "1"},
          {"again.csv"},

@@ -13,18 +13,45 @@ using namespace burin;
 
 namespace {
 
-/// A block up, over, down, along and around: each word that a dialect may have is asked for.
-NcProgram smallProgram(const MachineProfile& machine) {
+MachineProfile machine() {
+    MachineProfile made;
+    made.travel = glm::dvec3(500.0);
+    made.maximumFeed = 2000.0;
+    made.rapidFeed = 5000.0;
+    made.maximumSpindleSpeed = 24000.0;
+    made.maximumLineLength = 100'000;
+    return made;
+}
+
+/// Up, over, down, along, around by arc and helix in each plane, and up again.
+Path pathOf(const char* tool, Coolant coolant) {
     Path path;
-    path.toolId = "ball-6";
-    path.points = {{{0.0, 0.0, 5.0}}, {{0.0, 0.0, 0.0}}, {{10.0, 0.0, 0.0}}};
+    path.toolId = tool;
+    path.spindleSpeed = 10000.5;
+    path.coolant = coolant;
+    path.points = {{{0.0, 0.0, 5.0}, MoveKind::rapid},
+                   {{0.0, 0.0, 0.0}, MoveKind::plunge, 300.0},
+                   {{10.0, 0.0, 0.0}, MoveKind::cut, 900.125, 7, 123},
+                   {{10.0, 4.0, -1.0}, MoveKind::cut, 900.0, 7, 124, PathArc{{10.0, 2.0, 0.0}, 2, false}},
+                   {{14.0, 4.0, -1.0}, MoveKind::cut, 900.0, 7, 125, PathArc{{12.0, 4.0, -1.0}, 1, true}},
+                   {{14.0, 8.0, -1.0}, MoveKind::cut, 900.0, 7, 126, PathArc{{14.0, 6.0, -1.0}, 0, false}},
+                   {{14.0, 8.0, -1.0}, MoveKind::cut, 900.0, 7, 127, PathArc{{14.0, 6.0, -1.0}, 2, true}},
+                   {{14.0, 8.0, 4.0}, MoveKind::retract, 900.0},
+                   {{14.0, 8.0, 5.0}, MoveKind::rapid}};
+    return path;
+}
+
+NcProgram programOf(NcUnits units, const std::vector<Path>& paths, const MachineProfile& machine) {
     PostRequest request;
     request.programName = "fuzz";
     request.header = {"a comment", "\xc3\xa4 (in brackets)"};
-    request.tools = {{"ball-6", {1, "ball 6 mm", SpindleDirection::clockwise}}};
+    request.units = units;
+    request.tools = {{"ball-6", {1, "ball 6 mm", SpindleDirection::clockwise}},
+                     {"flat-6", {12, "flat (6 mm)", SpindleDirection::anticlockwise}}};
     request.safeHeight = 10.0;
-    auto program = toProgram({path}, request, machine);
-    return program ? std::move(*program) : NcProgram{};
+    auto program = toProgram(paths, request, machine);
+    if (!program) std::abort();
+    return std::move(*program);
 }
 
 } // namespace
@@ -34,9 +61,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     const std::string_view text(reinterpret_cast<const char*>(bytes), count);
     auto dialect = dialectFromJson(text, "fuzz");
     if (!dialect) return 0;
-    static const MachineProfile machine;
-    static const NcProgram program = smallProgram(machine);
-    Progress progress;
-    static_cast<void>(writeProgram(program, machine, DataPost(std::move(*dialect)), progress));
+    static const MachineProfile made = machine();
+    // Each word that a dialect may have is asked for; the second program is for those that change no tool and cool
+    // none.
+    static const NcProgram whole =
+        programOf(NcUnits::millimetre, {pathOf("ball-6", Coolant::flood), pathOf("flat-6", Coolant::mist)}, made);
+    static const NcProgram plain = programOf(NcUnits::inch, {pathOf("ball-6", Coolant::off)}, made);
+    const DataPost post(std::move(*dialect));
+    for (const NcProgram* program : {&whole, &plain}) {
+        Progress progress;
+        const auto written = writeProgram(*program, made, post, progress);
+        if (!written && written.error().code == ErrorCode::internalFault) std::abort();
+    }
     return 0;
 }

@@ -4,10 +4,17 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <string>
 #include <string_view>
 
+/// A material that was read is written, and read again: the same text both times.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const std::string_view text(reinterpret_cast<const char*>(bytes), count);
-    static_cast<void>(burin::propertyFromJson(text, "fuzz"));
+    const auto material = burin::propertyFromJson(text, "fuzz");
+    if (!material) return 0;
+    const std::string written = burin::toJson(*material);
+    const auto again = burin::propertyFromJson(written, "fuzz");
+    if (!again || burin::toJson(*again) != written) std::abort();
     return 0;
 }

@@ -1,17 +1,53 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/project.h"
+#include "tests/fuzz/project_mutation.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
 #include <string>
-#include <sys/mman.h>
 #include <unistd.h>
 
 using namespace burin;
+namespace fs = std::filesystem;
 
 namespace {
+
+/// A file that lies in memory: writing each input to a disk would take longer than reading it. SQLite opens none that
+/// has no name (memfd_create).
+class MemoryFile {
+public:
+    MemoryFile() {
+        std::error_code missing;
+        const fs::path memory = fs::is_directory("/dev/shm", missing) ? "/dev/shm" : fs::temp_directory_path();
+        folder_ = memory / ("burin-fuzz-" + std::to_string(::getpid()));
+        fs::create_directory(folder_);
+    }
+    ~MemoryFile() {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+
+    fs::path name() const { return folder_ / "p.burin"; }
+    void write(const std::uint8_t* bytes, std::size_t count) const {
+        const int file = ::open(name().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+        if (file < 0 || ::write(file, bytes, count) != static_cast<ssize_t>(count)) std::abort();
+        ::close(file);
+    }
+    /// Whoever only looks leaves nothing behind.
+    void checkAlone() const {
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder_))
+            if (entry.path() != name() && entry.path().extension() != ".lock") std::abort();
+    }
+
+private:
+    fs::path folder_;
+};
 
 /// All that a project tells, as a command or the window asks for it.
 void readAll(const Project& project) {
@@ -27,21 +63,29 @@ void readAll(const Project& project) {
     static_cast<void>(project.leftAt());
     static_cast<void>(project.keptProgram());
     static_cast<void>(project.jobDigest());
-    static_cast<void>(project.guides());
+    if (const auto kept = project.guides())
+        if (kept->guides.size() > GuideSettings::capacity) std::abort();
     static_cast<void>(project.paths());
     static_cast<void>(project.programs());
-    if (const auto takes = project.takes())
-        for (const TakeInfo& take : *takes) static_cast<void>(project.take(take.id));
+    const auto takes = project.takes();
+    if (!takes) return;
+    for (const TakeInfo& take : *takes) {
+        static_cast<void>(project.takeOutline(take.id));
+        static_cast<void>(project.visitSamples(take.id, [](std::span<const Sample>) { return Result<void>(); }));
+    }
 }
 
 } // namespace
 
-/// The file lies in memory: writing each to a disk would take longer than reading it.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-    static const int descriptor = ::memfd_create("fuzz.burin", MFD_CLOEXEC);
-    static const std::string file = "/proc/self/fd/" + std::to_string(descriptor);
-    if (::ftruncate(descriptor, 0) != 0 || ::pwrite(descriptor, bytes, count, 0) != static_cast<ssize_t>(count))
-        std::abort();
-    if (const auto project = Project::openForReading(file)) readAll(*project);
+    static const MemoryFile file;
+    file.write(bytes, count);
+    if (const auto project = Project::openForReading(file.name())) readAll(*project);
+    file.checkAlone();
     return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* bytes, std::size_t count, std::size_t most,
+                                               unsigned seed) {
+    return fuzz::mutateProject(bytes, count, most, seed);
 }

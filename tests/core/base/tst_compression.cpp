@@ -44,6 +44,23 @@ private slots:
         QVERIFY(compress(std::string(100'000, 'x')).size() < 1'000);
     }
 
+    /// What is even packs ten thousand times; it must come back all the same where a reader has bounds.
+    void whatIsEvenStaysWithinTheBoundsOfReading() {
+        for (const std::size_t size : {std::size_t{100'000}, std::size_t{1} << 20U, std::size_t{64} << 20U}) {
+            const std::string bytes(size, 'x'), frame = compress(bytes);
+            QVERIFY(decompress(frame, mostUnpacked(frame.size())) == bytes);
+            QVERIFY(1000 * size <= mostUnpackedTogether(1000 * frame.size()));
+        }
+    }
+
+    void aFrameThatClaimsMuchIsRefused() {
+        const std::string bytes(std::size_t{64} << 20U, 'x');
+        std::string frame(ZSTD_compressBound(bytes.size()), '\0');
+        frame.resize(ZSTD_compress(frame.data(), frame.size(), bytes.data(), bytes.size(), 1));
+        QVERIFY(decompress(frame, bytes.size()) == bytes);
+        QVERIFY(!decompress(frame, mostUnpacked(frame.size())));
+    }
+
     void aFrameThatIsNotWholeGivesNothing() {
         std::string frame = compress("what was written");
         QVERIFY(!decompress(frame, 15));

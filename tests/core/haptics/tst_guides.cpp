@@ -325,6 +325,10 @@ private slots:
         QVERIFY(!GuideCurve::make({{0, 0, 0}, {0, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}));
         QVERIFY(!GuideCurve::make({{0, 0, 0}, {1, 0, 0}}, {{1, 0, 0}, {0, 0, 0}}));
         QVERIFY(!GuideCurve::make({{0, 0, 0}}, {{1, 0, 0}}));
+        // Finite, but without a length that a direction could come of.
+        QVERIFY(!GuideCurve::make({{0, 0, 0}, {1, 0, 0}}, {{1, 0, 0}, {1e200, 0, 0}}));
+        QVERIFY(!GuideCurve::make({{0, 0, 0}, {1e-200, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}));
+        QVERIFY(!GuideCurve::make({{-1e200, 0, 0}, {1e200, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}));
     }
 };
 

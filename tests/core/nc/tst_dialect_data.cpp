@@ -61,6 +61,10 @@ private slots:
             "has to be one of: linuxcnc, grbl, grblhal, fanuc, haas, mach");
         row("a word of a block", "T{tool} M6", "T{tols} M6", "tool_change[1]", "has {tols}, which is none of {units}");
         row("a brace left open", "T{tool} M6", "T{tool M6", "tool_change[1]", "has {tool M6}, which is none of");
+        row("comments within a block", "[\"{comments}\"", "[\"O1 {comments}\"", "begin[0]",
+            "has more than {comments}, which has to stand alone");
+        row("a tool's comment within a block", "T{tool} M6", "T{tool} M6 {tool_comment}", "tool_change[1]",
+            "has more than {tool_comment}, which has to stand alone");
         row("a dwell without its time", "G4 P{seconds}", "G4 P3", "words.dwell",
             "has to hold one of {seconds}, {milliseconds}");
         row("a work offset without its number", "G{offset}", "G54", "words.work_offset", "has to hold one of {offset}");

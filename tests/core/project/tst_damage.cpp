@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/compression.h"
 #include "core/base/file.h"
 #include "core/project/database.h"
 #include "core/project/project.h"
@@ -51,6 +52,21 @@ bool isClear(const Error& error, const fs::path& file) {
 
 void write(const fs::path& file, const std::string& content) {
     std::ofstream(file, std::ios::binary | std::ios::trunc) << content;
+}
+
+/// A Zstandard frame (RFC 8878, 3.1.1) of `blocks` blocks, each 128 KiB of zeros in four bytes.
+std::string frameOfZeros(std::uint32_t blocks) {
+    constexpr std::uint32_t blockSize = 128U << 10U, repeated = 1;
+    std::string frame("\x28\xb5\x2f\xfd\x80\x50", 6); // four bytes of content size, a window of 1 MiB
+    const auto append = [&](std::uint32_t number, int bytes) {
+        for (int i = 0; i < bytes; ++i) frame.push_back(static_cast<char>(number >> (8 * i) & 0xffU));
+    };
+    append(blocks * blockSize, 4);
+    for (std::uint32_t i = 1; i <= blocks; ++i) {
+        append(blockSize << 3U | repeated << 1U | (i == blocks ? 1U : 0U), 3);
+        frame.push_back('\0');
+    }
+    return frame;
 }
 
 } // namespace
@@ -186,6 +202,40 @@ private slots:
         QCOMPARE(read.error().place, std::string("take 1, sample 100"));
     }
 
+    /// A session has room for eight, and copies what it gets.
+    void moreGuidesThanASessionHasAreRefused() {
+        const fs::path file = filledAndChanged("INSERT INTO guide SELECT position + 100, json, curve FROM guide");
+        const Result<Project> project = Project::openForReading(file);
+        QVERIFY(project);
+        const Result<KeptGuides> guides = project->guides();
+        QVERIFY(!guides);
+        QCOMPARE(guides.error().code, ErrorCode::fileDamaged);
+        QCOMPARE(guides.error().place, std::string("guide 9"));
+    }
+
+    void anUndoneStretchMayEndWhereNumbersDo() {
+        const fs::path file = filledAndChanged("UPDATE undone_stretch SET first = 1 << 62, count = 1 << 62");
+        const Result<Project> project = Project::openForReading(file);
+        QVERIFY(project);
+        const Result<std::vector<TakeInfo>> takes = project->takes();
+        QVERIFY(takes);
+        for (const TakeInfo& take : *takes) QCOMPARE(take.undoneCount, std::uint64_t{0});
+    }
+
+    /// 64 MiB in 2 kB, as nothing packs that describes a part.
+    void aPartThatClaimsMuchIsRefused() {
+        const std::string packed = frameOfZeros(512);
+        QVERIFY(decompress(packed, std::size_t{64} << 20U) == std::string(std::size_t{64} << 20U, '\0'));
+        const fs::path file = filledAndChanged("");
+        {
+            Result<Database> database = Database::open(file, "", Database::Access::write);
+            QVERIFY(run(*database, "UPDATE model SET brep = ?", BlobView{packed}));
+        }
+        const Result<Project> project = Project::openForReading(file);
+        QVERIFY(project);
+        QCOMPARE(project->model().error().code, ErrorCode::fileDamaged);
+    }
+
     /// A project from anybody may bring triggers along; they never run.
     void foreignTriggersNeverRun() {
         const fs::path file = placed(whole_);
@@ -201,6 +251,15 @@ private:
     fs::path placed(const std::string& content) {
         fs::path file = folder_.filePath(QString::number(++number_) + ".burin").toStdString();
         write(file, content);
+        return file;
+    }
+
+    /// A project with all that there is, changed by hand.
+    fs::path filledAndChanged(const std::string& sql) {
+        fs::path file = folder_.filePath(QString::number(++number_) + ".burin").toStdString();
+        if (!fixture::fillProject(file) || !Database::open(file, "", Database::Access::write)
+                                                ->execute((sql + "; UPDATE document SET digest = NULL").c_str()))
+            return {};
         return file;
     }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/compression.h"
 #include "core/project/column_codec.h"
 #include "core/project/cut_motions.h"
 #include "core/project/mesh_blob.h"
@@ -95,6 +96,12 @@ private slots:
         QVERIFY(!decodeSamples(whole, 61));
         QVERIFY(!decodeSamples(whole, std::numeric_limits<std::size_t>::max()));
     }
+    /// 48 bytes a row of six columns: numbers of rows whose bytes are a small number modulo 2^64.
+    void countsThatOverflowAreRefused() {
+        const std::string frame = compress(std::string(38, '\0'));
+        QVERIFY(!decodeColumns(frame, 6, 384'307'168'202'282'326U));
+        QVERIFY(!decodeColumns(compress(std::string(6, '\0')), 6, std::size_t{1} << 61U));
+    }
     void noiseIsNeverRead() {
         QVERIFY(rc::check("random bytes", [] {
             const auto bytes = *rc::gen::arbitrary<std::string>();
@@ -127,6 +134,31 @@ private slots:
             other.bodies.emplace_back().mesh = *back;
             RC_ASSERT(fixture::identical(one, other));
         }));
+    }
+    /// The most even mesh that there is packs ten thousand times.
+    void aFinelyMeshedPlateComesBack() {
+        constexpr std::uint32_t side = 600;
+        TriangleMesh plate;
+        for (std::uint32_t row = 0; row < side; ++row)
+            for (std::uint32_t column = 0; column < side; ++column) plate.vertices.emplace_back(column, row, 5.0);
+        for (std::uint32_t row = 0; row + 1 < side; ++row)
+            for (std::uint32_t corner = row * side; corner + 1 < (row + 1) * side; ++corner) {
+                plate.triangles.push_back({corner, corner + 1, corner + side});
+                plate.triangles.push_back({corner + 1, corner + side + 1, corner + side});
+            }
+        const std::string blob = encodeMesh(plate);
+        const auto back = decodeMesh(blob);
+        QVERIFY(back && back->vertices == plate.vertices && back->triangles == plate.triangles);
+        MeshesTogether meshes;
+        for (int i = 0; i < 100; ++i) QVERIFY(meshes.add(plate, blob.size()));
+    }
+    void manySmallBlobsThatComeToGigabytesAreRefused() {
+        TriangleMesh mesh;
+        mesh.vertices.resize(600'000);
+        MeshesTogether meshes;
+        int taken = 0;
+        while (taken < 1000 && meshes.add(mesh, 1000)) ++taken;
+        QCOMPARE(taken, 9); // of 14.4 MB each
     }
     void aTriangleWithoutItsVertexIsRefused() {
         TriangleMesh mesh = fixture::model().bodies.front().mesh;
