@@ -7,6 +7,7 @@
 #include "core/verify/excess.h"
 #include "core/verify/load_chart.h"
 #include "core/verify/report_json.h"
+#include "ui/panels/embedding_words.h"
 
 #include <sstream>
 
@@ -141,6 +142,21 @@ std::string textOf(const Model& model) {
     for (const ImportNote& note : model.notes)
         text << "\n  " << (note.kind == ImportNote::Kind::warning ? "warning  " : "note     ") << note.text;
     return text.str();
+}
+
+std::vector<std::string> doubtsOf(const Model& model, const EmbeddedSetup& embedded) {
+    std::vector<std::string> doubts;
+    for (const ImportNote& note : model.notes)
+        if (note.kind == ImportNote::Kind::warning) doubts.push_back(note.text);
+    for (const EmbeddingFinding& finding : embedded.findings)
+        doubts.push_back(embeddingText(finding, LengthUnit::millimetre).toStdString());
+    return doubts;
+}
+
+std::string textOfDoubts(const std::vector<std::string>& doubts) {
+    std::string text;
+    for (const std::string& doubt : doubts) text += "\nwarning: " + doubt;
+    return text;
 }
 
 namespace {

@@ -7,12 +7,14 @@
 #include "core/nc/lint.h"
 #include "core/path/evaluate.h"
 #include "core/project/program_job.h"
+#include "core/setup/setup.h"
 #include "core/tool/tool.h"
 #include "core/verify/verify.h"
 
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace burin {
 
@@ -35,6 +37,11 @@ std::string textOfEntries(const std::vector<EditReport>& reports);
 std::string textOf(const Model& model);
 /// What the check found, what the control would reject and the machine that the program was judged for.
 std::string textOf(const CheckedProgram& program, double gougeTolerance, const MachineProfile& machine);
+
+/// What is doubtful about a part: what import said, and what embedding found.
+std::vector<std::string> doubtsOf(const Model& model, const EmbeddedSetup& embedded);
+/// The same as lines that follow others; empty where there is no doubt.
+std::string textOfDoubts(const std::vector<std::string>& doubts);
 
 /// Why a program that failed its check was not written, and how it is all the same.
 std::string notWritten(const std::string& file);

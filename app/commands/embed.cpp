@@ -9,7 +9,6 @@
 #include "core/project/companions.h"
 #include "core/project/project_change.h"
 #include "core/setup/setup.h"
-#include "ui/panels/embedding_words.h"
 
 #include <CLI/CLI.hpp>
 
@@ -133,9 +132,7 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
     if (!saved) return context.fail(saved.error());
 
     const glm::ivec3 voxels = embedded->workpiece.grid().count();
-    std::vector<std::string> warnings;
-    for (const EmbeddingFinding& finding : embedded->findings)
-        warnings.push_back(embeddingText(finding, LengthUnit::millimetre).toStdString());
+    const std::vector<std::string> warnings = doubtsOf(*model, *embedded);
     const nlohmann::json answer{{"project", std::filesystem::absolute(arguments.output).lexically_normal().string()},
                                 {"stock_box_mm", jsonOf(setup->stock)},
                                 {"voxel_mm", setup->voxel},
@@ -153,8 +150,7 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
                        formatFixed(embedded->stockVolume, 1) + " mm^3, " + std::to_string(voxels.x) + " x " +
                        std::to_string(voxels.y) + " x " + std::to_string(voxels.z) + " voxels of " +
                        formatShortest(setup->voxel) + " mm";
-    for (const std::string& warning : warnings) text += "\nwarning: " + warning;
-    context.answer(answer, text);
+    context.answer(answer, text + textOfDoubts(warnings));
     return 0;
 }
 

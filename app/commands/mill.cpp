@@ -319,6 +319,7 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
                    {"axis", jsonOf(bounds->axis())},
                    {"layers", jsonOf(bounds->layers())},
                    {"machine_travel_mm", travel.empty() ? json(nullptr) : jsonOf(travel)},
+                   {"part_warnings", doubtsOf(*bench->model, bench->embedded)},
                    {"takes", json::array()}});
     double removed = 0.0;
     std::uint64_t samples = 0;
@@ -331,7 +332,7 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     }
     answer["samples"] = samples;
     answer["removed_mm3"] = removed;
-    context.answer(answer, text);
+    context.answer(answer, text + textOfDoubts(doubtsOf(*bench->model, bench->embedded)));
     return context.progress().cancelled() ? static_cast<int>(ErrorClass::cancelled) : 0;
 }
 

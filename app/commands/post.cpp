@@ -101,8 +101,10 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     for (const Tool& tool : edited->program.tools) answer["tools"].push_back(jsonOf(tool));
     answer["passed"] = program->passed();
     answer["lint"] = jsonOf(program->lint);
+    const std::vector<std::string> doubts = doubtsOf(*bench->model, bench->embedded);
+    answer["part_warnings"] = doubts;
     const std::string verdict = textOf(*program, arguments.tolerance, bench->machine) + textOfEntries(edited->reports) +
-                                textOfOmissions(edited->reports);
+                                textOfOmissions(edited->reports) + textOfDoubts(doubts);
     answer["overridden"] = program->overridden;
     if (!program->released()) {
         context.answer(answer, verdict);

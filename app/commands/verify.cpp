@@ -82,6 +82,8 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     answer["program"] = std::filesystem::absolute(arguments.program).lexically_normal().string();
     answer["blocks"] = checked->parsed.blocks;
     answer["machine"] = jsonOf(bench->machine);
+    const std::vector<std::string> doubts = doubtsOf(*bench->model, bench->embedded);
+    answer["part_warnings"] = doubts;
     answer["tool"] = jsonOf(checked->tools.front());
     answer["work_offset_mm"] = burin::jsonOf(bench->setup.workOffset);
     if (!arguments.map.empty()) {
@@ -93,7 +95,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
         answer["map_scale"] = jsonOf(DeviationScale(tolerance));
         answer["map"] = std::filesystem::absolute(arguments.map).lexically_normal().string();
     }
-    context.answer(answer, textOf(*checked, arguments.tolerance, bench->machine));
+    context.answer(answer, textOf(*checked, arguments.tolerance, bench->machine) + textOfDoubts(doubts));
     return checked->passed() ? 0 : static_cast<int>(ErrorClass::checkFailed);
 }
 

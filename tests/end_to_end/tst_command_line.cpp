@@ -46,6 +46,7 @@ private slots:
     void aPictureIsCutOpen();
     void aMachineIsCopiedChangedAndDeleted();
     void aProjectOutlivesItsMachine();
+    void whatIsDoubtfulOfAPartIsRepeated();
     void fullDiskKeepsTheOldProject();
     void fullDiskLeavesNothingOfANewProject();
     void stopsWhenAsked();
@@ -252,6 +253,24 @@ void CommandLineTest::aProjectOutlivesItsMachine() {
     const ProgramRun run = runBurin({"mill", project, "--seconds", "0.2"});
     QVERIFY2(run.status == 0, run.messages.constData());
     QVERIFY2(run.messages.contains("\"gone\"") && run.messages.contains("\"linuxcnc-mill\""), run.messages.constData());
+}
+
+/// Its import found its unit doubtful, and embedding that nothing of it is protected.
+void CommandLineTest::whatIsDoubtfulOfAPartIsRepeated() {
+    const QString project = folder_.filePath("speck.burin"), program = folder_.filePath("air.ngc");
+    QFile file(program);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("G21 G90 G54\nT1 M6\nG43 H1\nS8000 M3\nG0 X0 Y0\nG0 Z20\nM2\n");
+    file.close();
+    const auto doubts = [](const ProgramRun& run, const char* key) {
+        const QJsonArray texts = run.json()[QLatin1String(key)].toArray();
+        return texts.size() == 2 && texts[0].toString().contains("unit") && texts[1].toString().contains("protected");
+    };
+    const QString part = BURIN_FIXTURES "/models/of-others/s14b-20-micrometre.stl";
+    QVERIFY(doubts(runBurin({"embed", part, "-o", project, "--voxel", "0.5", "--json"}), "warnings"));
+    QVERIFY(doubts(runBurin({"mill", project, "--seconds", "0.2", "--json"}), "part_warnings"));
+    QVERIFY(doubts(runBurin({"verify", program, "--project", project, "--json"}), "part_warnings"));
+    QVERIFY(runBurin({"verify", program, "--project", project}).output.contains("\nwarning: "));
 }
 
 void CommandLineTest::fullDiskKeepsTheOldProject() {
