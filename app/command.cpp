@@ -3,7 +3,6 @@
 #include "app/command.h"
 
 #include "core/base/clean_text.h"
-#include "core/base/staged_file.h"
 #include "ui/messages/messages.h"
 
 #include <CLI/CLI.hpp>
@@ -145,6 +144,15 @@ int CommandContext::fail(const Error& error, const QString& standing) {
                      {{"sentence", sentence}, {"status", status}, {"subject", error.subject}, {"place", error.place}}}})
             << std::endl;
     return status;
+}
+
+QString standingOutputs(std::span<const StagedFile> outputs) {
+    QStringList words;
+    for (const StagedFile& output : outputs)
+        if (output.stands())
+            words << QCoreApplication::translate("Command", "\"%1\" is new already")
+                         .arg(QString::fromStdString(output.file().string()));
+    return words.join("; ");
 }
 
 void addJsonFlag(CLI::App& command, CommandContext& context) {

@@ -4,11 +4,13 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/base/staged_file.h"
 
 #include <QString>
 #include <nlohmann/json.hpp>
 
 #include <memory>
+#include <span>
 #include <string>
 
 namespace CLI {
@@ -47,6 +49,10 @@ private:
     std::unique_ptr<Ender> ender_;
     std::unique_ptr<ProgressLine> line_;
 };
+
+/// Says which of the outputs of a command that failed are new all the same, as a disk that refuses everything lets none
+/// be taken back; empty: none. For `fail`.
+QString standingOutputs(std::span<const StagedFile> outputs);
 
 /// Adds one subcommand; its callback stores the exit status.
 using Register = void (*)(CLI::App& program, CommandContext& context, int& status);

@@ -256,12 +256,15 @@ Result<void> saveWith(Project& project, std::optional<StagedFile>& trace) {
     return saved;
 }
 
-/// What a fault leaves of a recording.
-QString keptRecording(const Project& project) {
-    const Result<bool> unsaved = project.unsaved();
-    if (!unsaved || !*unsaved) return {};
-    return QCoreApplication::translate("Command", "what was recorded is kept, and the next command that opens the "
-                                                  "project recovers it");
+/// What a fault leaves of a recording and its trace.
+QString keptRecording(const Project& project, const std::optional<StagedFile>& trace) {
+    QStringList words;
+    if (trace) words << standingOutputs(std::span(&*trace, 1));
+    if (const Result<bool> unsaved = project.unsaved(); unsaved && *unsaved)
+        words << QCoreApplication::translate("Command", "what was recorded is kept, and the next command that opens "
+                                                        "the project recovers it");
+    words.removeAll(QString());
+    return words.join("; ");
 }
 
 /// Errors: those of checkOutput.
@@ -308,10 +311,10 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
         // What was recorded until somebody ended it is saved as if it had ended by itself.
         const bool ended = outcome.error().code == ErrorCode::cancelled && project->unsaved() && *project->unsaved();
         if (ended && saveWith(*project, trace)) return context.fail(outcome.error());
-        return context.fail(outcome.error(), keptRecording(*project));
+        return context.fail(outcome.error(), keptRecording(*project, trace));
     }
     if (const Result<void> saved = saveWith(*project, trace); !saved)
-        return context.fail(saved.error(), keptRecording(*project));
+        return context.fail(saved.error(), keptRecording(*project, trace));
 
     const Box& travel = bounds->envelope().tips;
     answer.update({{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},

@@ -119,10 +119,14 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
         inOrder([&] { return (*project)->addProgram(kept); },
                 [&] { return keepVerdict(**project, *program, bench->machine.id, request.units); },
                 [&] { return project->save(std::span(&*output, 1)); });
-    if (!saved)
+    if (!saved) {
+        const QString standing = standingOutputs(std::span(&*output, 1));
         return context.fail(saved.error(),
-                            QCoreApplication::translate("Command", "neither \"%1\" nor the project was changed")
-                                .arg(QString::fromStdString(arguments.output)));
+                            standing.isEmpty()
+                                ? QCoreApplication::translate("Command", "neither \"%1\" nor the project was changed")
+                                      .arg(QString::fromStdString(arguments.output))
+                                : standing);
+    }
     answer["program"] = std::filesystem::absolute(arguments.output).lexically_normal().string();
     context.answer(answer, arguments.output + ": " + std::to_string(program->parsed.blocks) + " blocks\n" + verdict);
     return 0;

@@ -184,6 +184,7 @@ StagedFile::StagedFile(StagedFile&& other) noexcept
     , waiting_(std::move(other.waiting_))
     , descriptor_(std::exchange(other.descriptor_, -1))
     , existed_(other.existed_)
+    , looked_(other.looked_)
     , state_(std::exchange(other.state_, State::done)) {}
 
 StagedFile::~StagedFile() {
@@ -277,16 +278,23 @@ Result<void> StagedFile::sendToStream() {
     return {};
 }
 
-/// What stands there gets a second name, until it is clear that it is not needed.
-void StagedFile::keepPrevious() {
+/// What stands there gets a second name, until it is clear that it is not needed. 0, or why it got none.
+int StagedFile::linkPrevious() {
     const fs::path name = temporaryBeside(target_);
-    existed_ = true;
-    if (::link(target_.c_str(), name.c_str()) == 0) {
-        previous_ = name;
-        noteUnplaced(previous_);
-    } else {
-        existed_ = errno != ENOENT;
-    }
+    const int reason = uninterrupted([&] { return ::link(target_.c_str(), name.c_str()); }) == 0 ? 0 : errno;
+    looked_ = true;
+    existed_ = reason != ENOENT;
+    if (reason != 0) return reason;
+    previous_ = name;
+    noteUnplaced(previous_);
+    return 0;
+}
+
+Result<void> StagedFile::keepPrevious() {
+    if (isStream() || looked_) return {};
+    const int reason = linkPrevious();
+    if (reason == ENOSPC || reason == EDQUOT || reason == EIO) return writeError(file_, reason);
+    return {};
 }
 
 Result<void> StagedFile::putInPlace() {
@@ -295,7 +303,7 @@ Result<void> StagedFile::putInPlace() {
         return sendToStream();
     }
     const PlacingTogether alone;
-    keepPrevious();
+    if (!looked_) linkPrevious();
     if (uninterrupted([&] { return ::rename(beside_.c_str(), target_.c_str()); }) != 0) return writeError(file_, errno);
     state_ = State::placed;
     const int reason = flushFolder(folderOf(target_));
@@ -308,7 +316,8 @@ Result<void> StagedFile::putInPlace() {
 bool StagedFile::takeBack() noexcept {
     if (state_ != State::placed) return false;
     if (existed_ && previous_.empty()) return false;
-    const bool done = existed_ ? ::rename(previous_.c_str(), target_.c_str()) == 0 : ::unlink(target_.c_str()) == 0;
+    const bool done = existed_ ? uninterrupted([&] { return ::rename(previous_.c_str(), target_.c_str()); }) == 0
+                               : ::unlink(target_.c_str()) == 0;
     if (!done) return false;
     if (!previous_.empty()) forgetUnplaced(previous_);
     previous_.clear();
@@ -332,6 +341,9 @@ void abandonStagedFiles() noexcept {
 
 Result<void> putInPlace(std::span<StagedFile> files) {
     const PlacingTogether alone;
+    if (files.size() > 1)
+        for (StagedFile& file : files)
+            if (Result<void> kept = file.keepPrevious(); !kept) return kept;
     for (std::size_t i = 0; i < files.size(); ++i) {
         Result<void> placed = files[i].putInPlace();
         if (placed) continue;

@@ -34,12 +34,18 @@ public:
     Result<void> append(std::string_view content);
     /// What was appended is on the disk: nothing of `putInPlace` needs room any more. Errors: as `begin`.
     Result<void> flush();
+    /// From now on what stands at `file` can be brought back, where the file system has links. For files that are put
+    /// in their places together, before the first of them is. Errors: diskFull, fileNotWritable; nothing was changed.
+    Result<void> keepPrevious();
     /// The content stands at `file`, flushed with its folder. Errors: as `begin`; what stood there before then stands
     /// there still, or the error's detail says that it does not.
     Result<void> putInPlace();
     /// Undoes `putInPlace`: what stood there before stands there again. False: it can't be undone (what was sent to a
     /// stream, a file system without links). Until this object ends.
     bool takeBack() noexcept;
+    /// Whether the content stands at `file` and was not taken back.
+    bool stands() const noexcept { return state_ == State::placed; }
+    const std::filesystem::path& file() const noexcept { return file_; } ///< as the user named it
 
 private:
     enum class State : unsigned char { writing, placed, done };
@@ -47,7 +53,7 @@ private:
 
     Result<void> openBeside();
     Result<void> sendToStream();
-    void keepPrevious();
+    int linkPrevious();
     bool isStream() const noexcept { return beside_.empty(); }
 
     std::filesystem::path file_;     ///< as the user named it, for messages
@@ -57,6 +63,7 @@ private:
     std::string waiting_;            ///< for a stream
     int descriptor_ = -1;            ///< of `beside_`, locked; of a stream of this process
     bool existed_ = false;           ///< something stood at `target_`
+    bool looked_ = false;            ///< `existed_` and `previous_` are known
     State state_ = State::writing;
 };
 

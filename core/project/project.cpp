@@ -68,7 +68,7 @@ bool Project::readOnly() const noexcept {
 Result<bool> Project::unsaved() const {
     const Result<DocumentState> state = documentState(impl_->database);
     if (!state) return state.error();
-    return state->unsaved();
+    return state->unsaved() && state->changes != impl_->savedChanges;
 }
 
 Result<void> Project::save() {
@@ -77,7 +77,10 @@ Result<void> Project::save() {
 
 Result<void> Project::save(std::span<StagedFile> outputs) {
     if (readOnly()) return Error{ErrorCode::fileNotWritable, impl_->file.string(), {}, "open for reading alone"};
-    return saveSnapshot(impl_->database, impl_->file, outputs);
+    const Result<std::int64_t> saved = saveSnapshot(impl_->database, impl_->file, outputs);
+    if (!saved) return saved.error();
+    impl_->savedChanges = *saved;
+    return {};
 }
 
 Result<void> Project::saveAs(const fs::path& file) {
@@ -98,6 +101,7 @@ Result<void> Project::saveAs(const fs::path& file) {
     impl_->lock.reset();
     impl_->file = std::move(plain);
     impl_->recovered = false;
+    impl_->savedChanges.reset();
     impl_->keptAside = std::move(opened->keptAside);
     return {};
 }

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/project/document_state.h"
 #include "core/project/opening.h"
 #include "core/project/project.h"
 #include "core/project/working_copy.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace burin {
 
@@ -21,6 +24,14 @@ public:
         , database(std::move(opened.database))
         , recovered(opened.recovered)
         , keptAside(std::move(opened.keptAside)) {}
+    /// A save whose note in the working copy failed, as on a disk that was full by then, is in the file all the same.
+    ~Impl() {
+        if (!copy || copy.use_count() > 1 || !savedChanges) return;
+        if (const Result<DocumentState> state = documentState(database); state && state->changes == *savedChanges)
+            copy->abandon();
+    }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
 
     /// Runs `work` as one transaction that counts as a change.
     template <class Work>
@@ -56,6 +67,7 @@ public:
     std::shared_ptr<WorkingCopy> lock; ///< of a project that is open for reading alone, where it could be had
     Database database;
     bool recovered = false;
+    std::optional<std::int64_t> savedChanges; ///< that the file has since the last save of this object
     std::filesystem::path keptAside;
 };
 

@@ -65,6 +65,10 @@ Result<void> mayBeReplaced(const fs::path& file) {
 /// Puts `outputs` in their places and then the project: all or none.
 Result<void> placeTogether(StagedFile& project, std::span<StagedFile> outputs) {
     const PlacingTogether alone;
+    if (!outputs.empty())
+        if (Result<void> kept = project.keepPrevious(); !kept) return kept;
+    for (StagedFile& output : outputs)
+        if (Result<void> kept = output.keepPrevious(); !kept) return kept;
     if (Result<void> placed = putInPlace(outputs); !placed) return placed;
     Result<void> placed = project.putInPlace();
     if (!placed)
@@ -92,19 +96,19 @@ Result<StagedSnapshot> stageSnapshot(Database& workingCopy, const fs::path& file
 
 } // namespace
 
-Result<void> saveSnapshot(Database& workingCopy, const fs::path& file, std::span<StagedFile> outputs) {
-    if (Result<void> allowed = mayBeReplaced(file); !allowed) return allowed;
+Result<std::int64_t> saveSnapshot(Database& workingCopy, const fs::path& file, std::span<StagedFile> outputs) {
+    if (Result<void> allowed = mayBeReplaced(file); !allowed) return std::move(allowed).error();
     const std::string saveId = newSaveId();
     if (Result<void> noted = run(workingCopy, "UPDATE document SET next_save_id = ?", BlobView{saveId}); !noted)
-        return noted;
+        return std::move(noted).error();
     Result<StagedSnapshot> saved = stageSnapshot(workingCopy, file, saveId);
     if (!saved) return std::move(saved).error();
-    if (Result<void> placed = placeTogether(saved->file, outputs); !placed) return placed;
+    if (Result<void> placed = placeTogether(saved->file, outputs); !placed) return std::move(placed).error();
     // Should this fail, the file is saved all the same, and `next_save_id` lets the next open see it.
     static_cast<void>(run(workingCopy,
                           "UPDATE document SET save_id = ?, next_save_id = x'', revision = ?, saved_changes = ?",
                           BlobView{saveId}, saved->state.revision, saved->state.changes));
-    return {};
+    return saved->state.changes;
 }
 
 Result<StagedFile> saveCopy(Database& workingCopy, const fs::path& file) {

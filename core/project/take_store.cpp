@@ -22,8 +22,17 @@ constexpr double largestAllowance = 10.0;                // mm, as mill and the 
 constexpr double shortestTick = 1e-5, longestTick = 1.0; // s
 constexpr double latestTime = 1e11;                      // s
 
+constexpr double farthestTip = 1e6; // mm; machines travel a tenth of it
+
 double within(double value, double low, double high, double otherwise) {
     return std::isnan(value) ? otherwise : std::clamp(value, low, high);
+}
+
+/// Whether a recording can have had the tool there: what is worked out from places beyond overflows.
+bool isPlace(const ToolPose& pose) {
+    const auto reached = [](double coordinate) { return std::abs(coordinate) <= farthestTip; };
+    const double length = glm::length(pose.axis);
+    return reached(pose.tip.x) && reached(pose.tip.y) && reached(pose.tip.z) && std::abs(length - 1.0) <= 1e-3;
 }
 
 TakeInfo infoOf(const Statement& row) {
@@ -147,7 +156,12 @@ Result<void> visitSamples(Database& database, std::int64_t id, const SampleVisit
         std::optional<std::vector<Sample>> samples;
         if (std::cmp_equal(first, visited) && count >= 0)
             samples = decodeSamples(rows->blob(2), static_cast<std::size_t>(count));
-        if (!samples) return damaged(database, "take " + std::to_string(id) + ", sample " + std::to_string(visited));
+        const auto damagedAt = [&](std::uint64_t sample) {
+            return damaged(database, "take " + std::to_string(id) + ", sample " + std::to_string(sample));
+        };
+        if (!samples) return damagedAt(visited);
+        for (std::size_t i = 0; i < samples->size(); ++i)
+            if (!isPlace((*samples)[i].proxy)) return damagedAt(visited + i);
         visited += samples->size();
         return visit(*samples);
     });

@@ -53,6 +53,7 @@ FaultRun runWithFault(const FaultCommand& command, const QString& folder, std::u
     environment.insert("BURIN_FAULT_KIND", kind);
     environment.insert("BURIN_FAULT_COUNT", countFile);
     FaultRun run = runProcess(programOf(command.program), command.arguments, folder, environment);
+    run.lasting = kind == "ENOSPC";
     if (count.open(QIODevice::ReadOnly)) {
         const QByteArray bytes = count.read(8);
         for (qsizetype i = bytes.size(); i > 0; --i)

@@ -26,6 +26,7 @@ struct FaultRun {
     int status = -1; ///< exit status; -1: killed
     QByteArray messages;
     std::uint64_t calls = 0; ///< that were counted
+    bool lasting = false;    ///< all calls failed from the n-th on
 };
 
 /// Runs `command` in `folder` with its n-th call failing. @param at from 1; 0: none @param kind as failing_calls.cpp

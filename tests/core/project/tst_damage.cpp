@@ -4,12 +4,14 @@
 #include "core/base/file.h"
 #include "core/project/database.h"
 #include "core/project/project.h"
+#include "core/project/sample_chunk.h"
 #include "core/project/schema.h"
 #include "tests/core/project/sample_project.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -220,6 +222,32 @@ private slots:
         const Result<std::vector<TakeInfo>> takes = project->takes();
         QVERIFY(takes);
         for (const TakeInfo& take : *takes) QCOMPARE(take.undoneCount, std::uint64_t{0});
+    }
+
+    /// Distances from there overflow: a path crashed on it.
+    void aToolWhereNoMachineReachesIsDamage_data() {
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("upright");
+        QTest::newRow("the end of numbers") << 1e308 << 1.0;
+        QTest::newRow("no number") << std::nan("") << 1.0;
+        QTest::newRow("no axis") << 0.0 << 0.0;
+    }
+    void aToolWhereNoMachineReachesIsDamage() {
+        QFETCH(double, x);
+        QFETCH(double, upright);
+        const fs::path file = placed(whole_);
+        std::vector<Sample> samples = fixture::handSamples(100, 50); // the third chunk
+        samples[7].proxy = {{x, 0.0, 0.0}, {0.0, 0.0, upright}};
+        {
+            Result<Database> database = Database::open(file, "", Database::Access::write);
+            const std::string chunk = encodeSamples(samples);
+            QVERIFY(run(*database, "UPDATE sample_chunk SET samples = ? WHERE first = 100", BlobView{chunk}));
+            QVERIFY(database->execute("UPDATE document SET digest = NULL"));
+        }
+        const Result<Content> read = contentOf(file);
+        QVERIFY(!read);
+        QCOMPARE(read.error().code, ErrorCode::fileDamaged);
+        QCOMPARE(read.error().place, std::string("take 1, sample 107"));
     }
 
     /// 64 MiB in 2 kB, as nothing packs that describes a part.
