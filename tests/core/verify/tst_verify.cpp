@@ -130,6 +130,7 @@ private slots:
     void eachLimitIsFoundAtItsLine();
     void estimatedLimitsWarn();
     void manyLinesMakeOneFinding();
+    void noCutIsWiderThanTheTool();
     void aReportKeepsItsLoadFindings();
     void aPlaceOfThePartHasItsNumber();
     void theScaleTellsTheSidesApart();
@@ -716,6 +717,23 @@ void VerifyTest::manyLinesMakeOneFinding() {
     for (const Finding& finding : report.findings) lines += finding.count;
     QVERIFY(report.findings.size() <= 20 && !report.findings.empty());
     QVERIFY(lines > 270 && lines <= 300);
+}
+
+/// Steps of 0.04 mm with a sharp bend at each: less than a voxel, of which whole columns go at once. Whatever a tool
+/// does, it meets no more than it is wide.
+void VerifyTest::noCutIsWiderThanTheTool() {
+    Slotting job;
+    std::string moves = "G0 X-85 Y0 Z5\nG0 Z-6\nG1 X-60 F350\n";
+    for (int i = 1; i <= 200; ++i)
+        moves += "G1 X" + std::to_string(-60.0 + 0.03 * i) + " Y" + (i % 2 == 0 ? "0" : "0.03") + "\n";
+    const VerifyReport report = job.judge(moves + "G0 Z5\n");
+    QVERIFY(report.loads.size() > 20);
+    double most = 0.0; // mm², seen along the move
+    for (const MotionLoad& load : report.loads) {
+        QVERIFY(load.peak.width <= 10.0);
+        most = std::max(most, load.peak.removalRate / (load.peak.feedPerTooth * 3.0 * 3800.0 / 60.0));
+    }
+    QVERIFY2(most > 57.0 && most < 60.0 * 1.02, qPrintable(QString::number(most)));
 }
 
 void VerifyTest::aReportKeepsItsLoadFindings() {
