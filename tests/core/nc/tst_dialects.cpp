@@ -165,7 +165,7 @@ private slots:
         QVERIFY2(program, program ? "" : (program.error().place + ": " + program.error().detail).c_str());
         QVERIFY(program->ended);
         const MachineProfile machine = roomyMachine();
-        for (const LintMark& mark : lint(*text, {control, &machine, nullptr}))
+        for (const LintMark& mark : lint(*text, {control, &machine}))
             QFAIL((std::to_string(mark.line) + ": " + mark.text).c_str());
     }
 
@@ -226,8 +226,8 @@ private slots:
             const double heading = 6.28 * share(random), sweep = 2.0 * std::asin(0.5 * chord / radius);
             const glm::dvec3 centre = at - radius * glm::dvec3(std::cos(heading), std::sin(heading), 0.0);
             const double end = heading + sweep;
-            NcMove move = lineTo(figure(centre.x + radius * std::cos(end)), figure(centre.y + radius * std::sin(end)),
-                                 -1, 300);
+            NcMove move =
+                lineTo(figure(centre.x + radius * std::cos(end)), figure(centre.y + radius * std::sin(end)), -1, 300);
             move.kind = NcMoveKind::arc;
             move.arc = {{figure(centre.x), figure(centre.y), -1.0}, 2, false};
             at = move.target;

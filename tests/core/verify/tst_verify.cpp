@@ -131,6 +131,8 @@ private slots:
     void estimatedLimitsWarn();
     void manyLinesMakeOneFinding();
     void noCutIsWiderThanTheTool();
+    void aPlungeNeedsMaterialToBeOne_data();
+    void aPlungeNeedsMaterialToBeOne();
     void aReportKeepsItsLoadFindings();
     void aPlaceOfThePartHasItsNumber();
     void theScaleTellsTheSidesApart();
@@ -734,6 +736,34 @@ void VerifyTest::noCutIsWiderThanTheTool() {
         most = std::max(most, load.peak.removalRate / (load.peak.feedPerTooth * 3.0 * 3800.0 / 60.0));
     }
     QVERIFY2(most > 57.0 && most < 60.0 * 1.02, qPrintable(QString::number(most)));
+}
+
+void VerifyTest::aPlungeNeedsMaterialToBeOne_data() {
+    QTest::addColumn<QString>("moves");
+    QTest::addColumn<bool>("centreCutting");
+    QTest::addColumn<int>("line"); // 0: nothing to say
+    const QString above = "G0 X0 Y0 Z5\n", feed = " F200\n";
+    QTest::newRow("in air") << above + "G1 Z0.5" + feed << false << 0;
+    QTest::newRow("beside the stock") << "G0 X-85 Y0 Z5\nG1 Z-8" + feed + "G1 X-70\n" << false << 0;
+    QTest::newRow("into what is cut") << "G0 X-85 Y0 Z5\nG0 Z-6\nG1 X0" + feed + "G0 Z5\nG1 Z-6\n" << false << 0;
+    QTest::newRow("ramp") << above + "G1 Z0" + feed + "G1 X-20 Z-2\n" << false << 0;
+    QTest::newRow("into the stock") << above + "G1 Z-2" + feed << false << 5;
+    QTest::newRow("in small steps") << above + "G1 Z0" + feed + "Z-0.1\nZ-0.2\nZ-0.3\n" << false << 7;
+    QTest::newRow("with a centre") << above + "G1 Z-2" + feed << true << 0;
+}
+
+void VerifyTest::aPlungeNeedsMaterialToBeOne() {
+    QFETCH(QString, moves);
+    QFETCH(bool, centreCutting);
+    QFETCH(int, line);
+    Slotting job;
+    job.request.tool.centreCutting = centreCutting;
+    const VerifyReport report = job.judge(moves.toStdString() + "G0 Z5\n");
+    QCOMPARE(report.passed(), line == 0);
+    if (line == 0) return;
+    const Finding& found = report.findings.front();
+    QVERIFY(found.kind == FindingKind::centrePlunge && found.amount > 0.15 && found.amount < 2.1);
+    QCOMPARE(found.line, static_cast<std::uint32_t>(line));
 }
 
 void VerifyTest::aReportKeepsItsLoadFindings() {
