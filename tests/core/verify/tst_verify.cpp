@@ -4,6 +4,7 @@
 #include "core/cutting/cutting_force.h"
 #include "core/verify/deviation_scale.h"
 #include "core/verify/load_chart.h"
+#include "core/verify/load_limits.h"
 #include "core/verify/report_json.h"
 #include "core/verify/tool_moves.h"
 #include "core/verify/verify.h"
@@ -133,6 +134,8 @@ private slots:
     void noCutIsWiderThanTheTool();
     void aPlungeNeedsMaterialToBeOne_data();
     void aPlungeNeedsMaterialToBeOne();
+    void theDeepestCutBendsTheToolByWhatItMay_data();
+    void theDeepestCutBendsTheToolByWhatItMay();
     void aReportKeepsItsLoadFindings();
     void aPlaceOfThePartHasItsNumber();
     void theScaleTellsTheSidesApart();
@@ -764,6 +767,42 @@ void VerifyTest::aPlungeNeedsMaterialToBeOne() {
     const Finding& found = report.findings.front();
     QVERIFY(found.kind == FindingKind::centrePlunge && found.amount > 0.15 && found.amount < 2.1);
     QCOMPARE(found.line, static_cast<std::uint32_t>(line));
+}
+
+void VerifyTest::theDeepestCutBendsTheToolByWhatItMay_data() {
+    QTest::addColumn<double>("width");
+    QTest::newRow("slot") << 10.0;
+    QTest::newRow("half") << 5.0;
+    QTest::newRow("a tenth") << 1.0;
+}
+
+/// A cantilever of one thickness under the closed formula of a straight cut.
+void VerifyTest::theDeepestCutBendsTheToolByWhatItMay() {
+    QFETCH(double, width);
+    Tool tool;
+    tool.fluteCount = 3;
+    tool.modulus = 600000.0;
+    tool.cutter = {CutterType::flat, 10.0, 0.0, 50.0, 10.0, 50.0, {}};
+    CuttingConditions conditions;
+    conditions.spindleSpeed = 6000.0;
+    conditions.feed = 1800.0;
+    CuttingCoefficients::Entry material;
+    material.specificEnergy = 1.2;
+    material.radialRatio = 0.5;
+    material.edgeForce = 10.0;
+    material.radialEdgeForce = 6.0;
+    const double bending = 0.05;
+    const double depth = bearableDepth(tool, conditions, material, MachineProfile{}, {width, bending});
+    const double edgeSpeed = pi * 10.0 * 100.0;                                // mm/s
+    const double chip = 1200.0 * width * depth * 30.0 / edgeSpeed;             // N: K MRR / v
+    const double edge = 3.0 * depth * std::acos(1.0 - width / 5.0) / (2 * pi); // mm, in the mean over a turn
+    const double force = std::hypot(chip + 10.0 * edge, 0.5 * chip + 6.0 * edge);
+    const double inertia = pi / 64.0 * std::pow(8.0, 4);
+    const double expected = force * std::pow(50.0 - 0.5 * depth, 3) / (3.0 * 600000.0 * inertia);
+    QVERIFY2(std::abs(expected / bending - 1.0) < 0.01, qPrintable(QString("%1 mm: %2").arg(depth).arg(expected)));
+    MachineProfile weak;
+    weak.spindlePower = 0.5 * (chip + 10.0 * edge) * edgeSpeed / 1000.0; // of half the depth
+    QVERIFY(std::abs(bearableDepth(tool, conditions, material, weak, {width, bending}) / depth - 0.5) < 0.01);
 }
 
 void VerifyTest::aReportKeepsItsLoadFindings() {
