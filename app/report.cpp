@@ -5,10 +5,12 @@
 #include "core/base/numbers.h"
 #include "core/machine/machine_library.h"
 #include "core/verify/excess.h"
+#include "core/verify/findings.h"
 #include "core/verify/load_chart.h"
 #include "core/verify/report_json.h"
 #include "ui/panels/embedding_words.h"
 
+#include <set>
 #include <sstream>
 
 namespace burin {
@@ -268,6 +270,10 @@ std::string textOf(const CheckedProgram& program, double gougeTolerance, const M
     for (std::size_t i = 0; i < report.findings.size() && i < 20; ++i)
         text << "\n  line " << textOf(report.findings[i]);
     if (report.findings.size() > 20) text << "\n  and " << report.findings.size() - 20 << " more";
+    std::set<FindingKind> told;
+    for (const Finding& finding : report.findings)
+        if (told.insert(finding.kind).second)
+            text << "\n  remedy   " << idOf(finding.kind) << ": " << remedyOf(finding.kind).text;
     for (std::size_t i = 0; i < report.warnings.size() && i < 20; ++i)
         text << "\n  warning  line " << textOf(report.warnings[i]);
     if (report.warnings.size() > 20) text << "\n  and " << report.warnings.size() - 20 << " more warnings";

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace burin {
 
@@ -13,6 +14,8 @@ namespace {
 
 /// A rise that gets steeper by so much at once holds a tool that is pressed into its corner.
 constexpr double kinkSlope = 0.15;
+constexpr int mostRepeats = 100;       // of a pass, to and fro
+constexpr double leastProgress = 0.02; // mm of depth that a repeat gains
 
 /// A place of a pass: where the hand aims and where the part stops the tool.
 struct Touch {
@@ -85,8 +88,34 @@ private:
             enter(stretch, y);
         else
             cross(start);
-        for (const Touch& touch : stretch)
-            if (std::isfinite(touch.reached)) touchAt({touch.x, y}, touch.reached);
+        std::size_t held = stretch.size(); // first place of an interval at which stock is left
+        for (std::size_t i = 0; i < stretch.size(); ++i) {
+            const Touch& touch = stretch[i];
+            if (!std::isfinite(touch.reached)) continue;
+            touchAt({touch.x, y}, touch.reached);
+            if (left_ > 0.0) held = std::min(held, i);
+            if (held > i || (left_ > 0.0 && i + 1 < stretch.size())) continue;
+            deepen(stretch, y, held, i);
+            held = stretch.size();
+        }
+    }
+
+    /// To and fro between two places, at the second of which it stands, until it is down or gets no deeper.
+    void deepen(const std::vector<Touch>& stretch, double y, std::size_t first, std::size_t last) {
+        double before = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < mostRepeats; ++i) {
+            double left = 0.0;
+            const auto touch = [&](const Touch& at) {
+                if (!std::isfinite(at.reached)) return;
+                touchAt({at.x, y}, at.reached);
+                left = std::max(left, left_);
+            };
+            for (std::size_t k = last; k-- > first;) touch(stretch[k]);
+            left = 0.0;
+            for (std::size_t k = first; k <= last; ++k) touch(stretch[k]);
+            if (left <= 0.0 || left > before - leastProgress) return;
+            before = left;
+        }
     }
 
     /// From the end of one pass to the start of the next, along the surface.
@@ -98,6 +127,21 @@ private:
             const double reached = reachedAt(place.x, place.y);
             if (std::isfinite(reached)) touchAt(place, reached);
         }
+    }
+
+    /// The lowest tip at a place, on the way from the last one, that takes no more stock at once than is wanted.
+    double lowestByStock(const glm::dvec2& place) const {
+        double lowest = WorkpieceHeights::nothing;
+        constexpr double margins = 2.5; // beside a wall that it has cut the raster leaves stock at the edge of the tool
+        const double inset = margins * trembleMargin(tool_.cutter);
+        if (request_.deepest > 0.0) lowest = heights_.freeTip(place.x, place.y, inset) - request_.deepest;
+        if (request_.deepestBelow > 0.0) {
+            const double stock = heights_.freeTip(place.x, place.y, 0.5 * tool_.cutter.radius());
+            const glm::dvec3& from = writer_.tip();
+            const double way = glm::distance(place, glm::dvec2(from));
+            lowest = std::max(lowest, std::min(from.z, stock - request_.deepestBelow) - rampSlope * way);
+        }
+        return lowest;
     }
 
     /// Where the hand aims over a place at which the part stops the tip at `reached`.
@@ -174,7 +218,11 @@ private:
         reached_ = reached;
         const glm::dvec3 from = aim_;
         const bool wasHeldUp = heldUp_;
+        const double byStock = lowestByStock(place);
+        left_ = byStock > reached + heightTolerance ? byStock - reached : 0.0;
         aim_ = aimAt(place, reached);
+        if (left_ > 0.0) aim_.z = std::max(aim_.z, byStock);
+        heldUp_ = heldUp_ || (left_ > 0.0 && aim_.z > from.z);
         // Where standing stock keeps the shank up, the tool rises before it comes there and sinks after it has left.
         if (heldUp_ && aim_.z > from.z)
             writer_.cutTo({from.x, from.y, aim_.z}, liftedTo(aim_.z));
@@ -198,6 +246,7 @@ private:
     glm::dvec3 aim_{0.0};   ///< of the last stroke
     double reached_ = 0.0;  ///< mm, where the part stops the tool at the last place
     double slope_ = 0.0;    ///< of what stops it, on the way to there
+    double left_ = 0.0;     ///< mm of stock that the last place keeps: more stood there than is taken at once
     bool heldUp_ = false;   ///< it was kept above where the hand would have pressed
     bool climbing_ = false; ///< the last place is higher than the one before it, behind a wall or corner
 };
@@ -213,7 +262,9 @@ Result<void> checkFinishing(const Tool& tool, const FinishingRequest& request) {
     if (Result<void> valid = checkNotBelow({{"step-over", request.stepOver},
                                             {"crosswise step-over", request.crosswiseStepOver},
                                             {"press", request.press},
-                                            {"floor margin", request.floorMargin}});
+                                            {"floor margin", request.floorMargin},
+                                            {"deepest", request.deepest},
+                                            {"deepest below", request.deepestBelow}});
         !valid)
         return valid.error();
     if (request.part.empty() || !isFinite(request.part.size()) || !std::isfinite(request.floor))

@@ -58,11 +58,14 @@ struct FinishingRequest {
     double press = 2.0;             ///< how far below the part's surface the hand aims
     double floorMargin = 1.5;       ///< how far a pass runs on beside the part
     bool restOnly = false;          ///< passes only where stock is left: other tools have milled before
+    double deepest = 0.0;           ///< of standing stock that a pass takes at once; 0: as much as there is
+    double deepestBelow = 0.0;      ///< of stock below its middle that a tool sinks into at once; 0: any
     HandSpeeds speeds;
 };
 
 /// Zig-zag passes along x over the part and a radius beyond. The hand aims `press` below where the part stops the tool,
 /// never below the floor, and never so deep that shank or holder reach the stock that still stands around the tool.
+/// Where more stock stands than it takes at once, it goes to and fro over the pass, deeper each time, and down a ramp.
 /// Parameters and errors as planRoughing.
 Result<std::vector<IntentPoint>> planFinishing(const ClearanceField& field, const Tool& tool,
                                                const FinishingRequest& request, WorkpieceHeights& heights);

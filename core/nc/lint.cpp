@@ -13,8 +13,6 @@
 namespace burin {
 namespace {
 
-constexpr double upright = 1e-6; // mm: a move that goes no farther sideways goes straight down
-
 class Linter {
 public:
     explicit Linter(const LintSubject& subject)
@@ -145,12 +143,6 @@ private:
         if (machine != nullptr && motion.feed > machine->maximumFeed)
             add({ProgramProblem::feedAboveMachine, motion.column, 1}, LintSeverity::error,
                 formatFixed(machine->maximumFeed, 0) + " mm/min");
-        const bool sideways =
-            std::abs(motion.to.x - motion.from.x) > upright || std::abs(motion.to.y - motion.from.y) > upright;
-        const bool down = motion.kind == NcMotionKind::line && motion.fromKnown[2] && motion.toKnown[2] &&
-                          motion.to.z < motion.from.z && !sideways;
-        if (down && subject_.tool != nullptr && !subject_.tool->centreCutting)
-            add({ProgramProblem::plungeWithoutCentre, motion.column, 1}, LintSeverity::error, subject_.tool->name);
     }
 
     const LintSubject& subject_;

@@ -4,7 +4,6 @@
 
 #include "core/machine/machine_profile.h"
 #include "core/nc/control.h"
-#include "core/tool/tool.h"
 
 #include <string>
 #include <vector>
@@ -29,13 +28,11 @@ struct LintMark {
 struct LintSubject {
     const Control* control = nullptr; ///< null: LinuxCNC's
     const MachineProfile* machine = nullptr;
-    const Tool* tool = nullptr; ///< that the program cuts with
 };
 
 /// Marks in the order of the text, all that parseProgram would call an error (the first of each block), and what it
-/// lets pass: a missing end, missing offsets and units, feeds and speeds beyond the machine's, feed straight down with
-/// a tool that does not cut at its centre. At most `mostMarks`. Any text may be given; linear in its length. Nothing
-/// throws.
+/// lets pass: a missing end, missing offsets and units, feeds and speeds beyond the machine's. At most `mostMarks`. Any
+/// text may be given; linear in its length. Nothing throws.
 std::vector<LintMark> lint(std::string_view text, const LintSubject& subject);
 inline constexpr std::size_t mostMarks = 1000;
 

@@ -80,8 +80,6 @@ constexpr std::array<Wording, static_cast<std::size_t>(ProgramProblem::count)> w
      BURIN_TEXT("ProgramProblem", "canned cycle with a spindle that stands still, or turns in the wrong direction")},
     {"cycle_repeats", BURIN_TEXT("ProgramProblem", "number of repeats has to be whole and from 1 to 10000")},
     {"end_missing", BURIN_TEXT("ProgramProblem", "program end is missing")},
-    {"plunge_without_centre",
-     BURIN_TEXT("ProgramProblem", "the cutter does not cut at its centre and is fed straight down")},
     {"feed_above_machine", BURIN_TEXT("ProgramProblem", "feed is above the machine's")},
     {"spindle_beyond_machine", BURIN_TEXT("ProgramProblem", "spindle speed is beyond the machine's")},
     {"arc_mode_missing",

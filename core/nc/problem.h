@@ -79,7 +79,6 @@ enum class ProgramProblem : std::uint8_t {
     cycleRepeats,
     // lint alone
     endMissing,
-    plungeWithoutCentre,
     feedAboveMachine,
     spindleBeyondMachine,
     arcModeMissing,

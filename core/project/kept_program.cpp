@@ -89,8 +89,7 @@ std::shared_ptr<const CheckedProgram> programOf(const Project& project, const Ke
     program->parsed = std::move(*parsed);
     program->tools = std::move(*tools);
     program->gougeTolerance = kept.gougeTolerance;
-    program->lint =
-        lint(kept.text, {&control, &*machine, program->tools.size() > 1 ? nullptr : &program->tools.front()});
+    program->lint = lint(kept.text, {&control, &*machine});
     program->report = std::move(*report);
     program->overridden = kept.overridden;
     return program;

@@ -7,6 +7,7 @@
 #include "core/haptics/hostile_stylus.h"
 #include "core/project/milling_session.h"
 #include "core/project/planning_frame.h"
+#include "core/verify/load_limits.h"
 
 #include <algorithm>
 #include <chrono>
@@ -104,12 +105,28 @@ double depthShare(const Property& material) {
     return energy <= soft ? 2.0 : energy <= light ? 0.5 : 0.25;
 }
 
+/// mm that a tool may give way by while stock is left on the part: longer tools that bend by more than a hundredth of
+/// their diameter are heard in the shop. Our estimate.
+double roughingBending(const Tool& tool) {
+    constexpr double share = 0.01, least = 0.02;
+    return std::max(least, share * tool.cutter.diameter);
+}
+
+/// The deepest cut of a width in the stock, as spindle and tool bear it and the tool itself states.
+double deepestCut(const Bench& bench, double width) {
+    const PropertyIndex stock = bench.embedded.stockProperty;
+    const CuttingCoefficients::Entry law =
+        cuttingCoefficients(bench.embedded.workpiece.properties(), bench.tool.cutter.diameter).byProperty[stock];
+    const double borne =
+        bearableDepth(bench.tool, bench.conditions, law, bench.machine, {width, roughingBending(bench.tool)});
+    return bench.tool.maximumDepthOfCut > 0.0 ? std::min(borne, bench.tool.maximumDepthOfCut) : borne;
+}
+
 /// The tool as the operator uses it in the stock.
 Tool operatedTool(const Bench& bench) {
     Tool tool = bench.tool;
-    const double most =
-        depthShare(bench.embedded.workpiece.properties()[bench.embedded.stockProperty]) * tool.cutter.diameter;
-    tool.maximumDepthOfCut = tool.maximumDepthOfCut > 0.0 ? std::min(tool.maximumDepthOfCut, most) : most;
+    const double share = depthShare(bench.embedded.workpiece.properties()[bench.embedded.stockProperty]);
+    tool.maximumDepthOfCut = std::min(share * tool.cutter.diameter, deepestCut(bench, tool.cutter.diameter));
     return tool;
 }
 
@@ -151,10 +168,14 @@ Result<MillingPlan> planFor(const Bench& bench, const PlanningFrame& frame, cons
     wanted.finishing.floor = frame.part().low.z;
     wanted.finishing.press = request.press;
     wanted.finishing.stepOver = request.finishingStepOver;
+    const Tool tool = operatedTool(bench);
+    constexpr double allowances = 2.0; // what the levels leave stands out further than the allowance
+    wanted.finishing.deepest = deepestCut(bench, std::max(allowances * request.allowance, 0.1 * tool.cutter.diameter));
+    wanted.finishing.deepestBelow = tool.maximumDepthOfCut;
     wanted.motion = inSetup(hand.motion, scale);
     wanted.timeLimit = request.timeLimit;
     if (frame.upright()) wanted.standing = standingStock(bench);
-    return planMilling(frame.field(), operatedTool(bench), wanted);
+    return planMilling(frame.field(), tool, wanted);
 }
 
 /// Where a hand without a plan moves: from a little above the stock down to its middle.

@@ -288,7 +288,7 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     verification.import = request.import;
     Result<VerifyReport> report = verify(verification, progress, &checked.machined);
     if (!report) return std::move(report).error();
-    checked.lint = lint(text, {&control, &bench.machine, checked.tools.size() > 1 ? nullptr : &checked.tools.front()});
+    checked.lint = lint(text, {&control, &bench.machine});
     checked.text = std::move(text);
     checked.dialect = request.dialect;
     checked.gougeTolerance = request.gougeTolerance;

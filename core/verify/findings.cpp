@@ -56,6 +56,8 @@ const char* idOf(FindingKind kind) {
         return "depth_of_cut";
     case FindingKind::widthOfCut:
         return "width_of_cut";
+    case FindingKind::centrePlunge:
+        return "plunge_without_centre";
     }
     return "unknown";
 }
@@ -69,6 +71,7 @@ const char* unitOf(FindingKind kind) {
     case FindingKind::chipLoad:
     case FindingKind::depthOfCut:
     case FindingKind::widthOfCut:
+    case FindingKind::centrePlunge:
         return "mm";
     case FindingKind::spindlePower:
         return "W";
@@ -89,6 +92,47 @@ const char* unitOf(FindingKind kind) {
         break;
     }
     return "";
+}
+
+TextId remedyOf(FindingKind kind) {
+    switch (kind) {
+    case FindingKind::gouge:
+        return BURIN_TEXT("Finding", "lift or delete this part of the path, or mill it with a smaller tool");
+    case FindingKind::rapidInStock:
+        return BURIN_TEXT("Finding", "retract above the material before this move");
+    case FindingKind::shankCollision:
+        return BURIN_TEXT("Finding", "mill the material around it first, or use a tool with longer flutes");
+    case FindingKind::holderCollision:
+        return BURIN_TEXT("Finding", "mill the material around it first, or use a tool with a longer stick-out");
+    case FindingKind::spindleOff:
+        return BURIN_TEXT("Finding", "start the spindle before this move");
+    case FindingKind::travelLimit:
+        return BURIN_TEXT("Finding", "place the part elsewhere on the table, or use a machine with more travel");
+    case FindingKind::feedLimit:
+        return BURIN_TEXT("Finding", "lower the feed to what the machine reaches");
+    case FindingKind::spindleLimit:
+        return BURIN_TEXT("Finding", "state a spindle speed that the machine has");
+    case FindingKind::unknownStart:
+        return BURIN_TEXT("Finding", "state X, Y and Z before this move");
+    case FindingKind::obstacleCollision:
+        return BURIN_TEXT("Finding", "move the fixture, or retract the path above it");
+    case FindingKind::spindlePower:
+    case FindingKind::spindleTorque:
+        return BURIN_TEXT("Finding", "mill it in more levels or with a smaller step-over, or use a stronger machine");
+    case FindingKind::toolBreakage:
+    case FindingKind::toolBending:
+        return BURIN_TEXT("Finding", "mill it in more levels or with a smaller step-over, or use a thicker or shorter "
+                                     "tool");
+    case FindingKind::chipLoad:
+        return BURIN_TEXT("Finding", "lower the feed");
+    case FindingKind::depthOfCut:
+        return BURIN_TEXT("Finding", "mill it in more levels");
+    case FindingKind::widthOfCut:
+        return BURIN_TEXT("Finding", "use a smaller step-over");
+    case FindingKind::centrePlunge:
+        return BURIN_TEXT("Finding", "begin beside the material, or use a centre-cutting tool");
+    }
+    return {};
 }
 
 } // namespace burin

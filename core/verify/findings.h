@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/text.h"
 #include "core/verify/verify.h"
 
 #include <map>
 #include <utility>
 
 namespace burin {
+
+/// What the user can do about a finding: the end of a sentence, marked for translation.
+TextId remedyOf(FindingKind kind);
 
 /// Collects findings; of each kind and program line only the worst is kept.
 class Findings {

@@ -6,6 +6,7 @@
 #include "core/cutting/cutting_force.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace burin {
@@ -56,9 +57,31 @@ private:
     std::vector<std::pair<double, double>> intervals_; ///< mm, begin and end
 };
 
+/// What a move can meet at most: the flutes as they are seen along it, up to a height.
+class Silhouette {
+public:
+    explicit Silhouette(const Cutter& cutter) : radius_(cutter.radius()), height_(cutter.fluteLength) {
+        for (std::size_t i = 0; i < upTo_.size(); ++i)
+            upTo_[i] = slotArea(cutter, height_ * static_cast<double>(i) / last);
+    }
+    /// mm²; no less than it is. @param way any length. @param top mm above the tip
+    double along(const glm::dvec3& way, double top) const noexcept {
+        const double length = glm::length(way);
+        const double down = length > 0.0 ? std::abs(way.z) / length : 1.0, level = std::sqrt(1.0 - down * down);
+        const double at = std::ceil(std::clamp(top / height_, 0.0, 1.0) * last);
+        return level * upTo_[static_cast<std::size_t>(at)] + down * pi * radius_ * radius_;
+    }
+
+private:
+    static constexpr double last = 256.0; ///< place in upTo_
+    double radius_, height_;              ///< mm
+    std::array<double, 257> upTo_;        ///< mm², seen from the side, by height
+};
+
 /// Means over a part of the path.
 struct Engaged {
     double length = 0.0;                ///< mm of path that this is summed over
+    double most = 0.0;                  ///< mm² that the tool can meet along it
     double volume = 0.0, surface = 0.0; ///< mm³; mm² times mm
     glm::dvec3 moment{0.0};             ///< mm³ times mm
     glm::dvec3 tangentChip{0.0}, tangentEdge{0.0}, normalChip{0.0}, normalEdge{0.0};
@@ -72,6 +95,13 @@ struct Engaged {
         tangentEdge += way * glm::dvec3(cut.tangentEdge);
         normalChip += way * glm::dvec3(cut.normalChip);
         normalEdge += way * glm::dvec3(cut.normalEdge);
+    }
+    /// On a path shorter than a voxel, whole columns of voxels would count more than the tool is large.
+    void keepWithinTool() {
+        if (!(volume > most * length)) return;
+        const double share = most * length / volume;
+        for (double* sum : {&volume, &surface}) *sum *= share;
+        for (glm::dvec3* sum : {&moment, &tangentChip, &tangentEdge, &normalChip, &normalEdge}) *sum *= share;
     }
 };
 
@@ -103,7 +133,7 @@ CutLoad loadOf(const Engaged& engaged, const StepCut& here, const Turning& turni
     load.depth = here.top - here.bottom;
     load.height = 0.5 * (here.top + here.bottom);
     const double area = engaged.volume / length, surface = engaged.surface / length;
-    if (load.depth > 0.0) load.width = area / load.depth;
+    if (load.depth > 0.0) load.width = std::min(area / load.depth, 2.0 * turning.radius); // a plunge has no depth
     load.removalRate = area * turning.speed;
     const double edgeSpeed = 2.0 * pi * turning.radius * turning.turns, teeth = turning.turns * turning.teeth; // 1/s
     if (!(edgeSpeed > 0.0) || !(surface > 0.0)) return load;
@@ -135,8 +165,10 @@ class LoadRecorder {
 public:
     LoadRecorder(const ReplayedProgram& replayed, const PropertyList& properties, PropertyIndex material)
         : replayed_(replayed), lengths_(*replayed.moves, replayed.program->motions.size()) {
-        for (const Tool& tool : replayed.tools)
+        for (const Tool& tool : replayed.tools) {
             coefficients_.push_back(cuttingCoefficients(properties, tool.cutter.diameter).byProperty[material]);
+            silhouettes_.emplace_back(tool.cutter);
+        }
     }
 
     LoadRecord record(const LoadVisitor& visit) {
@@ -198,12 +230,15 @@ private:
             const double way = std::min(begins + length, middle + half) - std::max(begins, middle - half);
             if (!(way > 0.0) && length > 0.0) return false;
             if (length > 0.0) engaged.add(cut, way / length, way);
+            const ToolMove& move = (*replayed_.moves)[cut.move];
+            engaged.most = std::max(engaged.most, silhouettes_[move.tool].along(move.to - move.begin(), cut.top));
             return true;
         };
         for (std::size_t k = i + 1; k-- > 0 && add(steps[k]);) {
         }
         for (std::size_t k = i + 1; k < steps.size() && add(steps[k]); ++k) {
         }
+        engaged.keepWithinTool();
         return engaged;
     }
 
@@ -235,6 +270,7 @@ private:
     const ReplayedProgram& replayed_;
     PathLengths lengths_;
     std::vector<CuttingCoefficients::Entry> coefficients_; ///< by tool
+    std::vector<Silhouette> silhouettes_;                  ///< by tool
     std::vector<MotionLoad> byMotion_;
     LoadRecord record_;
 };

@@ -37,6 +37,39 @@ ForceLimit forceLimit(const Tool& tool, const MachineProfile& machine, double sp
     return limit;
 }
 
+double bearableDepth(const Tool& tool, const CuttingConditions& conditions, const CuttingCoefficients::Entry& material,
+                     const MachineProfile& machine, const BearableCut& cut) {
+    const ToolBeam beam(tool);
+    const double radius = tool.cutter.radius(), teeth = tool.fluteCount;
+    const double share = std::clamp(cut.width / (2.0 * radius), 1e-6, 1.0), angle = std::acos(1.0 - 2.0 * share);
+    const double turns = conditions.spindleSpeed / secondsPerMinute, edgeSpeed = 2.0 * pi * radius * turns;
+    const double speed = conditions.feed / secondsPerMinute;
+    const double chip = speed / (turns * teeth) * 2.0 * share / angle; // mm, mean
+    const auto isBorne = [&](double depth) {
+        const double slot = slotArea(tool.cutter, depth);
+        const double ofChip = newtonMillimetresPerJoule * material.energyAt(chip) * share * slot * speed / edgeSpeed;
+        const double edge = teeth * 0.5 * angle * slot / (2.0 * pi * radius); // mm, engaged in the mean
+        const double force = ofChip + material.edgeForce * edge;
+        const double side = std::hypot(force, material.radialRatio * ofChip + material.radialEdgeForce * edge);
+        const double power = force * edgeSpeed / newtonMillimetresPerJoule;
+        if (const double most = machine.powerAt(conditions.spindleSpeed); most > 0.0 && power > most) return false;
+        if (tool.strength > 0.0 && beam.stressUnder(side, 0.5 * depth) > tool.strength / breakingReserve) return false;
+        return beam.bendingUnder(side, 0.5 * depth) <= cut.bending;
+    };
+    // Deep cuts attack nearer to the holder: what a depth asks for need not grow with it all the way.
+    constexpr int steps = 256;
+    const double flutes = tool.cutter.fluteLength;
+    int within = 0;
+    while (within < steps && isBorne(flutes * (within + 1) / steps)) ++within;
+    if (within == steps) return flutes;
+    double borne = flutes * within / steps, tooDeep = flutes * (within + 1) / steps;
+    for (int i = 0; i < 20; ++i) {
+        const double middle = 0.5 * (borne + tooDeep);
+        (isBorne(middle) ? borne : tooDeep) = middle;
+    }
+    return borne;
+}
+
 LoadJudge::LoadJudge(const MachineProfile& machine, std::span<const Tool> tools, double bending)
     : machine_(&machine), tools_(tools), bending_(bending) {
     for (const Tool& tool : tools) beams_.emplace_back(tool);

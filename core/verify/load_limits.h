@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/cutting/cutting_force.h"
 #include "core/cutting/tool_beam.h"
 #include "core/verify/findings.h"
 #include "core/verify/load.h"
@@ -52,5 +53,17 @@ struct ForceLimit {
 };
 /// The tool as if all of the force attacked its tip. @param spindleSpeed 1/min, > 0
 ForceLimit forceLimit(const Tool& tool, const MachineProfile& machine, double spindleSpeed);
+
+/// A cut of which the depth is looked for.
+struct BearableCut {
+    double width = 0.0;   ///< mm, across the move; the tool's diameter at most
+    double bending = 0.0; ///< mm that the tool may give way by, > 0
+};
+/// mm: the deepest cut of a width that spindle and tool bear, and every shallower one, and under which the tool bends
+/// by no more than it may, at the feed and speed of the tables; the flutes' length where they bear that. Forces of a
+/// straight cut in the mean over a turn, as `recordLoads` has them; tangential and radial count as if each had one
+/// direction all the turn, which is more than the tool feels.
+double bearableDepth(const Tool& tool, const CuttingConditions& conditions, const CuttingCoefficients::Entry& material,
+                     const MachineProfile& machine, const BearableCut& cut);
 
 } // namespace burin

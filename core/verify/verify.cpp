@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/verify.h"
 
+#include "core/base/units.h"
+#include "core/geometry/revolved_piece.h"
 #include "core/verify/deviation_map.h"
 #include "core/verify/excess.h"
 #include "core/verify/findings.h"
@@ -92,6 +94,40 @@ void judgeLoads(const ReplayedProgram& replayed, const VerifyRequest& request, c
     judge.conclude(findings, report.warnings);
 }
 
+/// mm of material that a tool which does not cut at its centre may meet straight from above: crumbs.
+constexpr double plungeAllowed = 0.15;
+
+/// mm², of the flutes a crumb's height above the tip.
+double sectionAtTip(const Cutter& cutter) {
+    double radius = 0.0;
+    for (const RevolvedPiece& piece : flutePieces(cutter))
+        if (piece.bottom <= plungeAllowed && piece.top >= plungeAllowed)
+            radius = std::max(radius, radiusAt(piece, plungeAllowed));
+    return pi * radius * radius;
+}
+
+/// Feeds straight down, or nearly, into material below the middle of a tool that does not cut there. Moves that follow
+/// each other are one plunge.
+void judgePlunges(const ReplayedProgram& replayed, Findings& findings) {
+    constexpr double steepest = 0.1; // sideways over down
+    double depth = 0.0;
+    for (std::size_t i = 0; i < replayed.moves->size(); ++i) {
+        const ToolMove& move = (*replayed.moves)[i];
+        const Tool& tool = replayed.tools[move.tool];
+        const glm::dvec3 way = move.to - move.begin();
+        const bool down = way.z < 0.0 && std::hypot(way.x, way.y) < -steepest * way.z;
+        if (tool.centreCutting || move.rapid || !down) {
+            depth = 0.0;
+            continue;
+        }
+        const MoveCut& cut = (*replayed.cuts)[i];
+        if (!(cut.volume > 0.0)) continue;
+        if (std::hypot(cut.centroid.x - move.to.x, cut.centroid.y - move.to.y) > 0.5 * tool.cutter.radius()) continue;
+        depth += std::min(-way.z, cut.volume / sectionAtTip(tool.cutter));
+        if (depth > plungeAllowed) findings.add(FindingKind::centrePlunge, move.line, move.to, depth);
+    }
+}
+
 } // namespace
 
 Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, VolumeSnapshot* machined) {
@@ -128,6 +164,7 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     for (const MoveCut& cut : *cuts) report.removed += cut.volume;
     const ReplayedProgram replayed{request.program, &moves, &*cuts, &steps, tools->tools, &time, request.setup.voxel};
     judgeLoads(replayed, request, workpiece.properties(), embedded->stockProperty, findings, report);
+    judgePlunges(replayed, findings);
     report.times = time.motions;
     report.toolChanges = time.toolChanges;
 

@@ -62,8 +62,9 @@ enum class FindingKind : std::uint8_t {
     chipLoad,      ///< amount: mm, thickest chip of a tooth
     depthOfCut,    ///< amount: mm along the tool's axis
     widthOfCut,    ///< amount: mm across it
+    centrePlunge,  ///< straight down into material with a tool that does not cut at its centre; amount: mm of depth
 };
-inline constexpr FindingKind lastFindingKind = FindingKind::widthOfCut;
+inline constexpr FindingKind lastFindingKind = FindingKind::centrePlunge;
 /// Stable id of a kind, for JSON: "gouge", "rapid_in_stock", …
 const char* idOf(FindingKind kind);
 /// What a kind's amount is counted in, in ASCII: "mm", "mm^3"; empty where the amount says nothing.

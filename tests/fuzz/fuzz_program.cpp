@@ -13,15 +13,13 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     using namespace burin;
     const std::string_view text(reinterpret_cast<const char*>(bytes), count);
-    Tool tool;
-    tool.centreCutting = false;
     MachineProfile machine;
     for (const Control& control : controls()) {
         const auto program = parseProgram(text, "fuzz", control);
         if (program)
             for (const NcMotion& motion : program->motions)
                 if (!(glm::length(motion.to) < 1e15)) std::abort();
-        for (const LintMark& mark : lint(text, {&control, &machine, &tool}))
+        for (const LintMark& mark : lint(text, {&control, &machine}))
             if (mark.line == 0 || mark.column == 0 || mark.length == 0 || mark.text.empty()) std::abort();
     }
     return 0;

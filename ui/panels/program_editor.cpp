@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/program_editor.h"
 
+#include "core/verify/findings.h"
+#include "ui/messages/messages.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/program_text.h"
 #include "ui/panels/row_list.h"
@@ -114,7 +116,9 @@ void ProgramEditor::gather() {
     marks_.clear();
     if (state_.report)
         for (const Finding& finding : state_.report->findings)
-            marks_.push_back({static_cast<int>(finding.line), LineMark::Kind::error, findingText(finding, unit_)});
+            marks_.push_back(
+                {static_cast<int>(finding.line), LineMark::Kind::error,
+                 findingText(finding, unit_) + QStringLiteral("; ") + Messages::text(remedyOf(finding.kind))});
     if (state_.report)
         for (const Finding& warning : state_.report->warnings)
             marks_.push_back({static_cast<int>(warning.line), LineMark::Kind::warning, findingText(warning, unit_)});

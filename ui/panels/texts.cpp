@@ -234,6 +234,8 @@ QString findingText(const Finding& finding, LengthUnit unit) {
         return PanelTexts::tr("Cuts from an unknown position");
     case FindingKind::obstacleCollision:
         return PanelTexts::tr("In a fixture by %1").arg(length);
+    case FindingKind::centrePlunge:
+        return PanelTexts::tr("Plunge of %1: the tool does not cut at its centre").arg(length);
     case FindingKind::spindlePower:
     case FindingKind::spindleTorque:
     case FindingKind::toolBreakage:

@@ -246,10 +246,8 @@ void ProgramController::editText(const QString& text) {
 
 void ProgramController::lintText() {
     const auto& bench = bench_.bench();
-    const bool oneTool = bench && path_.jobPaths().size() < 2;
-    lint_ =
-        burin::lint(storedText_.toStdString(), {&controlOfDialect(target_.dialect()), bench ? &bench->machine : nullptr,
-                                                oneTool ? &bench->tool : nullptr});
+    lint_ = burin::lint(storedText_.toStdString(),
+                        {&controlOfDialect(target_.dialect()), bench ? &bench->machine : nullptr});
 }
 
 void ProgramController::checkText(const QString& name) {

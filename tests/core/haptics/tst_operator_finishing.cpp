@@ -22,6 +22,8 @@ private slots:
     void theToolFollowsTheHandOverSteps_data();
     void theToolFollowsTheHandOverSteps();
     void finishingIsEnteredDownARamp();
+    void finishingSinksIntoAFullPocketInRamps();
+    void finishingTakesAWallInSteps();
 };
 
 void OperatorFinishingTest::finishingAimsBelowThePartEverywhere() {
@@ -227,6 +229,51 @@ void OperatorFinishingTest::finishingIsEnteredDownARamp() {
     const auto [deepest, lowest] = deepestPlunge(*points, stockBox, 6.0);
     QCOMPARE(lowest, 6.0);
     QVERIFY2(deepest < 0.2, qPrintable(QString::number(deepest))); // straight down: 1 mm
+}
+
+/// A pocket of 16 mm that roughing has left full: rows lead over its rim into it.
+void OperatorFinishingTest::finishingSinksIntoAFullPocketInRamps() {
+    const Blocks part(3.0, {{{-30, -20, 0}, {-8, 20, 8}},
+                            {{8, -20, 0}, {30, 20, 8}},
+                            {{-8, -20, 0}, {8, -8, 8}},
+                            {{-8, 8, 0}, {8, 20, 8}}});
+    const Box stockBox{{-30, -20, 0}, {30, 20, 8.5}};
+    FinishingRequest request = finishingRequest({{-30, -20, 0}, {30, 20, 8}});
+    request.stepOver = 1.0;
+    request.press = 0.0;
+    request.deepestBelow = 1.0;
+    WorkpieceHeights heights(stockBox, ballTool().cutter);
+    const auto points = planFinishing(part, ballTool(), request, heights);
+    QVERIFY(points);
+    const double deepest = deepestPlunge(*points, stockBox, -1e9).deepest;
+    QVERIFY2(deepest < 1.3, qPrintable(QString::number(deepest))); // straight down: 8 mm
+    const bool cleared = std::ranges::any_of(*points, [](const IntentPoint& point) {
+        return point.tip.z < 0.01 && std::abs(point.tip.x) < 4.0 && std::abs(point.tip.y) < 4.0;
+    });
+    QVERIFY(cleared);
+}
+
+/// Walls with a millimetre of stock on them, higher than a pass may take.
+void OperatorFinishingTest::finishingTakesAWallInSteps() {
+    const Box block{{-10, -10, 0}, {10, 10, 12}}, stockBox{{-11, -11, 0}, {11, 11, 12.5}};
+    const Blocks part(3.0, {block});
+    FinishingRequest request = finishingRequest(block);
+    request.stepOver = 1.0;
+    request.press = 0.0;
+    request.deepest = 3.0;
+    WorkpieceHeights heights(stockBox, ballTool().cutter);
+    const auto points = planFinishing(part, ballTool(), request, heights);
+    QVERIFY(points);
+    StockRaster stock(stockBox);
+    double tallest = 0.0, lowest = 1e9;
+    const double rim = 2.4, rise = 3.0 - std::sqrt(9.0 - rim * rim); // of the ball
+    follow(*points, [&](const glm::dvec3& tip) {
+        tallest = std::max(tallest, stock.highestAround(tip, rim) - rise);
+        stock.cutBall(tip, 3.0);
+        lowest = std::min(lowest, tip.z);
+    });
+    QVERIFY2(tallest < 3.0 + 0.5, qPrintable(QString::number(tallest))); // at once: 12 mm
+    QVERIFY(std::abs(lowest) < 0.01);
 }
 
 QTEST_APPLESS_MAIN(OperatorFinishingTest)

@@ -165,7 +165,7 @@ private slots:
         QVERIFY2(program, program ? "" : (program.error().place + ": " + program.error().detail).c_str());
         QVERIFY(program->ended);
         const MachineProfile machine = roomyMachine();
-        for (const LintMark& mark : lint(*text, {control, &machine, nullptr}))
+        for (const LintMark& mark : lint(*text, {control, &machine}))
             QFAIL((std::to_string(mark.line) + ": " + mark.text).c_str());
     }
 

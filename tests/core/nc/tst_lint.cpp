@@ -20,12 +20,9 @@ MachineProfile machine() {
     return made;
 }
 
-std::vector<LintMark> marksOf(const QString& text, const char* control, bool centreCutting = true) {
+std::vector<LintMark> marksOf(const QString& text, const char* control) {
     const MachineProfile limits = machine();
-    Tool tool;
-    tool.name = "Face mill";
-    tool.centreCutting = centreCutting;
-    return lint(text.toStdString(), {findControl(control), &limits, &tool});
+    return lint(text.toStdString(), {findControl(control), &limits});
 }
 
 QString describe(const LintMark& mark) {
@@ -156,30 +153,6 @@ private slots:
         QCOMPARE(found, mark.isEmpty() ? QStringList() : QStringList(mark));
     }
 
-    void plungesWithoutACuttingCentreAreMarked_data() {
-        QTest::addColumn<QString>("moves");
-        QTest::addColumn<int>("line"); // 0: nothing to say
-        QTest::newRow("straight down") << "G1 Z-1" << 4;
-        QTest::newRow("straight up") << "G1 Z9" << 0;
-        QTest::newRow("ramp") << "G1 X5 Z-1" << 0;
-        QTest::newRow("helix") << "G2 X0 Y0 Z-1 I5" << 0;
-        QTest::newRow("rapid") << "G0 Z-1" << 0; // into material it is another fault, which verification finds
-        QTest::newRow("drilling cycle") << "G81 X5 Y5 Z-1 R2" << 4;
-    }
-    void plungesWithoutACuttingCentreAreMarked() {
-        QFETCH(QString, moves);
-        QFETCH(int, line);
-        const QString text = "G21 G54 F100\nG0 X0 Y0\nZ5\n" + moves + "\nM2\n";
-        const std::vector<LintMark> marks = marksOf(text, "linuxcnc", false);
-        QCOMPARE(marks.empty(), line == 0);
-        for (const LintMark& mark : marks) {
-            QCOMPARE(mark.line, static_cast<std::uint32_t>(line));
-            QVERIFY(mark.problem == ProgramProblem::plungeWithoutCentre && mark.severity == LintSeverity::error);
-            QVERIFY(mark.text.ends_with("Face mill"));
-        }
-        QVERIFY(marksOf(text, "linuxcnc", true).empty());
-    }
-
     void allFaultsAreFound() {
         const std::vector<LintMark> marks = marksOf("G21 G54\nG0 X1 U1\nG0 Y\n(a\nG7\nG0 X2\nM2\n", "linuxcnc");
         QStringList found;
@@ -199,7 +172,7 @@ private slots:
             for (const Control& control : controls()) {
                 const auto program = parseProgram(text, "job", control);
                 bool refused = false;
-                for (const LintMark& mark : lint(text, {&control, nullptr, nullptr}))
+                for (const LintMark& mark : lint(text, {&control, nullptr}))
                     refused =
                         refused || (mark.severity == LintSeverity::error && mark.problem != ProgramProblem::endMissing);
                 RC_ASSERT(refused == !program);
@@ -253,7 +226,7 @@ private slots:
             for (const std::uint8_t byte : bytes) text += static_cast<char>(byte);
             text += *rc::gen::element<std::string>("", "]", std::string(400, '['), std::string(400, '\x1b'));
             for (const Control& control : controls()) {
-                for (const LintMark& mark : lint(text, {&control, nullptr, nullptr}))
+                for (const LintMark& mark : lint(text, {&control, nullptr}))
                     RC_ASSERT(isPrintable(mark.text) && isPrintable(mark.words));
                 const auto program = parseProgram(text, "job", control);
                 if (!program) RC_ASSERT(isPrintable(program.error().detail));
@@ -266,7 +239,7 @@ private slots:
             const auto ends = std::ranges::count_if(text, [](char c) { return c == '\n' || c == '\r'; });
             const auto lines = static_cast<std::size_t>(ends) + 1;
             for (const Control& control : controls())
-                for (const LintMark& mark : lint(text, {&control, nullptr, nullptr}))
+                for (const LintMark& mark : lint(text, {&control, nullptr}))
                     RC_ASSERT(mark.line >= 1 && mark.line <= lines && mark.column >= 1 && mark.length >= 1);
         }));
     }

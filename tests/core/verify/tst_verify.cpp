@@ -4,6 +4,7 @@
 #include "core/cutting/cutting_force.h"
 #include "core/verify/deviation_scale.h"
 #include "core/verify/load_chart.h"
+#include "core/verify/load_limits.h"
 #include "core/verify/report_json.h"
 #include "core/verify/tool_moves.h"
 #include "core/verify/verify.h"
@@ -130,6 +131,11 @@ private slots:
     void eachLimitIsFoundAtItsLine();
     void estimatedLimitsWarn();
     void manyLinesMakeOneFinding();
+    void noCutIsWiderThanTheTool();
+    void aPlungeNeedsMaterialToBeOne_data();
+    void aPlungeNeedsMaterialToBeOne();
+    void theDeepestCutBendsTheToolByWhatItMay_data();
+    void theDeepestCutBendsTheToolByWhatItMay();
     void aReportKeepsItsLoadFindings();
     void aPlaceOfThePartHasItsNumber();
     void theScaleTellsTheSidesApart();
@@ -716,6 +722,87 @@ void VerifyTest::manyLinesMakeOneFinding() {
     for (const Finding& finding : report.findings) lines += finding.count;
     QVERIFY(report.findings.size() <= 20 && !report.findings.empty());
     QVERIFY(lines > 270 && lines <= 300);
+}
+
+/// Steps of 0.04 mm with a sharp bend at each: less than a voxel, of which whole columns go at once. Whatever a tool
+/// does, it meets no more than it is wide.
+void VerifyTest::noCutIsWiderThanTheTool() {
+    Slotting job;
+    std::string moves = "G0 X-85 Y0 Z5\nG0 Z-6\nG1 X-60 F350\n";
+    for (int i = 1; i <= 200; ++i)
+        moves += "G1 X" + std::to_string(-60.0 + 0.03 * i) + " Y" + (i % 2 == 0 ? "0" : "0.03") + "\n";
+    const VerifyReport report = job.judge(moves + "G0 Z5\n");
+    QVERIFY(report.loads.size() > 20);
+    double most = 0.0; // mm², seen along the move
+    for (const MotionLoad& load : report.loads) {
+        QVERIFY(load.peak.width <= 10.0);
+        most = std::max(most, load.peak.removalRate / (load.peak.feedPerTooth * 3.0 * 3800.0 / 60.0));
+    }
+    QVERIFY2(most > 57.0 && most < 60.0 * 1.02, qPrintable(QString::number(most)));
+}
+
+void VerifyTest::aPlungeNeedsMaterialToBeOne_data() {
+    QTest::addColumn<QString>("moves");
+    QTest::addColumn<bool>("centreCutting");
+    QTest::addColumn<int>("line"); // 0: nothing to say
+    const QString above = "G0 X0 Y0 Z5\n", feed = " F200\n";
+    QTest::newRow("in air") << above + "G1 Z0.5" + feed << false << 0;
+    QTest::newRow("beside the stock") << "G0 X-85 Y0 Z5\nG1 Z-8" + feed + "G1 X-70\n" << false << 0;
+    QTest::newRow("into what is cut") << "G0 X-85 Y0 Z5\nG0 Z-6\nG1 X0" + feed + "G0 Z5\nG1 Z-6\n" << false << 0;
+    QTest::newRow("ramp") << above + "G1 Z0" + feed + "G1 X-20 Z-2\n" << false << 0;
+    QTest::newRow("into the stock") << above + "G1 Z-2" + feed << false << 5;
+    QTest::newRow("in small steps") << above + "G1 Z0" + feed + "Z-0.1\nZ-0.2\nZ-0.3\n" << false << 7;
+    QTest::newRow("with a centre") << above + "G1 Z-2" + feed << true << 0;
+}
+
+void VerifyTest::aPlungeNeedsMaterialToBeOne() {
+    QFETCH(QString, moves);
+    QFETCH(bool, centreCutting);
+    QFETCH(int, line);
+    Slotting job;
+    job.request.tool.centreCutting = centreCutting;
+    const VerifyReport report = job.judge(moves.toStdString() + "G0 Z5\n");
+    QCOMPARE(report.passed(), line == 0);
+    if (line == 0) return;
+    const Finding& found = report.findings.front();
+    QVERIFY(found.kind == FindingKind::centrePlunge && found.amount > 0.15 && found.amount < 2.1);
+    QCOMPARE(found.line, static_cast<std::uint32_t>(line));
+}
+
+void VerifyTest::theDeepestCutBendsTheToolByWhatItMay_data() {
+    QTest::addColumn<double>("width");
+    QTest::newRow("slot") << 10.0;
+    QTest::newRow("half") << 5.0;
+    QTest::newRow("a tenth") << 1.0;
+}
+
+/// A cantilever of one thickness under the closed formula of a straight cut.
+void VerifyTest::theDeepestCutBendsTheToolByWhatItMay() {
+    QFETCH(double, width);
+    Tool tool;
+    tool.fluteCount = 3;
+    tool.modulus = 600000.0;
+    tool.cutter = {CutterType::flat, 10.0, 0.0, 50.0, 10.0, 50.0, {}};
+    CuttingConditions conditions;
+    conditions.spindleSpeed = 6000.0;
+    conditions.feed = 1800.0;
+    CuttingCoefficients::Entry material;
+    material.specificEnergy = 1.2;
+    material.radialRatio = 0.5;
+    material.edgeForce = 10.0;
+    material.radialEdgeForce = 6.0;
+    const double bending = 0.05;
+    const double depth = bearableDepth(tool, conditions, material, MachineProfile{}, {width, bending});
+    const double edgeSpeed = pi * 10.0 * 100.0;                                // mm/s
+    const double chip = 1200.0 * width * depth * 30.0 / edgeSpeed;             // N: K MRR / v
+    const double edge = 3.0 * depth * std::acos(1.0 - width / 5.0) / (2 * pi); // mm, in the mean over a turn
+    const double force = std::hypot(chip + 10.0 * edge, 0.5 * chip + 6.0 * edge);
+    const double inertia = pi / 64.0 * std::pow(8.0, 4);
+    const double expected = force * std::pow(50.0 - 0.5 * depth, 3) / (3.0 * 600000.0 * inertia);
+    QVERIFY2(std::abs(expected / bending - 1.0) < 0.01, qPrintable(QString("%1 mm: %2").arg(depth).arg(expected)));
+    MachineProfile weak;
+    weak.spindlePower = 0.5 * (chip + 10.0 * edge) * edgeSpeed / 1000.0; // of half the depth
+    QVERIFY(std::abs(bearableDepth(tool, conditions, material, weak, {width, bending}) / depth - 0.5) < 0.01);
 }
 
 void VerifyTest::aReportKeepsItsLoadFindings() {
