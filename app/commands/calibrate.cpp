@@ -146,11 +146,12 @@ std::string textOf(const Calibrated& entry) {
 
 /// Writes the materials to the user's library, all or none, once all ids may be used.
 Result<void> keepMaterials(std::vector<Calibrated>& materials, const CalibrateArguments& arguments) {
-    const std::array<std::filesystem::path, 1> inputs{arguments.forces};
     for (Calibrated& entry : materials) {
         const Result<std::filesystem::path> file = userMaterialFile(entry.material.id, arguments.replace);
         if (!file) return file.error();
-        if (Result<void> free = checkOutput("--material", *file, inputs); !free) return free;
+        const std::array<std::filesystem::path, 1> output{*file};
+        if (Result<void> free = checkDistinct("FORCES", arguments.forces, output); !free) return free;
+        if (Result<void> free = checkOutput("material", *file, {}); !free) return free;
         entry.file = file->string();
     }
     std::vector<StagedFile> files;

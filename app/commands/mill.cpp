@@ -212,13 +212,14 @@ Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
     const std::string& stylus = work.arguments.stylus;
     if (work.played != nullptr) return millWithTrace(*work.played, work);
     if (work.arguments.felt)
-        return Error{ErrorCode::argumentInvalid, "--stylus", stylus,
-                     "with --felt, a trace that does not state how much of the cutting force was felt"};
+        return Error{ErrorCode::argumentInvalid, "--felt", formatShortest(*work.arguments.felt),
+                     "none, unless --stylus is a trace that does not state how much of the cutting force was felt"};
     if (stylus.starts_with(devicePrefix)) return millWithDevice(stylus.substr(devicePrefix.size()), work);
     if (stylus != "operator")
         return Error{ErrorCode::nameUnknown, "stylus", stylus, "operator, trace:FILE, device:NAME"};
     if (!work.arguments.trace.empty())
-        return Error{ErrorCode::argumentInvalid, "--trace", "operator", "a trace or a device as the stylus"};
+        return Error{ErrorCode::argumentInvalid, "--trace", work.arguments.trace,
+                     "none of the operator; a file with a trace or a device as the --stylus"};
     OperatorRequest request = work.arguments.hand;
     request.hand = gripOf(work.arguments.grip);
     request.intent = intents.at(work.arguments.intent);

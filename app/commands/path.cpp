@@ -25,6 +25,7 @@ using nlohmann::json;
 
 struct PathArguments {
     std::string project, machine, output, edit, name = "path";
+    std::string outputOption = "--output"; ///< that the user gave the output with
     std::int64_t path = 0, take = 0;
     std::vector<std::int64_t> takes;
     std::size_t place = 0;
@@ -175,14 +176,14 @@ std::string csvOf(const Path& path) {
 }
 
 /// Errors: those of checkOutput.
-Result<void> checkPlace(const PathArguments& arguments, const char* option) {
+Result<void> checkPlace(const PathArguments& arguments) {
     const std::array<std::filesystem::path, 1> inputs{arguments.project};
-    return arguments.output.empty() ? Result<void>() : checkOutput(option, arguments.output, inputs);
+    return arguments.output.empty() ? Result<void>() : checkOutput(arguments.outputOption, arguments.output, inputs);
 }
 
 /// Evaluates a path, reports its edits and, with an output, writes its points.
 int show(const PathArguments& arguments, CommandContext& context) {
-    if (const Result<void> free = checkPlace(arguments, "--csv"); !free) return context.fail(free.error());
+    if (const Result<void> free = checkPlace(arguments); !free) return context.fail(free.error());
     context.stage("Opening");
     const Result<Project> project = Project::openForReading(arguments.project);
     if (!project) return context.fail(project.error());
@@ -226,7 +227,7 @@ int show(const PathArguments& arguments, CommandContext& context) {
 
 /// Writes a take as CSV: all that was recorded, or the stylus alone as a trace that `burin mill` plays.
 int exportTake(const PathArguments& arguments, bool asTrace, CommandContext& context) {
-    if (const Result<void> free = checkPlace(arguments, "--output"); !free) return context.fail(free.error());
+    if (const Result<void> free = checkPlace(arguments); !free) return context.fail(free.error());
     const Result<Project> project = Project::openForReading(arguments.project);
     if (!project) return context.fail(project.error());
     const Result<TakeOutline> take = project->takeOutline(arguments.take);
@@ -272,7 +273,16 @@ void registerPath(CLI::App& program, CommandContext& context, int& status) {
         ->delimiter(',');
     make->add_option("--name", arguments->name, "Its name")->capture_default_str();
     CLI::App* evaluateOne = withPath(add("show", "Evaluate a path and report what each edit did", show));
-    evaluateOne->add_option("-o,--csv", arguments->output, "Write the points as CSV");
+    CLI::Option* output = evaluateOne->add_option("-o,--output", arguments->output, "Write the points as CSV");
+    evaluateOne
+        ->add_option_function<std::string>(
+            "--csv",
+            [arguments](const std::string& file) {
+                arguments->output = file;
+                arguments->outputOption = "--csv";
+            },
+            "The same as --output")
+        ->excludes(output);
     evaluateOne->add_option("--machine", arguments->machine, "Machine; without it the project's");
     CLI::App* apply =
         withPath(add("apply", "Add an edit to a path", [](const PathArguments& given, CommandContext& where) {

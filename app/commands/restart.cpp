@@ -65,7 +65,9 @@ Result<std::vector<Tool>> toolsIn(const Project& project) {
 
 std::string textOf(const RestartedProgram& restart) {
     return "first cut: line " + std::to_string(restart.line) + " of the interrupted program, from " +
-           formatFixed(restart.lead, 1) + " mm of path before it";
+           formatFixed(restart.lead, 1) + " mm of path before it; the tool comes down at (" +
+           formatFixed(restart.place.x, 3) + ", " + formatFixed(restart.place.y, 3) + ", " +
+           formatFixed(restart.place.z, 3) + ") mm";
 }
 
 } // namespace
@@ -109,6 +111,7 @@ int runRestart(const RestartArguments& arguments, CommandContext& context) {
     answer["restart_line"] = arguments.line;
     answer["first_cut_line"] = restart->line;
     answer["lead_mm"] = restart->lead;
+    answer["re_entry_mm"] = jsonOf(restart->place);
     answer["blocks"] = program.parsed.blocks;
     answer["machine"] = jsonOf(bench->machine);
     answer["passed"] = program.passed();

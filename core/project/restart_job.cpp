@@ -79,7 +79,7 @@ public:
         check.before = std::move(done);
         Result<CheckedProgram> checked = checkProgram(bench_, std::move(*text), request_.name, check, progress);
         if (!checked) return std::move(checked).error();
-        return RestartedProgram{std::move(*checked), wanted_.line, restart->cut, restart->lead};
+        return RestartedProgram{std::move(*checked), wanted_.line, restart->cut, restart->lead, restart->place};
     }
 
     /// The tool of the one made last goes down onto the path at feed.

@@ -12,6 +12,7 @@ struct RestartedProgram {
     std::uint32_t from = 0; ///< line of the interrupted program that was asked for
     std::uint32_t line = 0; ///< of that program: the first cut that it makes
     double lead = 0.0;      ///< mm of the path before it that it makes again
+    glm::dvec3 place{0.0};  ///< mm, program coordinates: where the tool comes back to the path
 };
 
 /// Makes the rest of an interrupted program, from a line of its text on, with a safe way back into the cut, and judges

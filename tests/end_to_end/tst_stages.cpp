@@ -8,9 +8,11 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 /// The job stage by stage, one command each, on a block with pockets (100 × 100 × 18 mm).
@@ -29,6 +31,7 @@ private slots:
     void millsThePapersBlock();
 
 private:
+    static void loadsAgree(const QJsonObject& answer);
     QString inFolder(const char* name) const { return folder_.filePath(name); }
     QTemporaryDir folder_;
     QString model_ = BURIN_FIXTURES "/models/pocket-test.stl";
@@ -128,11 +131,38 @@ void StagesTest::posts() {
     QCOMPARE(verdict(changed)["passed"].toBool(), false);
 }
 
+/// The load by block, over time and at its peak are one load, and the blocks make up what is removed and the time.
+void StagesTest::loadsAgree(const QJsonObject& answer) {
+    double removed = 0.0, force = 0.0, cutting = 0.0;
+    const QJsonArray blocks = answer["load_by_block"].toArray();
+    QVERIFY(!blocks.isEmpty());
+    for (const QJsonValue& block : blocks) {
+        removed += block["removed_mm3"].toDouble();
+        cutting += block["duration_s"].toDouble();
+        force = std::max(force, block["peak"]["force_n"].toDouble());
+        QVERIFY(block["mean_force_n"].toDouble() <= block["peak"]["force_n"].toDouble() * 1.001);
+    }
+    QVERIFY(std::abs(removed - answer["removed_mm3"].toDouble()) < 1e-3 * removed);
+    QVERIFY(force > 0.0);
+    QCOMPARE(answer["peak_load"]["force_n"].toDouble(), force);
+    const QJsonObject chart = answer["load_over_time"].toObject();
+    double most = 0.0;
+    for (const QJsonValue& one : chart["force_n"].toArray()) most = std::max(most, one.toDouble());
+    QVERIFY(std::abs(most - force) < 1e-4 * force);
+    const double whole = answer["machining_s"].toDouble();
+    QVERIFY(std::abs(chart["interval_s"].toDouble() * double(chart["force_n"].toArray().size() - 1) - whole) <
+            1e-6 * whole);
+    QVERIFY(cutting > 0.0 && cutting <= whole);
+    QVERIFY(answer["machining_contains"].toArray().contains("tool_changes"));
+}
+
 void StagesTest::verifiesWhatItPosted() {
     const ProgramRun run =
         runBurin({"verify", program_, "--project", project_, "--map", inFolder("map.vtp"), "--json"});
     QVERIFY2(run.status == 0, run.messages.constData());
-    QVERIFY(run.json()["passed"].toBool());
+    const QJsonObject answer = run.json();
+    QVERIFY(answer["passed"].toBool());
+    loadsAgree(answer);
     QFile map(inFolder("map.vtp"));
     QVERIFY(map.open(QIODevice::ReadOnly));
     const QByteArray text = map.readAll();

@@ -143,6 +143,7 @@ void UntrustedTest::namesNeverReachATerminalAsTheyAre() {
 void UntrustedTest::outputsNeverReplaceInputs_data() {
     QTest::addColumn<QStringList>("command"); // OUTPUT stands for each name of the project in turn
     QTest::newRow("path show") << QStringList{"path", "p.burin", "show", "1", "-o", "OUTPUT"};
+    QTest::newRow("path show as CSV") << QStringList{"path", "p.burin", "show", "1", "--csv", "OUTPUT"};
     QTest::newRow("path take") << QStringList{"path", "p.burin", "take", "1", "-o", "OUTPUT"};
     QTest::newRow("path trace") << QStringList{"path", "p.burin", "trace", "1", "-o", "OUTPUT"};
     QTest::newRow("post") << QStringList{"post", "p.burin", "-o", "OUTPUT"};
@@ -170,12 +171,14 @@ void UntrustedTest::outputsNeverReplaceInputs() {
         return all;
     };
     const QList<QByteArray> standing = contents();
+    const QString given = command[command.indexOf("OUTPUT") - 1], option = given == "-o" ? "--output" : given;
     for (const QString& output : outputs) {
         QStringList arguments = command;
         arguments.replaceInStrings("OUTPUT", output);
         const ProgramRun run = runBurin(arguments);
         QVERIFY2(run.status == 2, qPrintable(output + ": " + run.messages));
         QCOMPARE(run.messages.trimmed().count('\n'), 0);
+        QVERIFY2(run.messages.contains('"' + option.toUtf8() + '"'), run.messages.constData());
         QVERIFY(contents() == standing);
     }
     QVERIFY(QDir::setCurrent(before));

@@ -317,6 +317,7 @@ private slots:
         QCOMPARE(child<Notice>(panel, "verdict").kind(), Notice::Kind::passed);
         QVERIFY(child<Notice>(panel, "verdict").sentence().startsWith(QStringLiteral("Passed: gouge 0.002")));
         QCOMPARE(valueOf(panel, "machiningTime"), QStringLiteral("25:04"));
+        QVERIFY(child<ValueRow>(panel, "machiningTime").toolTip().contains(QStringLiteral("tool change")));
         type(panel, "gougeToleranceField", "0,01");
         QCOMPARE(tolerance[0][0].toDouble(), 0.01);
         const auto refuses = [&](ProgramState state) {

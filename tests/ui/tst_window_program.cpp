@@ -91,8 +91,31 @@ void TestWindowProgram::theRestIsExportedFromTheSelectedLine() {
     text->setTextCursor(QTextCursor(text->document()->findBlockByNumber(static_cast<int>(cut.line) - 1)));
     text->setFocus();
     const QString file = driver.folder().filePath("rest.ngc");
-    chooseFile(driver, file);
+    // What it will do is shown before it is written; Esc writes nothing.
+    QString facts, shown;
+    bool writable = false;
+    driver.whenDialogStands([&](QWidget& dialog) {
+        facts = dialog.findChild<QLabel*>("restartFacts")->text();
+        shown = dialog.findChild<QPlainTextEdit*>("restartText")->toPlainText();
+        writable = dialog.findChild<QPushButton*>("exportRestartButton")->isEnabled();
+        driver.shoot("47-restart");
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+    });
     driver.key(Qt::Key_F8);
+    QVERIFY(driver.waitFor([&] { return !facts.isEmpty() && QApplication::activeModalWidget() == nullptr; }));
+    QVERIFY(writable && shown.contains(QString("RESTART at line %1").arg(cut.line)));
+    QVERIFY2(facts.contains(QString("line %1 ").arg(cut.line)), qPrintable(facts));
+    QVERIFY2(facts.contains(QString("Tool %1").arg(cut.tool)), qPrintable(facts));
+    QVERIFY(!QFile::exists(file));
+
+    const auto exportRest = [&](const QString& to) {
+        driver.whenDialogStands([&driver, to](QWidget& dialog) {
+            chooseFile(driver, to);
+            QTest::keyClick(&dialog, Qt::Key_Return);
+        });
+        driver.key(Qt::Key_F8);
+    };
+    exportRest(file);
     QVERIFY(driver.waitFor([&] { return driver.message().contains("rest.ngc"); }));
     QVERIFY2(driver.message().contains(QString::number(cut.line)), qPrintable(driver.message()));
     driver.shoot("47-rest-of-the-program");
@@ -105,6 +128,14 @@ void TestWindowProgram::theRestIsExportedFromTheSelectedLine() {
     QVERIFY(again->tool == cut.tool && again->spindleSpeed == cut.spindleSpeed);
     QVERIFY(bench.program.program()->text == whole); // it stays the program of the project
     QVERIFY(bench.program.exportable());
+
+    // It replaces nothing of the project.
+    const QString project = driver.folder().filePath("kept.burin");
+    QVERIFY(saveAs(driver, project));
+    text->setFocus();
+    exportRest(project + "-wal");
+    QVERIFY(driver.waitFor([&] { return driver.message().contains("a file other than"); }));
+    QVERIFY(!QFile::exists(project + "-wal"));
 
     // Behind the last cut there is nothing to restart: one sentence says so.
     text->setTextCursor(QTextCursor(text->document()->findBlockByNumber(text->document()->blockCount() - 2)));

@@ -42,6 +42,20 @@ void showChoices(ChoiceBox& box, const std::vector<NamedChoice>& choices, const 
     setEnabledKeepingFocus(&box, !choices.empty());
 }
 
+/// What the machining time is made of.
+QString timeContents(const VerifyReport& report) {
+    const QString atFeeds = durationText(report.secondsWithoutAcceleration);
+    const auto count = static_cast<int>(report.toolChanges);
+    return count == 1
+               ? ProgramPanel::tr(
+                     "With accelerations, corners, dwells and 1 tool change; %1 at the programmed feeds alone")
+                     .arg(atFeeds)
+               : ProgramPanel::tr("With accelerations, corners, dwells and %n tool changes; %1 at the programmed feeds "
+                                  "alone",
+                                  nullptr, count)
+                     .arg(atFeeds);
+}
+
 } // namespace
 
 class ProgramPanel::Fields : public QObject {
@@ -351,6 +365,7 @@ void ProgramPanel::Fields::refreshFigures() {
     onPart_->setValue(QLocale().toString(100.0 * report.onPartShare, 'f', 1) + QChar(QChar::Nbsp) + QLatin1Char('%'));
     removed_->setValue(volumeText(report.removed, unit_));
     time_->setValue(durationText(report.machiningSeconds));
+    time_->setToolTip(timeContents(report));
     blocks_->setValue(countText(state.blocks));
 }
 

@@ -8,6 +8,7 @@
 #include "ui/dialogs/questions.h"
 #include "ui/messages/messages.h"
 #include "ui/window/path_presenters.h"
+#include "ui/window/restart_dialog.h"
 
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -242,18 +243,8 @@ void DocumentFlow::restartProgram(int line) {
 }
 
 void DocumentFlow::exportRestart(const RestartedProgram& rest) {
+    if (!askRestart(&window_, rest, settings_.preferences().unit)) return;
     const int line = static_cast<int>(rest.from);
-    if (!rest.program.released()) {
-        const auto count = static_cast<int>(rest.program.errorCount());
-        emit refused(
-            count == 1
-                ? tr("The rest from line %1 on did not pass its check (1 finding); nothing was written.").arg(line)
-                : tr("The rest from line %1 on did not pass its check (%n findings); nothing was "
-                     "written.",
-                     nullptr, count)
-                      .arg(line));
-        return;
-    }
     const QString file = askProgramToExport(&window_, folder(), restartName(programName(workbench_), line));
     if (file.isEmpty()) return;
     keepFolder(file);

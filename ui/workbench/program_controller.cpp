@@ -369,13 +369,18 @@ void ProgramController::restart(std::uint32_t line, const QString& name) {
 
 void ProgramController::exportRestart(const std::filesystem::path& file, const RestartedProgram& rest) {
     if (!rest.program.released()) return;
-    desk_.project.ask([file, text = rest.program.text](Project&) { return writeFileAtomically(file, text); },
-                      [this, file, line = rest.from](const Result<void>& written) {
-                          if (written)
-                              emit restartExported(line, QString::fromStdString(file.string()));
-                          else
-                              emit failed(written.error());
-                      });
+    desk_.project.ask(
+        [file, text = rest.program.text](Project& project) -> Result<void> {
+            const std::array<std::filesystem::path, 1> inputs{project.file()};
+            if (Result<void> free = checkOutput("file", file, inputs); !free) return free;
+            return writeFileAtomically(file, text);
+        },
+        [this, file, line = rest.from](const Result<void>& written) {
+            if (written)
+                emit restartExported(line, QString::fromStdString(file.string()));
+            else
+                emit failed(written.error());
+        });
 }
 
 void ProgramController::exportTo(const std::filesystem::path& file) {

@@ -7,10 +7,14 @@
 #include "tests/core/path/path_fixture.h"
 #include "tests/core/project/session_bench.h"
 #include "tests/oracles/canonical_program.h"
+#include "tests/oracles/grbl_rules.h"
 
+#include <QRegularExpression>
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 #include <sstream>
 
@@ -212,11 +216,9 @@ HeightMap milled(double cutterRadius, std::initializer_list<const CanonicalProgr
 
 /// What is wrong with the rest of a program from a line on: it does not pass, LinuxCNC's interpreter refuses it, or
 /// what that makes of the lines before and of the rest is another workpiece. Empty: nothing.
-std::string faultOfRestart(const Bench& block, const std::string& text, std::uint32_t line,
-                           const ProgramRequest& wanted, const HeightMap& whole) {
+std::string faultOfRestart(const Result<RestartedProgram>& rest, const std::string& text, std::uint32_t line,
+                           const HeightMap& whole) {
     const std::string told = "line " + std::to_string(line) + ": ";
-    Progress progress;
-    const Result<RestartedProgram> rest = makeRestart(block, text, line, wanted, progress);
     if (!rest) return told + rest.error().place + " " + rest.error().detail;
     const std::string shown = "\n" + rest->program.text;
     if (!rest->program.passed()) return told + "not passed" + shown;
@@ -229,8 +231,25 @@ std::string faultOfRestart(const Bench& block, const std::string& text, std::uin
     return narrow.cut(after) > 0.0 ? told + "a rapid cuts" + shown : std::string();
 }
 
-/// Rows of a hand that wavers, with the links and feeds of a path, as a program.
-Result<CheckedProgram> postedRows(const Bench& block, const Tool& tool) {
+/// A hand's strokes with one tool, with the links and feeds of a path.
+PathMatter matterOfHand(std::int64_t id, const Tool& tool, const std::vector<glm::dvec3>& corners, bool arcs) {
+    PathMatter matter;
+    matter.path.id = id;
+    matter.path.takes = {id};
+    matter.path.edits = {{Simplify{}}};
+    if (arcs) matter.path.edits.push_back({FitArcs{}});
+    matter.path.edits.push_back({Link{}});
+    matter.path.edits.push_back({SetFeed{.cooling = id == 1 ? SetFeed::Cooling::flood : SetFeed::Cooling::off}});
+    matter.tool = tool;
+    Take take = takeOf(along(corners, 50.0));
+    take.info.id = id;
+    take.info.toolId = tool.id;
+    matter.recorded = {*recordedStrokes(take)};
+    return matter;
+}
+
+/// Rows of a hand that wavers.
+std::vector<glm::dvec3> rows() {
     std::vector<glm::dvec3> corners;
     for (int row = 0; row < 7; ++row)
         for (int i = 0; i <= 20; ++i) {
@@ -238,18 +257,49 @@ Result<CheckedProgram> postedRows(const Bench& block, const Tool& tool) {
             corners.emplace_back(4.0 + 1.5 * along, 8.0 + 3.5 * row + 0.4 * std::sin(1.7 * along + row),
                                  8.2 - 0.15 * row + 0.1 * std::cos(2.3 * along));
         }
-    PathMatter matter;
-    matter.path.id = 1;
-    matter.path.takes = {1};
-    matter.path.edits = {{Simplify{}}, {Link{}}, {SetFeed{}}};
-    matter.tool = tool;
-    Take take = takeOf(along(corners, 50.0));
-    take.info.toolId = tool.id;
-    matter.recorded = {*recordedStrokes(take)};
-    Progress progress;
-    const Result<EvaluatedPaths> paths = evaluateInOrder(block, {matter}, progress);
-    if (!paths) return paths.error();
-    return makeProgram(block, paths->program, request({tool}), progress);
+    return corners;
+}
+
+/// Three levels, each of rings about one centre, from the inner one out.
+std::vector<glm::dvec3> levels() {
+    std::vector<glm::dvec3> corners;
+    for (int level = 1; level <= 3; ++level)
+        for (const double ring : {2.0, 4.5, 7.0})
+            for (int i = 0; i <= 120; ++i) {
+                const double angle = 2.0 * pi * i / 120.0;
+                corners.emplace_back(20.0 + ring * std::cos(angle), 18.0 + ring * std::sin(angle),
+                                     height - 0.8 * level);
+            }
+    return corners;
+}
+
+/// By letter, the last word of each kind that a text has up to a line, by nothing but its letters: what is then in
+/// force of spindle, coolant, tool, offsets and unit.
+std::map<QString, QString> modalWords(const std::string& text, std::uint32_t line) {
+    static const QRegularExpression comment(R"(\([^)]*\)|;.*)"),
+        word(R"((S\d+|T\d+|H\d+|M0?[345]|M0?[789]|G5[4-9]|G2[01])(?![.\d]))");
+    std::map<QString, QString> words;
+    const std::vector<std::string> lines = linesOfText(text);
+    for (std::uint32_t i = 0; i < line && i < lines.size(); ++i) {
+        auto found = word.globalMatch(QString::fromStdString(lines[i]).remove(comment));
+        while (found.hasNext()) {
+            const QString one = found.next().captured(1);
+            const bool coolant = one[0] == 'M' && one.back() >= '7';
+            words[coolant ? QString("coolant") : one.startsWith("G5") ? QString("offset") : one.left(1)] = one;
+        }
+    }
+    const auto coolant = words.find("coolant");
+    if (coolant != words.end() && coolant->second.endsWith('9')) words.erase(coolant); // off, as where nothing is said
+    return words;
+}
+
+/// Line of the first cut, by its letters.
+std::uint32_t firstCutIn(const std::string& text) {
+    static const QRegularExpression cut("(^|\\s)G0?[123](?![.\\d])");
+    const std::vector<std::string> lines = linesOfText(text);
+    for (std::uint32_t i = 0; i < lines.size(); ++i)
+        if (cut.match(QString::fromStdString(lines[i])).hasMatch()) return i + 1;
+    return 0;
 }
 
 } // namespace
@@ -283,31 +333,60 @@ private slots:
                 QCOMPARE(rest.error().detail, std::string("1 to 56, the line of the last cut"));
                 continue;
             }
-            const std::string fault = faultOfRestart(block, program, line, wanted, wholeMap);
+            Progress progress;
+            const std::string fault =
+                faultOfRestart(makeRestart(block, program, line, wanted, progress), program, line, wholeMap);
             QVERIFY2(fault.empty(), fault.c_str());
             ++restarted;
         }
         QCOMPARE(restarted, 56U);
     }
 
-    /// What Burin posts of a hand's path, from 20 lines of it by chance.
+    void aPostedProgramGoesOnFromAnyLine_data() {
+        QTest::addColumn<QString>("dialect");
+        QTest::addColumn<bool>("inch");
+        QTest::addColumn<bool>("inLevels"); // with arcs
+        QTest::addColumn<int>("tools");
+        QTest::newRow("rows") << "linuxcnc" << false << false << 1;
+        QTest::newRow("levels of arcs and rows, two tools, inch") << "linuxcnc" << true << true << 2;
+        QTest::newRow("levels of arcs, GRBL") << "grbl" << false << true << 1;
+    }
+    /// What Burin posts of a hand's paths, from 20 lines of it by chance: spindle, coolant, tool, offset and unit are
+    /// those of the line, the tool comes from above, and the workpiece is the same.
     void aPostedProgramGoesOnFromAnyLine() {
         if (!CanonicalProgram::available()) QSKIP("rs274 (package linuxcnc-uspace) is not installed");
+        QFETCH(QString, dialect);
+        QFETCH(bool, inch);
+        QFETCH(bool, inLevels);
+        QFETCH(int, tools);
         const Bench block = bench(flat(1));
-        const Result<CheckedProgram> posted = postedRows(block, flat(1));
+        std::vector<PathMatter> matters{matterOfHand(1, flat(1), inLevels ? levels() : rows(), inLevels)};
+        if (tools == 2) matters.push_back(matterOfHand(2, flat(2), rows(), false));
+        Progress progress;
+        const Result<EvaluatedPaths> paths = evaluateInOrder(block, matters, progress);
+        QVERIFY(paths);
+        ProgramRequest wanted = request(paths->program.tools);
+        wanted.dialect = dialect.toStdString();
+        if (inch) wanted.units = NcUnits::inch;
+        const Result<CheckedProgram> posted = makeProgram(block, paths->program, wanted, progress);
         QVERIFY2(posted && posted->passed(), posted ? posted->text.c_str() : posted.error().detail.c_str());
+        const auto isArc = [](const NcMotion& one) { return one.kind == NcMotionKind::arc; };
+        QCOMPARE(std::ranges::any_of(posted->parsed.motions, isArc), inLevels);
         const CanonicalProgram whole = CanonicalProgram::ofText(posted->text);
         QCOMPARE(whole.exitCode, 0);
         const HeightMap wholeMap = milled(radius, {&whole});
+        const auto last = std::find_if(posted->parsed.motions.rbegin(), posted->parsed.motions.rend(),
+                                       [](const NcMotion& one) { return !one.rapid(); });
+        QVERIFY(last->line > 30);
         std::mt19937 random(7);
-        std::vector<std::uint32_t> cuts;
-        for (const NcMotion& motion : posted->parsed.motions)
-            if (motion.kind == NcMotionKind::line) cuts.push_back(motion.line);
-        QVERIFY(cuts.size() > 100);
         for (int i = 0; i < 20; ++i) {
-            const std::uint32_t line = cuts[random() % cuts.size()];
-            const std::string fault = faultOfRestart(block, posted->text, line, request({flat(1)}), wholeMap);
+            const std::uint32_t line = 1 + static_cast<std::uint32_t>(random() % last->line);
+            const Result<RestartedProgram> rest = makeRestart(block, posted->text, line, wanted, progress);
+            const std::string fault = faultOfRestart(rest, posted->text, line, wholeMap);
             QVERIFY2(fault.empty(), fault.c_str());
+            QCOMPARE(modalWords(rest->program.text, firstCutIn(rest->program.text)),
+                     modalWords(posted->text, rest->line));
+            if (dialect == "grbl") QCOMPARE(grblVerdict(rest->program.text).error, 0);
         }
     }
 
