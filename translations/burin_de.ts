@@ -566,6 +566,10 @@
         <source>The arguments can&apos;t be understood (%1).</source>
         <translation>Die Argumente sind nicht zu verstehen (%1).</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is new already</source>
+        <translation>„%1“ ist schon neu</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -1525,6 +1529,73 @@
     </message>
 </context>
 <context>
+    <name>Finding</name>
+    <message>
+        <source>lift or delete this part of the path, or mill it with a smaller tool</source>
+        <translation>diesen Teil der Bahn anheben, löschen oder mit einem kleineren Werkzeug fräsen</translation>
+    </message>
+    <message>
+        <source>retract above the material before this move</source>
+        <translation>vor dieser Bewegung über das Material zurückziehen</translation>
+    </message>
+    <message>
+        <source>mill the material around it first, or use a tool with longer flutes</source>
+        <translation>zuerst das Material ringsum fräsen oder ein Werkzeug mit längeren Schneiden nehmen</translation>
+    </message>
+    <message>
+        <source>mill the material around it first, or use a tool with a longer stick-out</source>
+        <translation>zuerst das Material ringsum fräsen oder ein Werkzeug mit größerer Auskraglänge nehmen</translation>
+    </message>
+    <message>
+        <source>start the spindle before this move</source>
+        <translation>die Spindel vor dieser Bewegung einschalten</translation>
+    </message>
+    <message>
+        <source>place the part elsewhere on the table, or use a machine with more travel</source>
+        <translation>das Teil an einer anderen Stelle aufspannen oder eine Maschine mit größerem Verfahrweg nehmen</translation>
+    </message>
+    <message>
+        <source>lower the feed to what the machine reaches</source>
+        <translation>den Vorschub auf das senken, was die Maschine erreicht</translation>
+    </message>
+    <message>
+        <source>state a spindle speed that the machine has</source>
+        <translation>eine Drehzahl angeben, die die Maschine hat</translation>
+    </message>
+    <message>
+        <source>state X, Y and Z before this move</source>
+        <translation>vor dieser Bewegung X, Y und Z angeben</translation>
+    </message>
+    <message>
+        <source>move the fixture, or retract the path above it</source>
+        <translation>das Spannmittel versetzen oder die Bahn darüber heben</translation>
+    </message>
+    <message>
+        <source>mill it in more levels or with a smaller step-over, or use a stronger machine</source>
+        <translation>in mehr Ebenen oder mit kleinerem Zeilenabstand fräsen, oder eine stärkere Maschine nehmen</translation>
+    </message>
+    <message>
+        <source>mill it in more levels or with a smaller step-over, or use a thicker or shorter tool</source>
+        <translation>in mehr Ebenen oder mit kleinerem Zeilenabstand fräsen, oder ein dickeres oder kürzeres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>lower the feed</source>
+        <translation>den Vorschub senken</translation>
+    </message>
+    <message>
+        <source>mill it in more levels</source>
+        <translation>in mehr Ebenen fräsen</translation>
+    </message>
+    <message>
+        <source>use a smaller step-over</source>
+        <translation>einen kleineren Zeilenabstand nehmen</translation>
+    </message>
+    <message>
+        <source>begin beside the material, or use a centre-cutting tool</source>
+        <translation>neben dem Material beginnen oder ein Werkzeug nehmen, das über die Mitte schneidet</translation>
+    </message>
+</context>
+<context>
     <name>GuideWords</name>
     <message>
         <source>%1 apart</source>
@@ -1691,6 +1762,14 @@
     <message>
         <source>Solid %1</source>
         <translation>Volumenkörper %1</translation>
+    </message>
+    <message>
+        <source>The file ends without &quot;endsolid&quot;; what was read of it is whole.</source>
+        <translation>Die Datei endet ohne „endsolid“; was daraus gelesen wurde, ist vollständig.</translation>
+    </message>
+    <message>
+        <source>%1 has no volume, so nothing of it can be protected.</source>
+        <translation>%1 hat kein Volumen, also kann nichts davon geschützt werden.</translation>
     </message>
 </context>
 <context>
@@ -2235,6 +2314,10 @@
             <numerusform>%n Zeilen in der Nähe</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Plunge of %1: the tool does not cut at its centre</source>
+        <translation>Eintauchen um %1: Das Werkzeug schneidet nicht über die Mitte</translation>
+    </message>
 </context>
 <context>
     <name>ProgramProblem</name>
@@ -2329,10 +2412,6 @@
     <message>
         <source>the program does not say what the parameter holds</source>
         <translation>das Programm sagt nicht, was der Parameter enthält</translation>
-    </message>
-    <message>
-        <source>words behind the program&apos;s end</source>
-        <translation>Wörter hinter dem Programmende</translation>
     </message>
     <message>
         <source>the program has more moves than can be kept (20 million)</source>
@@ -2471,10 +2550,6 @@
         <translation>Programmende fehlt</translation>
     </message>
     <message>
-        <source>the cutter does not cut at its centre and is fed straight down</source>
-        <translation>der Fräser schneidet nicht über Mitte und wird senkrecht zugestellt</translation>
-    </message>
-    <message>
         <source>feed is above the machine&apos;s</source>
         <translation>Vorschub liegt über dem der Maschine</translation>
     </message>
@@ -2493,6 +2568,14 @@
     <message>
         <source>feed without a decimal point</source>
         <translation>Vorschub ohne Dezimalpunkt</translation>
+    </message>
+    <message>
+        <source>the control reads % alone in the first line, and behind the program only then</source>
+        <translation>die Steuerung liest % allein in der ersten Zeile, und hinter dem Programm nur dann</translation>
+    </message>
+    <message>
+        <source>more M words than the control takes in a block</source>
+        <translation>mehr M-Wörter, als die Steuerung in einem Satz annimmt</translation>
     </message>
 </context>
 <context>
@@ -2667,6 +2750,79 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Haas mill</source>
         <translation>Haas-Fräsmaschine</translation>
+    </message>
+</context>
+<context>
+    <name>RestartDialog</name>
+    <message>
+        <source>The first cut is line %1 of the interrupted program; all lines before it count as done.</source>
+        <translation>Der erste Schnitt ist Zeile %1 des unterbrochenen Programms; alle Zeilen davor gelten als erledigt.</translation>
+    </message>
+    <message>
+        <source>From above, the tool comes down to X %1, Y %2, Z %3.</source>
+        <translation>Das Werkzeug fährt von oben auf X %1, Y %2, Z %3.</translation>
+    </message>
+    <message>
+        <source>The last %1 of the path before that line are cut again.</source>
+        <translation>Die letzten %1 der Bahn vor dieser Zeile werden noch einmal gefräst.</translation>
+    </message>
+    <message>
+        <source>Tool %1%2 at %3. Measure the new tool first.</source>
+        <translation>Werkzeug %1%2 mit %3. Vermessen Sie zuerst das neue Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weiterer</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Passed its check on the stock that is left.</source>
+        <translation>Hat die Prüfung auf dem verbliebenen Rohteil bestanden.</translation>
+    </message>
+    <message>
+        <source>Did not pass its check on the stock that is left (1 finding). It can&apos;t be exported; choose an earlier line.</source>
+        <translation>Hat die Prüfung auf dem verbliebenen Rohteil nicht bestanden (1 Befund). Der Rest kann nicht exportiert werden; wählen Sie eine frühere Zeile.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Did not pass its check on the stock that is left (%n findings). It can&apos;t be exported; choose an earlier line.</source>
+        <translation>
+            <numerusform>Hat die Prüfung auf dem verbliebenen Rohteil nicht bestanden (%n Befund). Der Rest kann nicht exportiert werden; wählen Sie eine frühere Zeile.</numerusform>
+            <numerusform>Hat die Prüfung auf dem verbliebenen Rohteil nicht bestanden (%n Befunde). Der Rest kann nicht exportiert werden; wählen Sie eine frühere Zeile.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Wiederanlauf</translation>
+    </message>
+    <message>
+        <source>Restart at line %1</source>
+        <translation>Wiederanlauf bei Zeile %1</translation>
+    </message>
+    <message>
+        <source>The rest of the program</source>
+        <translation>Der Rest des Programms</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Write nothing; the program stays as it is (Esc)</source>
+        <translation>Nichts schreiben; das Programm bleibt, wie es ist (Esc)</translation>
+    </message>
+    <message>
+        <source>Write the rest as a program of its own; the program of the project stays as it is</source>
+        <translation>Den Rest als eigenes Programm schreiben; das Programm des Projekts bleibt, wie es ist</translation>
     </message>
 </context>
 <context>
@@ -3040,17 +3196,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Take it off the list</source>
         <translation>Aus der Liste entfernen</translation>
-    </message>
-    <message>
-        <source>The rest from line %1 on did not pass its check (1 finding); nothing was written.</source>
-        <translation>Der Rest ab Zeile %1 hat die Prüfung nicht bestanden (1 Befund); nichts wurde geschrieben.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The rest from line %1 on did not pass its check (%n findings); nothing was written.</source>
-        <translation>
-            <numerusform>Der Rest ab Zeile %1 hat die Prüfung nicht bestanden (%n Befund); nichts wurde geschrieben.</numerusform>
-            <numerusform>Der Rest ab Zeile %1 hat die Prüfung nicht bestanden (%n Befunde); nichts wurde geschrieben.</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -5613,6 +5758,17 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Your own machine.</source>
         <translation>Ihre eigene Maschine.</translation>
+    </message>
+    <message>
+        <source>With accelerations, corners, dwells and 1 tool change; %1 at the programmed feeds alone</source>
+        <translation>Mit Beschleunigungen, Ecken, Verweilzeiten und 1 Werkzeugwechsel; %1 allein mit den programmierten Vorschüben</translation>
+    </message>
+    <message numerus="yes">
+        <source>With accelerations, corners, dwells and %n tool changes; %1 at the programmed feeds alone</source>
+        <translation>
+            <numerusform>Mit Beschleunigungen, Ecken, Verweilzeiten und %n Werkzeugwechsel; %1 allein mit den programmierten Vorschüben</numerusform>
+            <numerusform>Mit Beschleunigungen, Ecken, Verweilzeiten und %n Werkzeugwechseln; %1 allein mit den programmierten Vorschüben</numerusform>
+        </translation>
     </message>
 </context>
 <context>
