@@ -9,6 +9,7 @@
 #include "ui/panels/row_list.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -151,6 +152,7 @@ void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
     const QString own = driver.folder().filePath("data/burin/machines/linuxcnc-mill-copy.json");
     QVERIFY(driver.visible<QLabel>("machineNote")->accessibleName().startsWith("Typical values"));
     bool typicalIsLocked = false, tooLittleIsRefused = false, isSaved = false;
+    bool samePointIsRefused = false, homeIsLocked = false;
     driver.whenDialogStands([&](QWidget& dialog) {
         const auto field = [&](const char* name) { return dialog.findChild<QuantityField*>(name); };
         const auto enter = [&](const char* name, const char* value) {
@@ -171,6 +173,29 @@ void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
         tooLittleIsRefused = driver.waitFor([&] { return notice->sentence().contains("tool_change_height_mm"); }, 3000);
         enter("tool_change_height_mm", "60");
         enter("maximum_feed_mm_per_min", "3500");
+        // Three points of torque in any order, one of them twice, one of nothing; one is deleted again.
+        const auto addPoint = [&](const char* speed, const char* torque) {
+            enter("newTorqueSpeed", speed);
+            enter("newTorqueValue", torque); // Enter adds it
+            QTest::qWait(20);
+        };
+        addPoint("8000", "2.5");
+        addPoint("12000", "1.6");
+        const auto* message = dialog.findChild<QLabel*>("torqueMessage");
+        addPoint("8000", "9");
+        samePointIsRefused = message->isVisible() && message->text().contains("8000");
+        addPoint("3000", "350 Ncm"); // the first by its speed
+        answer(dialog, "removeTorque2");
+        enter("torqueValue1", "2.25");
+        dialog.findChild<QScrollArea*>()->ensureWidgetVisible(field("newTorqueSpeed"));
+        driver.shoot("48-torque");
+        // A place to park.
+        auto* home = dialog.findChild<QComboBox*>("home_mm");
+        homeIsLocked = field("home_mm0")->isReadOnly();
+        home->setFocus();
+        QTest::keyClick(home, Qt::Key_Down);
+        enter("home_mm0", "-10");
+        enter("home_mm1", "-20.5");
         auto* source = dialog.findChild<QLineEdit*>("spindle_power_wSource");
         source->selectAll();
         QTest::keyClicks(source, "nameplate");
@@ -181,10 +206,17 @@ void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
     });
     QVERIFY(driver.clickOn("machinesButton"));
     QVERIFY(typicalIsLocked && tooLittleIsRefused && isSaved);
+    QVERIFY(samePointIsRefused && homeIsLocked);
     QCOMPARE(bench.target.target().machine, std::string("linuxcnc-mill-copy"));
     Result<MachineProfile> kept = loadMachine("linuxcnc-mill-copy");
     QVERIFY(kept && kept->name == "Mill in the shop" && kept->maximumFeed == 3500.0);
     QCOMPARE(kept->sources.at("spindle_power_w"), std::string("nameplate"));
+    QCOMPARE(kept->spindleTorque.size(), std::size_t{2});
+    QCOMPARE(kept->spindleTorque[0].speed, 3000.0);
+    QCOMPARE(kept->spindleTorque[0].torque, 3.5);
+    QCOMPARE(kept->spindleTorque[1].speed, 8000.0);
+    QCOMPARE(kept->spindleTorque[1].torque, 2.25);
+    QVERIFY(kept->home == glm::dvec3(-10.0, -20.5, 0.0));
     QVERIFY(kept->sources.contains("maximum_feed_mm_per_min")); // the user's own value now
     QVERIFY(driver.waitFor(
         [&] { return driver.visible<QLabel>("machineNote")->accessibleName() == "Your own machine."; }, 3000));

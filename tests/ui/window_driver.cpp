@@ -129,7 +129,8 @@ void WindowDriver::shoot(const QString& name) const {
     const QDir folder(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots"));
     folder.mkpath(QStringLiteral("."));
     QTest::qWait(150); // presenters and painting come after the event
-    window_->grab().save(folder.filePath(name + QStringLiteral(".png")));
+    QWidget* dialog = QApplication::activeModalWidget();
+    (dialog != nullptr ? dialog : window_.get())->grab().save(folder.filePath(name + QStringLiteral(".png")));
 }
 
 } // namespace burin::testing

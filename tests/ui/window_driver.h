@@ -46,7 +46,8 @@ public:
     QString message() const; ///< the sentence above the viewport; empty: none
     bool waitFor(const std::function<bool()>& what, int milliseconds = 30000) const;
     bool settle(int milliseconds = 30000) const; ///< until no work runs in the background
-    /// Keeps the window's picture as tests/screenshots/<name>.png of the build tree.
+    /// Keeps the picture of the dialog that stands, or else the window, as tests/screenshots/<name>.png of the build
+    /// tree.
     void shoot(const QString& name) const;
 
 private:

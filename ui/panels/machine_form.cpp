@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/machine_form.h"
 
-#include "core/base/numbers.h"
 #include "core/machine/machine_ranges.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/panel_layout.h"
+#include "ui/panels/torque_table.h"
 
 #include <QGridLayout>
 #include <QLineEdit>
@@ -30,32 +30,6 @@ QString rangeText(Quantity quantity, NumberRange range, bool optional, LengthUni
 }
 
 } // namespace
-
-QString torqueText(const std::vector<SpindlePoint>& torque) {
-    QStringList points;
-    for (const SpindlePoint& point : torque)
-        points.push_back(QString::fromStdString(formatShortest(point.speed)) + QStringLiteral(": ") +
-                         QString::fromStdString(formatShortest(point.torque)));
-    return points.join(QStringLiteral("; "));
-}
-
-std::optional<std::vector<SpindlePoint>> torqueFromText(const QString& text) {
-    std::vector<SpindlePoint> torque;
-    if (text.trimmed().isEmpty()) return torque;
-    for (const QString& point : text.split(QLatin1Char(';'), Qt::SkipEmptyParts)) {
-        if (point.trimmed().isEmpty()) continue;
-        const QStringList numbers = point.split(QLatin1Char(':'));
-        if (numbers.size() != 2) return std::nullopt;
-        const auto numberOf = [](const QString& number) {
-            return parseNumber(number.trimmed().replace(QLatin1Char(','), QLatin1Char('.')).toStdString());
-        };
-        const std::optional<double> speed = numberOf(numbers[0]), newtonMetres = numberOf(numbers[1]);
-        if (!speed || !newtonMetres) return std::nullopt;
-        if (!(*speed > (torque.empty() ? 0.0 : torque.back().speed)) || !(*newtonMetres > 0.0)) return std::nullopt;
-        torque.push_back({*speed, *newtonMetres});
-    }
-    return torque;
-}
 
 MachineForm::MachineForm(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
     setObjectName(QStringLiteral("machineForm"));
@@ -110,6 +84,32 @@ void MachineForm::addTravel() {
                {own(Quantity::length, machine_range::height, false, &MachineProfile::toolChangeHeight)});
     addNumbers("tool_change_s", tr("Tool change time"), tr("From chip to chip"),
                {own(Quantity::time, toolChange, false, &MachineProfile::toolChangeSeconds)});
+    addHome();
+}
+
+void MachineForm::addHome() {
+    const auto stated = [](const MachineProfile& m) { return m.home.has_value(); };
+    addChoice(
+        "home_mm", tr("Home"),
+        tr("Where the spindle parks for a tool change and at the end of a program (G53), if the dialect can say it"),
+        {{tr("Not stated"), tr("Parks at a position of the machine")},
+         [stated](const MachineProfile& m) { return stated(m) ? 1 : 0; },
+         [](MachineProfile& m, int index) { m.home = index == 0 ? std::nullopt : std::optional(glm::dvec3(0.0)); }},
+        false);
+    const auto axis = [stated](int i) {
+        return Number{Quantity::length,
+                      machine_range::home,
+                      false,
+                      [i](const MachineProfile& m) { return m.home ? (*m.home)[i] : 0.0; },
+                      [i](MachineProfile& m, double value) {
+                          if (m.home) (*m.home)[i] = value;
+                      },
+                      stated};
+    };
+    addNumbers("home_mm", tr("Home X, Y, Z"),
+               tr("In the machine's own coordinates, at most the travel from its zero. Z is approached first, straight "
+                  "from above the work, so it has to be the top"),
+               {axis(0), axis(1), axis(2)});
 }
 
 void MachineForm::addFeeds() {
@@ -281,12 +281,14 @@ void MachineForm::addNumbers(const char* key, const QString& label, const QStrin
             field->setToolTip(toolTip + QStringLiteral(" (") +
                               rangeText(number.quantity, number.range, number.optional, unit_) + QLatin1Char(')'));
             field->setAccessibleName(label);
+            if (number.stated) field->setReadOnly(locked_ || !number.stated(machine_));
         });
     }
     if (withSource) addSource(key, row);
 }
 
-void MachineForm::addChoice(const char* key, const QString& label, const QString& toolTip, Choice choice) {
+void MachineForm::addChoice(const char* key, const QString& label, const QString& toolTip, Choice choice,
+                            bool withSource) {
     auto* box = new ChoiceBox(this);
     box->setObjectName(QString::fromLatin1(key));
     box->addItems(choice.texts);
@@ -297,7 +299,7 @@ void MachineForm::addChoice(const char* key, const QString& label, const QString
         changed(key);
     });
     refreshers_.emplace_back([this, box, get = choice.get] { box->setCurrentIndex(get(machine_)); });
-    addSource(key, row);
+    if (withSource) addSource(key, row);
 }
 
 QLineEdit* MachineForm::addText(const char* name, const QString& label, const QString& toolTip,
@@ -319,25 +321,17 @@ QLineEdit* MachineForm::addText(const char* name, const QString& label, const QS
 }
 
 void MachineForm::addTorque() {
-    auto* field = new QLineEdit(this);
-    field->setObjectName(QStringLiteral("spindle_torque"));
-    field->setPlaceholderText(tr("not stated"));
-    const QString tip = tr("Torque in N m by rising speed in 1/min, as “2000: 107; 8100: 26.4”. Between two points the "
-                           "power follows a straight line. Empty: not stated");
-    const int row = beginRow(tr("Torque over speed"), field, tip);
-    grid_->addWidget(field, row, firstField, 1, 3);
-    connect(field, &QLineEdit::editingFinished, this, [this, field] {
-        const auto torque = torqueFromText(field->text());
-        if (torque && torqueText(*torque) != torqueText(machine_.spindleTorque)) {
-            machine_.spindleTorque = *torque;
-            changed("spindle_torque");
-        }
-        refresh(); // what can't be read is not taken
+    torque_ = new TorqueTable(this);
+    const int row =
+        beginRow(tr("Torque over speed"), torque_,
+                 tr("That the spindle gives for as long as a cut takes. Between two points the power follows "
+                    "a straight line; without points: not stated"));
+    grid_->addWidget(torque_, row, firstField, 1, 3);
+    connect(torque_, &TorqueTable::edited, this, [this](const std::vector<SpindlePoint>& points) {
+        machine_.spindleTorque = points;
+        changed("spindle_torque");
     });
-    refreshers_.emplace_back([this, field] {
-        field->setText(torqueText(machine_.spindleTorque));
-        field->setCursorPosition(0);
-    });
+    refreshers_.emplace_back([this] { torque_->showPoints(machine_.spindleTorque); });
     addSource("spindle_torque", row);
 }
 
@@ -393,7 +387,10 @@ void MachineForm::setDialects(const QStringList& names, const QStringList& ids) 
 
 void MachineForm::showMachine(const MachineProfile& machine, bool locked) {
     machine_ = machine;
+    locked_ = locked;
+    torque_->setReadOnly(locked);
     for (QWidget* field : fields_) {
+        if (field == torque_) continue;
         if (auto* text = qobject_cast<QLineEdit*>(field))
             text->setReadOnly(locked);
         else if (auto* number = qobject_cast<QuantityField*>(field))

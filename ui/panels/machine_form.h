@@ -9,7 +9,6 @@
 #include <QWidget>
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,7 @@ class QLineEdit;
 namespace burin {
 
 class ChoiceBox;
+class TorqueTable;
 
 /// Fields for every value of a machine: name, dialect, and by sections the numbers with unit, allowed range and source.
 /// A value that the user changes has them as its source until they state another. One row for a key of the machine's
@@ -47,6 +47,7 @@ private:
         bool optional = false; ///< 0 stands for "not stated"
         Get get;
         Set set;
+        std::function<bool(const MachineProfile&)> stated{}; ///< it has a value that can be changed; nothing: always
     };
     struct Choice {
         QStringList texts;
@@ -56,6 +57,7 @@ private:
 
     void addGeneral();
     void addTravel();
+    void addHome();
     void addFeeds();
     void addAccelerations();
     void addControl();
@@ -66,7 +68,8 @@ private:
     int beginRow(const QString& label, QWidget* buddy, const QString& toolTip);
     void addNumbers(const char* key, const QString& label, const QString& toolTip, std::vector<Number> numbers,
                     bool withSource = true);
-    void addChoice(const char* key, const QString& label, const QString& toolTip, Choice choice);
+    void addChoice(const char* key, const QString& label, const QString& toolTip, Choice choice,
+                   bool withSource = true);
     QLineEdit* addText(const char* name, const QString& label, const QString& toolTip,
                        std::string MachineProfile::*text);
     void addTorque();
@@ -76,17 +79,14 @@ private:
 
     MachineProfile machine_;
     LengthUnit unit_ = LengthUnit::millimetre;
+    bool locked_ = false;
     QGridLayout* grid_;
     std::vector<std::function<void()>> refreshers_; ///< show what `machine_` says
     std::vector<QWidget*> fields_;
     std::vector<QuantityField*> numbers_;
     ChoiceBox* dialect_ = nullptr;
+    TorqueTable* torque_ = nullptr;
     QStringList dialectNames_, dialectIds_;
 };
-
-/// "2000: 107; 8100: 26.4": 1/min and N m, by rising speed.
-QString torqueText(const std::vector<SpindlePoint>& torque);
-/// The same read back; nothing where it is no such text. Empty text: not stated.
-std::optional<std::vector<SpindlePoint>> torqueFromText(const QString& text);
 
 } // namespace burin

@@ -62,6 +62,9 @@ constexpr std::array namedUnits{
     NamedUnit{Quantity::rotation, "rpm", 1.0},
     NamedUnit{Quantity::power, "w", 1.0},
     NamedUnit{Quantity::power, "kw", 1000.0},
+    NamedUnit{Quantity::torque, "nm", 1.0},
+    NamedUnit{Quantity::torque, "n·m", 1.0},
+    NamedUnit{Quantity::torque, "ncm", 0.01},
     NamedUnit{Quantity::rate, "1/s", 1.0},
 };
 
@@ -105,6 +108,8 @@ DisplayUnit displayUnit(Quantity quantity, LengthUnit unit) {
         return {QStringLiteral("1/min"), 1.0, 1, false};
     case Quantity::power:
         return {QStringLiteral("W"), 1.0, 1, false};
+    case Quantity::torque:
+        return {QStringLiteral("N·m"), 1.0, 4, false};
     case Quantity::rate:
         return {QStringLiteral("1/s"), 1.0, 1, false};
     case Quantity::count:

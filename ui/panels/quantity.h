@@ -8,7 +8,8 @@
 
 namespace burin {
 
-/// What a number on a panel measures. Inside: mm, mm/s, s, Hz, rad, N, mm³/s, 1; mm/min, mm/s², mm/s³, 1/min, W, 1/s.
+/// What a number on a panel measures. Inside: mm, mm/s, s, Hz, rad, N, mm³/s, 1; mm/min, mm/s², mm/s³, 1/min, W, N m,
+/// 1/s.
 enum class Quantity {
     length,
     speed,
@@ -23,6 +24,7 @@ enum class Quantity {
     jerk,
     rotation,
     power,
+    torque,
     rate, ///< of blocks
     count
 };

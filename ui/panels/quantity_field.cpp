@@ -141,7 +141,7 @@ QValidator::State QuantityField::validate(QString& text, int&) const {
     const std::optional<double> typed = read(text);
     if (!typed) {
         const bool possible = std::ranges::all_of(text, [](QChar c) {
-            return c.isDigit() || c.isLetter() || c.isSpace() || QStringLiteral(".,+-−/\"″°×²³").contains(c);
+            return c.isDigit() || c.isLetter() || c.isSpace() || QStringLiteral(".,+-−/\"″°×·²³").contains(c);
         });
         return possible ? QValidator::Intermediate : QValidator::Invalid;
     }
