@@ -4360,14 +4360,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Zulässig zwischen Anfang und Ende eines Bogens</translation>
     </message>
     <message>
-        <source>not stated</source>
-        <translation>nicht angegeben</translation>
-    </message>
-    <message>
-        <source>Torque in N m by rising speed in 1/min, as “2000: 107; 8100: 26.4”. Between two points the power follows a straight line. Empty: not stated</source>
-        <translation>Drehmoment in N m nach steigender Drehzahl in 1/min, wie „2000: 107; 8100: 26.4“. Zwischen zwei Punkten folgt die Leistung einer Geraden. Leer: nicht angegeben</translation>
-    </message>
-    <message>
         <source>Torque over speed</source>
         <translation>Drehmoment über Drehzahl</translation>
     </message>
@@ -4382,6 +4374,30 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>entered by the user</source>
         <translation>vom Benutzer eingegeben</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Parkposition</translation>
+    </message>
+    <message>
+        <source>Where the spindle parks for a tool change and at the end of a program (G53), if the dialect can say it</source>
+        <translation>Wo die Spindel zum Werkzeugwechsel und am Programmende parkt (G53), sofern der Dialekt es ausdrücken kann</translation>
+    </message>
+    <message>
+        <source>Parks at a position of the machine</source>
+        <translation>Parkt an einer Position der Maschine</translation>
+    </message>
+    <message>
+        <source>Home X, Y, Z</source>
+        <translation>Parkposition X, Y, Z</translation>
+    </message>
+    <message>
+        <source>In the machine&apos;s own coordinates, at most the travel from its zero. Z is approached first, straight from above the work, so it has to be the top</source>
+        <translation>In Maschinenkoordinaten, höchstens um den Verfahrweg vom Nullpunkt entfernt. Z wird zuerst angefahren, gerade von der Stelle über dem Werkstück, muss also oben liegen</translation>
+    </message>
+    <message>
+        <source>That the spindle gives for as long as a cut takes. Between two points the power follows a straight line; without points: not stated</source>
+        <translation>Das die Spindel so lange abgibt, wie ein Schnitt dauert. Zwischen zwei Punkten folgt die Leistung einer Geraden; ohne Punkte: nicht angegeben</translation>
     </message>
 </context>
 <context>
@@ -6535,6 +6551,49 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
             <numerusform>%n Aufnahme wurde mit diesem Werkzeug gefräst</numerusform>
             <numerusform>%n Aufnahmen wurden mit diesem Werkzeug gefräst</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>burin::TorqueTable</name>
+    <message>
+        <source>Speed of another point</source>
+        <translation>Drehzahl eines weiteren Punkts</translation>
+    </message>
+    <message>
+        <source>Torque at that speed</source>
+        <translation>Drehmoment bei dieser Drehzahl</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Speed of point %1</source>
+        <translation>Drehzahl von Punkt %1</translation>
+    </message>
+    <message>
+        <source>Torque of point %1</source>
+        <translation>Drehmoment von Punkt %1</translation>
+    </message>
+    <message>
+        <source>Delete point %1</source>
+        <translation>Punkt %1 löschen</translation>
+    </message>
+    <message>
+        <source>There is a point at %1 already. The value stays.</source>
+        <translation>Bei %1 gibt es schon einen Punkt. Der Wert bleibt.</translation>
+    </message>
+    <message>
+        <source>There is a point at %1 already; change that one.</source>
+        <translation>Bei %1 gibt es schon einen Punkt; ändern Sie diesen.</translation>
+    </message>
+    <message>
+        <source>Enter a speed and a torque above 0.</source>
+        <translation>Geben Sie eine Drehzahl und ein Drehmoment über 0 ein.</translation>
+    </message>
+    <message>
+        <source>Add this point to the curve (Enter in the field of the torque)</source>
+        <translation>Diesen Punkt zur Kurve hinzufügen (Eingabetaste im Feld des Drehmoments)</translation>
     </message>
 </context>
 <context>
