@@ -76,7 +76,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     if (!checked) return context.fail(checked.error());
 
     nlohmann::json answer = jsonOf(checked->report);
-    answer.update(nlohmann::json::parse(loadsToJson(checked->report)));
+    if (context.json) answer.update(nlohmann::json::parse(loadsToJson(checked->report))); // nothing else shows them
     answer["passed"] = checked->passed();
     answer["lint"] = jsonOf(checked->lint);
     answer["program"] = std::filesystem::absolute(arguments.program).lexically_normal().string();
