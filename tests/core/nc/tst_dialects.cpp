@@ -202,7 +202,7 @@ private slots:
         QCOMPARE(rest.join('\n').toStdString(), *without);
         QCOMPARE(parked, job.sections.size());
         const Control& control = *findControl(id);
-        QVERIFY(lint(*with, {&control, &machine, nullptr}).empty());
+        QVERIFY(lint(*with, {&control, &machine}).empty());
         MachineState known; // of a control that is told where the work lies
         known.workOffsets[54] = {100.0, 200.0, -300.0};
         for (const int number : {0, 3, 12}) known.lengthOffsets[number] = 0.0;
