@@ -147,8 +147,10 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     QVERIFY(placeOf(bench, "move-points") < placeOf(bench, "hold-out"));
     QVERIFY(evaluatedAgain(driver));
     const glm::dvec2 zero(bench.bench.bench()->setup.workOffset);
-    const double missed = distanceToPath(bench, aside);
-    QVERIFY2(missed < 0.1, qPrintable(QString::number(missed)));
+    // Both ends of the drag are whole pixels, half of one off at most; what is left is the smoothing's.
+    const QPointF pixels = viewport->project(middle.tip + glm::dvec3(0.0, 1.0, 0.0)) - viewport->project(middle.tip);
+    const double pixel = 1.0 / std::hypot(pixels.x(), pixels.y()), missed = distanceToPath(bench, aside);
+    QVERIFY2(missed < pixel + 0.03, qPrintable(QStringLiteral("%1 mm, a pixel is %2 mm").arg(missed).arg(pixel)));
     const PathPoint& end = pointNear(bench, {-14.0, 0.0}); // farther along than the falloff
     QVERIFY(std::abs(end.tip.y - middle.tip.y) < 0.5);
     driver.shoot("24-dragged");
