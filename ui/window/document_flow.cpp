@@ -42,7 +42,11 @@ DocumentFlow::DocumentFlow(Workbench& workbench, UserSettings& settings, QWidget
     connect(&workbench.document, &DocumentController::opened, this, [this] { noteSaved(); });
     connect(&workbench.program, &ProgramController::exported, this, &DocumentFlow::exported);
     connect(&workbench.program, &ProgramController::restarted, this,
-            [this](const std::shared_ptr<const RestartedProgram>& rest) { exportRestart(*rest); });
+            [this](const std::shared_ptr<const RestartedProgram>& rest) {
+                // Its dialog stays open: whoever delivers the rest ends first, and with it the progress that is shown.
+                QMetaObject::invokeMethod(
+                    this, [this, rest] { exportRestart(*rest); }, Qt::QueuedConnection);
+            });
     connect(&workbench.program, &ProgramController::restartExported, this,
             [this](std::uint32_t line, const QString& file) { emit restartExported(static_cast<int>(line), file); });
 }
