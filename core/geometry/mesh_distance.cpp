@@ -26,6 +26,14 @@ std::vector<std::uint32_t> finiteTriangles(const TriangleMesh& mesh) {
     return places;
 }
 
+/// mm: what storing corners as floats, or a CAD system's own tolerance, moves them by; some units of a float's last
+/// place.
+double roundingOf(const Box& box) noexcept {
+    double reach = 0.0;
+    for (int axis = 0; axis < 3; ++axis) reach = std::max({reach, std::abs(box.low[axis]), std::abs(box.high[axis])});
+    return std::isfinite(reach) ? 4e-7 * (1.0 + reach) : 0.0;
+}
+
 } // namespace
 
 namespace {
@@ -192,7 +200,9 @@ private:
         }
     };
     Tree(const TriangleMesh& mesh, Beginning beginning)
-        : tree_(std::move(*beginning.tree)), normals_(mesh, beginning.merged, tree_.order()) {}
+        : tree_(std::move(*beginning.tree))
+        , rounding_(roundingOf(tree_.bounds()))
+        , normals_(mesh, beginning.merged, tree_.order(), rounding_) {}
 
     ClosestPoint answerTo(const Found& found, const glm::dvec3& point, double within) const noexcept {
         return found.any ? signedAnswer(found, point) : ClosestPoint{point, within, within, 0, glm::dvec3(0.0)};
@@ -210,9 +220,15 @@ private:
         return gatheredNormal(found.point);
     }
 
-    /// Where the mesh is no ordinary surface: of all the triangles that touch the point.
+    /// Where the mesh is no ordinary surface: of all the triangles that touch the point, but for thin ones as long as
+    /// others do: between those a mesh may be folded by as much as its corners were rounded.
     glm::dvec3 gatheredNormal(const glm::dvec3& point) const noexcept {
-        const double touching = 1e-9 * (1.0 + glm::length(tree_.bounds().size()));
+        const glm::dvec3 trusted = gatheredNormal(point, 2.0 * rounding_, rounding_);
+        if (trusted != glm::dvec3(0.0)) return trusted;
+        return gatheredNormal(point, 1e-9 * (1.0 + glm::length(tree_.bounds().size())), 0.0);
+    }
+
+    glm::dvec3 gatheredNormal(const glm::dvec3& point, double touching, double thin) const noexcept {
         glm::dvec3 sum(0.0);
         NearPoint near(tree_, point);
         near.limit(touching * touching);
@@ -220,7 +236,7 @@ private:
             const Triangle& triangle = tree_.triangles()[slot];
             const TrianglePoint candidate = closestOnTriangle(triangle, point);
             const glm::dvec3 way = candidate.point - point;
-            if (glm::dot(way, way) > touching * touching) return;
+            if (glm::dot(way, way) > touching * touching || isThin(triangle, thin)) return;
             sum += surroundingAngle(triangle, candidate.feature) * unitNormal(triangle);
         });
         return sum;
@@ -343,6 +359,7 @@ private:
     }
 
     TriangleTree tree_;
+    double rounding_; ///< mm
     SurfaceNormals normals_;
 };
 

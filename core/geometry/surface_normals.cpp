@@ -4,6 +4,7 @@
 
 #include "core/base/parallel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -83,6 +84,15 @@ std::uint32_t beyond(const std::vector<FanCorner>& around, std::uint32_t to) noe
 
 } // namespace
 
+bool isThin(const Triangle& triangle, double thin) noexcept {
+    double longest = 0.0; // squared
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 edge = triangle[(i + 1) % 3] - triangle[i];
+        longest = std::max(longest, glm::dot(edge, edge));
+    }
+    return glm::length(areaNormal(triangle)) <= thin * std::sqrt(longest);
+}
+
 glm::dvec3 unitNormal(const Triangle& triangle) noexcept {
     const glm::dvec3 normal = areaNormal(triangle);
     const double length = glm::length(normal);
@@ -103,11 +113,12 @@ double surroundingAngle(const Triangle& triangle, TriangleFeature feature) noexc
 }
 
 SurfaceNormals::SurfaceNormals(const TriangleMesh& mesh, std::span<const std::uint32_t> merged,
-                               std::span<const std::uint32_t> order)
-    : corners_(order.size())
+                               std::span<const std::uint32_t> order, double thin)
+    : thin_(thin)
+    , corners_(order.size())
     , neighbours_(order.size(), {none, none, none})
     , vertexNormals_(mesh.vertices.size(), glm::dvec3(0.0)) {
-    std::vector<glm::dvec3> normals(order.size()); // zero: a triangle without area
+    std::vector<glm::dvec3> normals(order.size()); // zero: a triangle that is thin or without area
     const auto triangleAt = [&](std::size_t slot) {
         const auto& [a, b, c] = corners_[slot];
         return Triangle{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
@@ -116,7 +127,8 @@ SurfaceNormals::SurfaceNormals(const TriangleMesh& mesh, std::span<const std::ui
         for (std::size_t slot = from; slot < to; ++slot) {
             const auto& [a, b, c] = mesh.triangles[order[slot]];
             corners_[slot] = {merged[a], merged[b], merged[c]};
-            normals[slot] = unitNormal(triangleAt(slot));
+            const Triangle triangle = triangleAt(slot);
+            if (!isThin(triangle, thin_)) normals[slot] = unitNormal(triangle);
         }
     });
     const Fans fans(corners_, mesh.vertices.size());
@@ -149,6 +161,7 @@ SurfaceNormals::SurfaceNormals(const TriangleMesh& mesh, std::span<const std::ui
 std::optional<glm::dvec3> SurfaceNormals::at(std::span<const Triangle> triangles, std::size_t slot,
                                              TriangleFeature feature) const noexcept {
     const auto part = static_cast<std::size_t>(feature);
+    if (isThin(triangles[slot], thin_)) return std::nullopt;
     const glm::dvec3 own = unitNormal(triangles[slot]);
     if (own == glm::dvec3(0.0)) return std::nullopt;
     if (feature == TriangleFeature::face) return own;

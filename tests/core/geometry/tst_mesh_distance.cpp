@@ -4,10 +4,14 @@
 
 #include "tests/core/geometry/random_shapes.h"
 #include "tests/core/geometry/shapes.h"
+#include "tests/places.h"
 
+#include <QFile>
 #include <QtTest>
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <random>
 
 using namespace burin;
@@ -51,6 +55,22 @@ double windingNumber(const TriangleMesh& mesh, const glm::dvec3& p) {
     return sum / (4.0 * std::numbers::pi);
 }
 
+/// One triangle after the other, corners at one place merged.
+TriangleMesh binaryStl(const char* file) {
+    QFile stl(file);
+    if (!stl.open(QIODevice::ReadOnly)) return {};
+    const QByteArray content = stl.readAll();
+    TriangleMesh mesh;
+    for (qsizetype at = 84; at + 50 <= content.size(); at += 50) {
+        std::array<float, 12> numbers{};
+        std::memcpy(numbers.data(), content.data() + at, sizeof numbers);
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (std::size_t i = 3; i < 12; i += 3) mesh.vertices.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    return weldIdenticalVertices(mesh);
+}
+
 class Points {
 public:
     glm::dvec3 operator()(double reach) {
@@ -76,6 +96,7 @@ private slots:
     void signOfSharpTetrahedra();
     void splitVerticesAreOneSurface();
     void trianglesWithoutAreaDoNotSpoilTheSign();
+    void foldsOfRoundedCornersDoNotSpoilTheSign();
     void stopsLookingWithin();
     void farFromTheOrigin();
     void namesTheTriangle();
@@ -191,6 +212,30 @@ void MeshDistanceTest::trianglesWithoutAreaDoNotSpoilTheSign() {
         QCOMPARE(distance.closest(p).signedDistance<0.0, windingNumber(mesh, p)> 0.5);
     }
     for (double x = 0.5; x < 4.0; x += 0.25) QVERIFY(distance.closest({x, -1.0, -1.0}).signedDistance > 0.0);
+}
+
+/// The mouse's shell has triangles that are lower than the last place of their corners, some of them turned over; none
+/// of the places around them that are outside is told to be inside.
+void MeshDistanceTest::foldsOfRoundedCornersDoNotSpoilTheSign() {
+    const TriangleMesh mesh = binaryStl(BURIN_FIXTURES "/models/mouse-shell-top.stl");
+    QVERIFY(mesh.triangles.size() > 10000);
+    const MeshDistance distance(mesh);
+    Points points;
+    int outside = 0, slivers = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const glm::dvec3 u = mesh.vertices[b] - mesh.vertices[a], v = mesh.vertices[c] - mesh.vertices[a];
+        const double longest = std::max({glm::length(u), glm::length(v), glm::length(v - u)});
+        if (glm::length(glm::cross(u, v)) > 1e-5 * longest) continue;
+        ++slivers;
+        for (int k = 0; k < 40; ++k) {
+            const glm::dvec3 p = mesh.vertices[a] + 0.025 * k * u + points(1.5);
+            if (windingNumber(mesh, p) > 0.01) continue;
+            ++outside;
+            QVERIFY2(distance.closest(p).signedDistance > 0.0,
+                     qPrintable(QStringLiteral("%1 %2 %3").arg(p.x).arg(p.y).arg(p.z)));
+        }
+    }
+    QVERIFY(slivers > 3 && outside > 100);
 }
 
 void MeshDistanceTest::stopsLookingWithin() {
