@@ -26,12 +26,13 @@ std::vector<std::uint32_t> finiteTriangles(const TriangleMesh& mesh) {
     return places;
 }
 
-/// mm: what storing corners as floats, or a CAD system's own tolerance, moves them by; some units of a float's last
-/// place.
+/// mm: what storing corners as floats moves them by, some units of the last place; far from the origin no more than
+/// parts are made to, as other files keep their corners exactly there.
 double roundingOf(const Box& box) noexcept {
+    constexpr double ofReach = 4e-7, most = 1e-3;
     double reach = 0.0;
     for (int axis = 0; axis < 3; ++axis) reach = std::max({reach, std::abs(box.low[axis]), std::abs(box.high[axis])});
-    return std::isfinite(reach) ? 4e-7 * (1.0 + reach) : 0.0;
+    return std::isfinite(reach) ? std::min(most, ofReach * (1.0 + reach)) : 0.0;
 }
 
 } // namespace
