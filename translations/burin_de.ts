@@ -2759,10 +2759,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Der erste Schnitt ist Zeile %1 des unterbrochenen Programms; alle Zeilen davor gelten als erledigt.</translation>
     </message>
     <message>
-        <source>From above, the tool comes down to X %1, Y %2, Z %3.</source>
-        <translation>Das Werkzeug fährt von oben auf X %1, Y %2, Z %3.</translation>
-    </message>
-    <message>
         <source>The last %1 of the path before that line are cut again.</source>
         <translation>Die letzten %1 der Bahn vor dieser Zeile werden noch einmal gefräst.</translation>
     </message>
@@ -2823,6 +2819,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Write the rest as a program of its own; the program of the project stays as it is</source>
         <translation>Den Rest als eigenes Programm schreiben; das Programm des Projekts bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>The tool comes down from above to X %1, Y %2, Z %3.</source>
+        <translation>Das Werkzeug kommt von oben herab auf X %1, Y %2, Z %3.</translation>
     </message>
 </context>
 <context>
@@ -4384,20 +4384,20 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Wo die Spindel zum Werkzeugwechsel und am Programmende parkt (G53), sofern der Dialekt es ausdrücken kann</translation>
     </message>
     <message>
-        <source>Parks at a position of the machine</source>
-        <translation>Parkt an einer Position der Maschine</translation>
-    </message>
-    <message>
         <source>Home X, Y, Z</source>
         <translation>Parkposition X, Y, Z</translation>
     </message>
     <message>
-        <source>In the machine&apos;s own coordinates, at most the travel from its zero. Z is approached first, straight from above the work, so it has to be the top</source>
-        <translation>In Maschinenkoordinaten, höchstens um den Verfahrweg vom Nullpunkt entfernt. Z wird zuerst angefahren, gerade von der Stelle über dem Werkstück, muss also oben liegen</translation>
+        <source>At a machine position</source>
+        <translation>An einer Maschinenposition</translation>
     </message>
     <message>
-        <source>That the spindle gives for as long as a cut takes. Between two points the power follows a straight line; without points: not stated</source>
-        <translation>Das die Spindel so lange abgibt, wie ein Schnitt dauert. Zwischen zwei Punkten folgt die Leistung einer Geraden; ohne Punkte: nicht angegeben</translation>
+        <source>In machine coordinates, no farther from machine zero than the travel. Z is moved first, straight from above the work, so it has to be the top of the travel</source>
+        <translation>In Maschinenkoordinaten, vom Maschinennullpunkt höchstens um den Verfahrweg entfernt. Z wird zuerst verfahren, gerade von der Stelle über dem Werkstück, muss also das obere Ende des Verfahrwegs sein</translation>
+    </message>
+    <message>
+        <source>Continuous torque of the spindle. Between two points the power follows a straight line; without points: not stated</source>
+        <translation>Dauerdrehmoment der Spindel. Zwischen zwei Punkten folgt die Leistung einer Geraden; ohne Punkte: nicht angegeben</translation>
     </message>
 </context>
 <context>
@@ -5019,10 +5019,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Esc: Raster abbrechen</translation>
     </message>
     <message>
-        <source>Esc: end the stroke here</source>
-        <translation>Esc: den Zug hier beenden</translation>
-    </message>
-    <message>
         <source>Esc: stop milling</source>
         <translation>Esc: Fräsen beenden</translation>
     </message>
@@ -5045,6 +5041,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The last stroke is vertical, so it cannot be repeated beside itself.</source>
         <translation>Der letzte Zug ist senkrecht und lässt sich deshalb nicht daneben wiederholen.</translation>
+    </message>
+    <message>
+        <source>Esc: stop the tool here and drop what it has not milled yet</source>
+        <translation>Esc: Werkzeug hier anhalten und verwerfen, was es noch nicht gefräst hat</translation>
     </message>
 </context>
 <context>
@@ -6556,10 +6556,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::TorqueTable</name>
     <message>
-        <source>Speed of another point</source>
-        <translation>Drehzahl eines weiteren Punkts</translation>
-    </message>
-    <message>
         <source>Torque at that speed</source>
         <translation>Drehmoment bei dieser Drehzahl</translation>
     </message>
@@ -6592,7 +6588,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Geben Sie eine Drehzahl und ein Drehmoment über 0 ein.</translation>
     </message>
     <message>
-        <source>Add this point to the curve (Enter in the field of the torque)</source>
+        <source>Speed of a new point</source>
+        <translation>Drehzahl eines neuen Punkts</translation>
+    </message>
+    <message>
+        <source>Add this point to the curve (Enter in the torque field)</source>
         <translation>Diesen Punkt zur Kurve hinzufügen (Eingabetaste im Feld des Drehmoments)</translation>
     </message>
 </context>

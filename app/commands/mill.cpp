@@ -318,12 +318,13 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
         return context.fail(saved.error(), keptRecording(*project, trace));
 
     const Box& travel = bounds->envelope().tips;
+    const std::vector<std::string> doubts = doubtsOf(*bench->model, bench->embedded);
     answer.update({{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},
                    {"tool", jsonOf(bench->tool)},
                    {"axis", jsonOf(bounds->axis())},
                    {"layers", jsonOf(bounds->layers())},
                    {"machine_travel_mm", travel.empty() ? json(nullptr) : jsonOf(travel)},
-                   {"part_warnings", doubtsOf(*bench->model, bench->embedded)},
+                   {"part_warnings", doubts},
                    {"takes", json::array()}});
     double removed = 0.0;
     std::uint64_t samples = 0;
@@ -336,7 +337,7 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     }
     answer["samples"] = samples;
     answer["removed_mm3"] = removed;
-    context.answer(answer, text + textOfDoubts(doubtsOf(*bench->model, bench->embedded)));
+    context.answer(answer, text + textOfDoubts(doubts));
     return context.progress().cancelled() ? static_cast<int>(ErrorClass::cancelled) : 0;
 }
 

@@ -454,6 +454,7 @@ private slots:
         tool_->press(left({0.0, 12.0, top}));
         const glm::dvec3 where = rest();
         QVERIFY(cutting_);
+        QVERIFY(tool_->escapeMeaning().contains(QStringLiteral("drop what it has not milled yet")));
         if (escape)
             QVERIFY(tool_->key(Qt::Key_Escape, Qt::NoModifier));
         else
@@ -465,6 +466,7 @@ private slots:
         const glm::dvec3 lifted = rest();
         QVERIFY(std::hypot(lifted.x - where.x, lifted.y - where.y) < 1e-6);
         QCOMPARE(lifted.z, top + hoverClearance);
+        QCOMPARE(tool_->escapeMeaning(), QStringLiteral("Esc: stop milling"));
         tool_->move(over({5.0, 12.0, top}, Qt::LeftButton)); // the button is still down: no stroke
         rest();
         QVERIFY(!cutting_);

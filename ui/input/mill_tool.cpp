@@ -180,7 +180,9 @@ bool MillTool::press(const ViewportEvent& event) {
 QString MillTool::escapeMeaning() {
     if (drawing_ == Drawing::line) return tr("Esc: cancel the line");
     if (drawing_ == Drawing::raster) return tr("Esc: cancel the raster");
-    if (stroke_ != Stroke::none || feed_.waits() || stylus_.strokeUnderWay()) return tr("Esc: end the stroke here");
+    // Strokes wait in a row where the hand is faster than the tool.
+    if (stroke_ != Stroke::none || feed_.waits() || stylus_.strokeUnderWay())
+        return tr("Esc: stop the tool here and drop what it has not milled yet");
     return tr("Esc: stop milling");
 }
 

@@ -92,7 +92,7 @@ void MachineForm::addHome() {
     addChoice(
         "home_mm", tr("Home"),
         tr("Where the spindle parks for a tool change and at the end of a program (G53), if the dialect can say it"),
-        {{tr("Not stated"), tr("Parks at a position of the machine")},
+        {{tr("Not stated"), tr("At a machine position")},
          [stated](const MachineProfile& m) { return stated(m) ? 1 : 0; },
          [](MachineProfile& m, int index) { m.home = index == 0 ? std::nullopt : std::optional(glm::dvec3(0.0)); }},
         false);
@@ -106,10 +106,11 @@ void MachineForm::addHome() {
                       },
                       stated};
     };
-    addNumbers("home_mm", tr("Home X, Y, Z"),
-               tr("In the machine's own coordinates, at most the travel from its zero. Z is approached first, straight "
-                  "from above the work, so it has to be the top"),
-               {axis(0), axis(1), axis(2)});
+    addNumbers(
+        "home_mm", tr("Home X, Y, Z"),
+        tr("In machine coordinates, no farther from machine zero than the travel. Z is moved first, straight from "
+           "above the work, so it has to be the top of the travel"),
+        {axis(0), axis(1), axis(2)});
 }
 
 void MachineForm::addFeeds() {
@@ -324,8 +325,8 @@ void MachineForm::addTorque() {
     torque_ = new TorqueTable(this);
     const int row =
         beginRow(tr("Torque over speed"), torque_,
-                 tr("That the spindle gives for as long as a cut takes. Between two points the power follows "
-                    "a straight line; without points: not stated"));
+                 tr("Continuous torque of the spindle. Between two points the power follows a straight line; without "
+                    "points: not stated"));
     grid_->addWidget(torque_, row, firstField, 1, 3);
     connect(torque_, &TorqueTable::edited, this, [this](const std::vector<SpindlePoint>& points) {
         machine_.spindleTorque = points;

@@ -36,8 +36,7 @@ TorqueTable::TorqueTable(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
     grid_->setHorizontalSpacing(8);
     grid_->setVerticalSpacing(6);
     grid_->setColumnStretch(buttonColumn, 1);
-    newSpeed_ =
-        makeTorqueField(Quantity::rotation, QStringLiteral("newTorqueSpeed"), tr("Speed of another point"), this);
+    newSpeed_ = makeTorqueField(Quantity::rotation, QStringLiteral("newTorqueSpeed"), tr("Speed of a new point"), this);
     newSpeed_->limit(0.0, machine_range::spindleSpeed.high);
     newTorque_ = makeTorqueField(Quantity::torque, QStringLiteral("newTorqueValue"), tr("Torque at that speed"), this);
     newTorque_->limit(0.0, machine_range::spindleTorque.high);
@@ -201,7 +200,7 @@ void TorqueTable::addPoint() {
 void TorqueTable::followEntry() {
     const bool complete = newSpeed_->value() > 0.0 && newTorque_->value() >= machine_range::spindleTorque.low;
     enableUnless(add_, complete ? QString() : tr("Enter a speed and a torque above 0."),
-                 tr("Add this point to the curve (Enter in the field of the torque)"));
+                 tr("Add this point to the curve (Enter in the torque field)"));
 }
 
 } // namespace burin

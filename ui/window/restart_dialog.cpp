@@ -40,7 +40,7 @@ QString factsOf(const RestartedProgram& rest, LengthUnit unit) {
         RestartDialog::tr("The first cut is line %1 of the interrupted program; all lines before it count "
                           "as done.")
             .arg(rest.line)};
-    facts << RestartDialog::tr("From above, the tool comes down to X %1, Y %2, Z %3.")
+    facts << RestartDialog::tr("The tool comes down from above to X %1, Y %2, Z %3.")
                  .arg(lengthText(rest.place.x, unit), lengthText(rest.place.y, unit), lengthText(rest.place.z, unit));
     if (rest.lead > 0.0)
         facts << RestartDialog::tr("The last %1 of the path before that line are cut again.")
