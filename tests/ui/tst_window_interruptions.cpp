@@ -83,7 +83,7 @@ private slots:
         if (!isCut(middle)) { // the stroke before goes, as always
             QVERIFY(strokesAre(0));
             letGo();
-            QVERIFY(driver_->waitFor([&] { return !cutting() && !escapeLabel().contains("end the stroke"); }, 20000));
+            QVERIFY(driver_->waitFor([&] { return !cutting() && !escapeLabel().contains("stop the tool"); }, 20000));
             return;
         }
         QVERIFY(cutting());

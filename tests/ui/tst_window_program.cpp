@@ -75,6 +75,8 @@ private slots:
     void theRestIsExportedFromTheSelectedLine();
     void aMachineIsCopiedChangedUsedAndDeleted();
     void aMachineThatIsGoneHasAStandIn();
+    void aPostOutlastsAChangeOfTheMachine();
+    void aCheckOutlastsAChangeOfTheMachine();
     void lettersInTheTextAreNoShortcuts_data();
     void lettersInTheTextAreNoShortcuts();
 };
@@ -259,6 +261,53 @@ void TestWindowProgram::aMachineThatIsGoneHasAStandIn() {
     QVERIFY2(note.contains("gone") && note.contains("LinuxCNC"), qPrintable(note));
     QVERIFY(bench.program.exportable());
     driver.shoot("49-machine-that-is-gone");
+}
+
+/// What a change of the machine, and then of its bounds, interrupts is made again by itself: of the machine that is
+/// then in force.
+void TestWindowProgram::aPostOutlastsAChangeOfTheMachine() {
+    WindowDriver driver;
+    QVERIFY(mill(driver) && post(driver));
+    Workbench& bench = driver.window().workbench();
+    const auto before = bench.program.program();
+    QVERIFY(bench.target.machine().id != "haas-mill");
+    QVERIFY(driver.clickOn("postButton") && bench.program.busy());
+    bench.target.chooseMachine("haas-mill");
+    QVERIFY(bench.program.busy()); // nobody has to click once more
+    QVERIFY(driver.waitFor([&] { return !bench.program.busy(); }));
+    QVERIFY(!bench.program.problem());
+    QVERIFY(bench.program.program() != before && bench.program.exportable());
+    QCOMPARE(bench.program.program()->dialect, bench.target.dialect());
+    QVERIFY(driver.settle() && bench.program.exportable());
+    // What is typed meanwhile drops it: the text is another one.
+    QVERIFY(driver.clickOn("postButton") && bench.program.busy());
+    bench.target.chooseMachine("linuxcnc-mill");
+    bench.program.editText(bench.program.storedText() + "(mine)\n");
+    QVERIFY(driver.settle());
+    QVERIFY(bench.program.edited() && !bench.program.busy());
+    QVERIFY(bench.program.storedText().endsWith("(mine)\n"));
+}
+
+void TestWindowProgram::aCheckOutlastsAChangeOfTheMachine() {
+    WindowDriver driver;
+    QPlainTextEdit* text = textToEdit(driver);
+    QVERIFY(text != nullptr);
+    Workbench& bench = driver.window().workbench();
+    QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
+    QTest::keyClicks(text, "(mine)");
+    QTest::keyClick(text, Qt::Key_Return);
+    QVERIFY(driver.waitFor([&] { return bench.program.edited(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
+    auto* check = driver.visible<QPushButton>("checkTextButton");
+    QVERIFY(driver.waitFor([&] { return check->isEnabled(); }, 3000));
+    QVERIFY(driver.clickOn("checkTextButton") && bench.program.busy());
+    const MachineProfile other = copyOf(bench.target.machine(), "slower", "Slower");
+    QVERIFY(saveMachine(other, false));
+    bench.target.chooseMachine("slower");
+    QVERIFY(bench.program.busy());
+    QVERIFY(driver.waitFor([&] { return !bench.program.busy(); }) && driver.settle());
+    QVERIFY(!bench.program.problem() && !bench.program.edited() && bench.program.exportable());
+    QVERIFY(bench.program.program()->text.find("(mine)") != std::string::npos);
 }
 
 /// By a key, as a window of its own, after a restart, and back into the panel.

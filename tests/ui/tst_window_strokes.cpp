@@ -246,7 +246,7 @@ private slots:
         QTest::mouseMove(&viewport(), to);
         QTest::mouseRelease(&viewport(), Qt::LeftButton, Qt::NoModifier, to);
         QVERIFY(driver_->waitFor([&] { return bench().session.state().cutting; }, 3000));
-        QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("end the stroke")); }, 2000));
+        QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("stop the tool")); }, 2000));
         driver_->key(Qt::Key_Escape);
         QVERIFY(driver_->waitFor([&] { return !bench().session.state().cutting; }, 2000));
         QVERIFY(strokesAre(1)); // what was cut of it

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <utility>
 
 namespace burin {
 
@@ -37,6 +38,8 @@ ProgramController::ProgramController(const Desk& desk, BenchController& bench, P
         if (reopened_ && !judgeSoon_.isActive()) judgeSoon_.start();
     });
     connect(&bench_, &BenchController::readersStop, this, &ProgramController::stop);
+    connect(&bench_, &BenchController::readersGoOn, this, &ProgramController::goOn);
+    connect(&path_, &Controller::changed, this, &ProgramController::goOn);
     connect(&path_, &PathController::versionChanged, this, &Controller::changed);
     connect(&target_, &Controller::changed, this, &Controller::changed);
 }
@@ -74,6 +77,7 @@ void ProgramController::load(const std::vector<StoredProgram>& programs, const s
                              const std::optional<ReopenedProgram>& kept) {
     draftDue_.stop();
     desk_.tasks.abandon(TaskKind::program);
+    interrupted_ = nullptr;
     program_.reset();
     reopened_.reset();
     judgeSoon_.stop();
@@ -134,13 +138,21 @@ ProgramController::Basis ProgramController::basis() const {
     return {path_.version(), target_.dialect(), target_.target().units, gougeTolerance_, leftOut_};
 }
 
-/// The bench is about to change: what is made for it as it was is abandoned, and the user told.
+/// The bench is about to change: what is made for it as it was is abandoned, and asked for again when it has changed.
 void ProgramController::stop() {
     if (!busy()) return;
     reading_ = false;
     ++generation_;
     desk_.tasks.abandon(TaskKind::program);
-    problem_ = Error{ErrorCode::cancelled, "program", {}, {}};
+    interrupted_ = asked_;
+    emit changed();
+}
+
+/// Paths are evaluated again first.
+void ProgramController::goOn() {
+    if (!interrupted_ || bench_.changing() || path_.busy()) return;
+    std::exchange(interrupted_, nullptr)();
+    if (!busy()) problem_ = Error{ErrorCode::cancelled, "program", {}, {}}; // it can't be made any more
     emit changed();
 }
 
@@ -179,6 +191,7 @@ void ProgramController::include(std::int64_t path, bool wanted) {
 
 void ProgramController::post(const QString& name) {
     if (!postable() || busy()) return;
+    asked_ = [this, name] { post(name); };
     emit textWanted();
     const ProgramRequest wanted = request(name);
     read(postedPaths(), [this, wanted, asked = Asked{stored(wanted), basis(), 0, textVersion_, false}](
@@ -238,6 +251,7 @@ void ProgramController::editText(const QString& text) {
     edited_ = byHand_ = true;
     ++textVersion_;
     desk_.tasks.cancel(TaskKind::program); // it would be of another text
+    interrupted_ = nullptr;
     draftDue_.start();
     problem_.reset();
     lintText();
@@ -253,6 +267,7 @@ void ProgramController::lintText() {
 void ProgramController::checkText(const QString& name) {
     emit textWanted();
     if (!bench_.bench() || bench_.changing() || !edited_ || busy()) return;
+    asked_ = [this, name] { checkText(name); };
     const ProgramRequest wanted = request(name);
     read(path_.jobPaths(), [this, wanted, basis = basis()](const Matters& matters, std::uint64_t judged) {
         check(matters, wanted, Asked{stored(wanted), basis, judged, textVersion_, true});
@@ -328,6 +343,7 @@ void ProgramController::overrideCheck(const QString& name, const QString& reason
 
 void ProgramController::show(const Shown& shown) {
     problem_.reset();
+    interrupted_ = nullptr;
     ++textVersion_;
     program_ = shown.program;
     storedText_ = shown.text;
@@ -348,6 +364,7 @@ void ProgramController::show(const Shown& shown) {
 
 void ProgramController::restart(std::uint32_t line, const QString& name) {
     if (!restartable()) return;
+    asked_ = [this, line, name] { restart(line, name); };
     ProgramRequest wanted = request(name);
     wanted.dialect = program_->dialect;
     wanted.units = reopened_ ? reopened_->kept.units : basis_.units;

@@ -38,7 +38,8 @@ public:
     const std::optional<Error>& problem() const noexcept { return problem_; }
     /// There is none, or something that it was made of is not as it was.
     bool outdated() const;
-    bool busy() const { return reading_ || desk_.tasks.running(TaskKind::program); }
+    /// One is made or checked, or will be as soon as the bench has changed.
+    bool busy() const { return reading_ || interrupted_ || desk_.tasks.running(TaskKind::program); }
     /// A path of the job belongs into the program; all do until the user leaves one out.
     bool includes(std::int64_t path) const { return !leftOut_.contains(path); }
     bool refused() const noexcept { return program_ && !program_->released() && !outdated() && !edited_; }
@@ -132,6 +133,7 @@ private:
     void takeKept(const ReopenedProgram& kept);
     void judgeReopened();
     void stop();
+    void goOn();
 
     BenchController& bench_;
     PathController& path_;
@@ -144,7 +146,9 @@ private:
     std::uint64_t judged_ = 0;           ///< `judgedBasis` of that one
     std::shared_ptr<Reopened> reopened_; ///< null: it is of this session
     QTimer judgeSoon_;
-    quint64 generation_ = 0; ///< of what is read for a program
+    std::function<void()> asked_;       ///< what the user asked for last: asks for it once more
+    std::function<void()> interrupted_; ///< the same where a change of the bench came in between; null: none did
+    quint64 generation_ = 0;            ///< of what is read for a program
     quint64 textVersion_ = 0;
     std::set<std::int64_t> leftOut_;
     QTimer draftDue_; ///< the project follows the typing a moment later
