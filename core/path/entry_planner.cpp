@@ -7,9 +7,12 @@
 #include "core/path/lead.h"
 #include "core/path/stroke_access.h"
 #include "core/path/stroke_steps.h"
+#include "core/path/turn_room.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -138,8 +141,15 @@ std::optional<EntryPlanner::Entry> EntryPlanner::into(const PathStroke& stroke, 
     }
     if (entry.depth <= leastDepth) return std::nullopt;
     const PathStroke begun = from(stroke, entry.point);
-    for (const EntryForm form : {EntryForm::ramp, EntryForm::helix}) {
-        entry.way = form == EntryForm::ramp ? rampInto(begun, entry.depth + gap) : helixInto(begun, entry.depth);
+    const double height = entry.depth + gap;
+    const bool goesOn = entry.point == 0;
+    const auto beyond = [&] { return rampInto(begun, height, goesOn ? RampEnd::turns : RampEnd::passes); };
+    const auto helix = [&] { return helixInto(begun, entry.depth); };
+    const auto within = [&] { return rampInto(begun, height, RampEnd::noRoom); };
+    const std::pair<EntryForm, std::function<std::vector<StrokePoint>()>> ways[] = {
+        {EntryForm::ramp, beyond}, {EntryForm::helix, helix}, {EntryForm::ramp, within}};
+    for (const auto& [form, find] : ways) {
+        entry.way = find();
         if (entry.way.empty() || !clearsShank(entry.way)) continue;
         entry.form = form;
         for (StrokePoint& point : entry.way) point.sample = stroke.points[entry.point].sample;
@@ -151,10 +161,16 @@ std::optional<EntryPlanner::Entry> EntryPlanner::into(const PathStroke& stroke, 
 }
 
 /// To and fro along the stroke's beginning, as often as the slope asks for.
-std::vector<StrokePoint> EntryPlanner::rampInto(const PathStroke& stroke, double height) const {
+std::vector<StrokePoint> EntryPlanner::rampInto(const PathStroke& stroke, double height, RampEnd end) const {
     constexpr double looks = 0.05; // mm
-    const PathStroke line = raisable(stroke);
-    std::vector<StrokeStep> steps = stepsOf(line, looks);
+    PathStroke line = raisable(stroke);
+    std::optional<glm::dvec3> beyond;
+    if (end != RampEnd::noRoom && line.points.size() > 1) beyond = turnBeyond(line.points[0].tip, line.points[1].tip);
+    if (beyond) {
+        line.points.insert(line.points.begin(), line.points.front());
+        line.points.front().tip = *beyond;
+    }
+    const std::vector<StrokeStep> steps = stepsOf(line, looks);
     std::size_t usable = 0;
     while (usable + 1 < steps.size() && steps[usable + 1].at <= longestLeg &&
            isLevel(steps[usable + 1].tip.z - steps[0].tip.z, steps[usable + 1].at))
@@ -165,9 +181,10 @@ std::vector<StrokePoint> EntryPlanner::rampInto(const PathStroke& stroke, double
     const int turns = static_cast<int>(std::ceil(length / (2.0 * longest)));
     if (turns > mostTurns) return {};
     const double wanted = std::max(shortest, length / (2.0 * turns));
-    while (usable > 1 && steps[usable - 1].at >= wanted) --usable;
-    const PathStroke forth = between(line, {0, 1.0}, steps[usable].position), back = reversed(forth);
-    const double whole = 2.0 * turns * steps[usable].at;
+    std::size_t last = usable;
+    while (last > 1 && steps[last - 1].at >= wanted) --last;
+    const PathStroke forth = turnable(line, steps, last, usable), back = reversed(forth);
+    const double whole = 2.0 * turns * lengthOf(forth);
     std::vector<StrokePoint> way;
     double at = 0.0;
     for (int leg = 0; leg < 2 * turns; ++leg) {
@@ -182,6 +199,8 @@ std::vector<StrokePoint> EntryPlanner::rampInto(const PathStroke& stroke, double
         at += ends.back().at;
     }
     way.front().arc.reset();
+    if (beyond && end == RampEnd::passes) way.pop_back();
+    if (beyond && end == RampEnd::turns) way.push_back(way.back());
     way.back().tip = stroke.points.front().tip;
     const LeadFinder finder({}, guard_, context_);
     return finder.isClear(way, stroke.required) ? way : std::vector<StrokePoint>();

@@ -44,7 +44,10 @@ public:
 
 private:
     double depthAt(const glm::dvec3& tip) const;
-    std::vector<StrokePoint> rampInto(const PathStroke& stroke, double height) const;
+    /// How a ramp leads into the stroke: it turns there and goes on along it, or the stroke is first gone back to its
+    /// beginning; where its first move is short, room for turns is taken beyond it, or there is none.
+    enum class RampEnd { turns, passes, noRoom };
+    std::vector<StrokePoint> rampInto(const PathStroke& stroke, double height, RampEnd end) const;
     std::vector<StrokePoint> helixInto(const PathStroke& stroke, double depth) const;
     bool clearsShank(const std::vector<StrokePoint>& way) const;
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/linker.h"
 
+#include "core/path/turn_room.h"
+
 #include <algorithm>
 
 namespace burin {
@@ -41,7 +43,7 @@ std::optional<Linker::Piece> Linker::begin(const PathStroke& stroke, const Strok
     const glm::dvec3& start = stroke.points.front().tip;
     piece.joined = !mustLift_ && !points.empty() && back_.empty() &&
                    room_.canJoin(points.back().tip, start, std::min(lastRequired_, stroke.required)) &&
-                   !planner_.plunges(points.back().tip, start);
+                   !planner_.plunges(points.back().tip, start) && !joinsWithBackStep(stroke);
     if (piece.joined) return piece;
     depart();
     piece.entry = planner_.into(stroke, access.entry);
@@ -56,6 +58,22 @@ std::optional<Linker::Piece> Linker::begin(const PathStroke& stroke, const Strok
     if (piece.way.size() > 1 && planner_.meetsMaterial(piece.way))
         piece.way.erase(piece.way.begin(), piece.way.end() - 1);
     return piece;
+}
+
+/// Straight from the last point the tool would be sent forth and back by next to nothing.
+bool Linker::joinsWithBackStep(const PathStroke& stroke) const {
+    std::vector<glm::dvec3> places;
+    const auto add = [&](const glm::dvec3& place) {
+        if (places.empty() || places.back() != place) places.push_back(place);
+    };
+    if (points.size() > 1 && !points.back().arc && points.back().kind == MoveKind::cut)
+        add(points[points.size() - 2].tip);
+    add(points.back().tip);
+    add(stroke.points.front().tip);
+    if (stroke.points.size() > 1 && !stroke.points[1].arc) add(stroke.points[1].tip);
+    for (std::size_t i = 2; i < places.size(); ++i)
+        if (isBackStep(places[i - 2], places[i - 1], places[i])) return true;
+    return false;
 }
 
 void Linker::append(const Piece& piece) {
@@ -93,8 +111,25 @@ void Linker::make(const PathPoint& point) {
     points.push_back(point);
 }
 
+/// Where the tool turns at an end of a stroke that is gone back along, beyond it.
+std::optional<glm::dvec3> Linker::turnAt(const PathStroke& stroke, std::size_t end, std::size_t before) const {
+    const glm::dvec3& tip = stroke.points[end].tip;
+    const std::optional<glm::dvec3> beyond = turnBeyond(tip, stroke.points[before].tip);
+    return beyond && guard_.isClear(tip, *beyond, stroke.required, defaultSampling) ? beyond : std::nullopt;
+}
+
+void Linker::turn(const PathStroke& stroke, std::size_t end, std::size_t before) {
+    const std::optional<glm::dvec3> beyond = turnAt(stroke, end, before);
+    if (!beyond) return;
+    for (const glm::dvec3& place : {*beyond, stroke.points[end].tip}) {
+        clear(place, {});
+        make({place, MoveKind::cut, 0.0, stroke.take, stroke.points[end].sample});
+    }
+}
+
 /// To where the last stroke can be left, and on from its end.
 void Linker::depart() {
+    if (!back_.empty()) turn(*back_.front().first, back_.front().second + 1, back_.front().second);
     for (const auto& [stroke, index] : back_) cut(*stroke, index, turnedBack(stroke->points[index + 1].arc));
     back_.clear();
     swingOut();
@@ -172,6 +207,7 @@ void Linker::enter(const Piece& piece) {
     }
     if (piece.entry) entries.push_back({piece.entry->form, stroke.take, entry.sample, entry.tip, piece.entry->depth});
     for (std::size_t i = piece.access.entry; i > 0; --i) cut(stroke, i - 1, turnedBack(stroke.points[i].arc));
+    if (piece.access.entry > 0) turn(stroke, 0, 1);
 }
 
 } // namespace burin

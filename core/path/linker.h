@@ -50,6 +50,7 @@ private:
 
     /// Nothing where the stroke can only be plunged into, and the tool must not.
     std::optional<Piece> begin(const PathStroke& stroke, const StrokeAccess& access);
+    bool joinsWithBackStep(const PathStroke& stroke) const;
     void append(const Piece& piece);
     void addWatched(const PathStroke& stroke, const StrokeAccess& access);
     std::size_t appendUntilContact(const PathStroke& whole, const Piece& piece, std::span<const StrokeStep> steps,
@@ -62,6 +63,8 @@ private:
 
     void make(const PathPoint& point);
     void go(const glm::dvec3& tip, MoveKind kind) { make({tip, kind, 0.0, 0, -1}); }
+    std::optional<glm::dvec3> turnAt(const PathStroke& stroke, std::size_t end, std::size_t before) const;
+    void turn(const PathStroke& stroke, std::size_t end, std::size_t before);
     void depart();
     void swingOut();
     std::vector<StrokePoint> swingIn(const PathStroke& stroke, std::size_t entry) const;

@@ -104,7 +104,15 @@ std::optional<ToolSection> Linker::rehearseEntry(const Piece& piece) {
         at = step.tip;
     }
     if (piece.access.entry == 0) return std::nullopt;
-    const PathStroke back = reversed(between(stroke, {0, 1.0}, {piece.access.entry, 1.0}));
+    PathStroke back = reversed(between(stroke, {0, 1.0}, {piece.access.entry, 1.0}));
+    if (const std::optional<glm::dvec3> beyond = turnAt(stroke, 0, 1)) {
+        const StrokePoint start = back.points.back();
+        for (const glm::dvec3& place : {*beyond, start.tip}) {
+            back.points.push_back(start);
+            back.points.back().tip = place;
+            back.points.back().arc.reset();
+        }
+    }
     for (const StrokeStep& step : stepsOf(back, watch_->step())) {
         if (const auto touching = watch_->cutClear(at, step.tip)) return touching;
         at = step.tip;

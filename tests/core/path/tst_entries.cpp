@@ -42,6 +42,40 @@ Link rampingLink() {
     link.rampAngle = 0.06;
     return link;
 }
+
+/// Turns of more than 155 degrees between feed moves, one of them shorter than 0.1 mm; what is less than the figures of
+/// a program can say is none.
+std::vector<glm::dvec3> backStepsOf(const std::vector<PathPoint>& points) {
+    constexpr double figure = 0.001; // mm
+    std::vector<glm::dvec3> found;
+    for (std::size_t i = 2; i < points.size(); ++i) {
+        if (points[i].arc || points[i - 1].arc) continue;
+        if (points[i].kind == MoveKind::rapid || points[i - 1].kind == MoveKind::rapid) continue;
+        const glm::dvec3 in = points[i - 1].tip - points[i - 2].tip, out = points[i].tip - points[i - 1].tip;
+        const double shorter = std::min(glm::length(in), glm::length(out));
+        if (shorter < figure || shorter >= 0.1) continue;
+        const double cosine = glm::dot(in, out) / (glm::length(in) * glm::length(out));
+        if (std::acos(std::clamp(cosine, -1.0, 1.0)) > 155.0 * pi / 180.0) found.push_back(points[i - 1].tip);
+    }
+    return found;
+}
+
+/// A hand that begins with some tiny moves, as hands do that find their way, and goes on with long ones. It never turns
+/// back itself.
+std::vector<glm::dvec3> hesitantCorners() {
+    const auto part = [](int most) { return 0.01 * *rc::gen::inRange(-most, most + 1); };
+    std::vector<glm::dvec3> corners{{5.0 * part(100), 5.0 * part(100), -1.0 - *rc::gen::inRange(0, 4)}};
+    const int tiny = *rc::gen::inRange(0, 4), wide = *rc::gen::inRange(1, 4);
+    double heading = pi * part(100);
+    const auto go = [&](double length, double rise) {
+        heading += part(120);
+        corners.push_back(corners.back() + glm::dvec3(length * std::cos(heading), length * std::sin(heading), rise));
+    };
+    for (int i = 0; i < tiny; ++i) go(0.01 * *rc::gen::inRange(2, 25), 0.1 * part(10));
+    for (int i = 0; i < wide; ++i) go(*rc::gen::inRange(1, 5), part(20));
+    return corners;
+}
+
 constexpr double plungeBlur = 0.45; // mm: what may be met straight from above, a voxel, a look
 
 /// Straight sides of a hole in a plate, as wide as it is long.
@@ -147,6 +181,43 @@ private slots:
         const auto refused = run({takeOf(ticks)}, edits, context);
         QVERIFY(!refused && refused.error().code == ErrorCode::pathGouges);
         QCOMPARE(refused.error().detail, std::string(remedyOf(OmissionReason::plunge).text));
+    }
+
+    /// A control that is sent a tenth of a millimetre forth and back stutters and leaves a mark.
+    void noEntryStepsBack() {
+        double ramps = 0.0;
+        QVERIFY(rc::check("a ramp turns where its moves are long", [&] {
+            const Tool tool = stubbyTool(*rc::gen::element(CutterType::ball, CutterType::flat));
+            std::vector<glm::dvec3> corners = hesitantCorners();
+            if (*rc::gen::inRange(0, 3) == 0) { // a hand that goes down in steps
+                const glm::dvec3 start = corners.front();
+                corners.insert(corners.begin(), {{start.x, start.y, 1.0}, {start.x + 0.5, start.y, 0.4 * start.z}});
+            }
+            std::vector<Edit> edits{{DropAirCuts{}}, {DropDwells{}}};
+            const int smoothing = *rc::gen::inRange(0, 3);
+            if (smoothing == 0) edits.push_back({Simplify{}});
+            if (smoothing == 1) edits.push_back({SmoothShape{}});
+            if (*rc::gen::inRange(0, 2) == 0) edits.push_back({FitArcs{}});
+            Link link = rampingLink();
+            link.travel = *rc::gen::element(Link::Travel::safe, Link::Travel::lowest, Link::Travel::around);
+            link.rounding = *rc::gen::element(0.0, 0.7);
+            edits.push_back({link});
+            std::vector<Tick> ticks = along(corners, 40.0);
+            if (*rc::gen::inRange(0, 2) == 0) { // set down again near by
+                const glm::dvec3 up(0.0, 0.0, 8.0), near = 0.01 * glm::dvec3(*rc::gen::inRange(0, 20), 0, 0);
+                append(ticks, along({corners.back(), corners.back() + up, corners.back() + up + near}, 400.0, false));
+                std::vector<glm::dvec3> again = hesitantCorners();
+                const glm::dvec3 shift = corners.back() + near - again.front();
+                for (glm::dvec3& corner : again) corner += shift;
+                append(ticks, along(again, 40.0));
+            }
+            const auto path = run({takeOf(ticks)}, edits, blockContext(tool));
+            RC_PRE(static_cast<bool>(path));
+            const EditReport& report = reportOf(*path, "link");
+            ramps += static_cast<double>(countOf(report.entries, EntryForm::ramp));
+            RC_ASSERT(backStepsOf(path->path.points).empty());
+        }));
+        QVERIFY(ramps > 30.0); // there was something to judge
     }
 
     void noStrokeIsPlungedIntoUnsaid() {
