@@ -152,6 +152,7 @@ std::optional<EntryPlanner::Entry> EntryPlanner::into(const PathStroke& stroke, 
         entry.way = find();
         if (entry.way.empty() || !clearsShank(entry.way)) continue;
         entry.form = form;
+        entry.stepsBack = goesOn && &find == &ways[2].second && turnBeyond(begun.points[0].tip, begun.points[1].tip);
         for (StrokePoint& point : entry.way) point.sample = stroke.points[entry.point].sample;
         return entry;
     }

@@ -30,6 +30,7 @@ public:
         std::size_t point = 0;        ///< of the stroke, where it ends
         std::vector<StrokePoint> way; ///< from above the material to that point; none for a plunge
         double depth = 0.0;           ///< mm of material above that point
+        bool stepsBack = false;       ///< the tool turns at the stroke's beginning, and there is no room to
     };
     /// @param first the earliest point of the stroke that can be reached from above
     /// @return nothing where no material is in the way, or where links are to plunge

@@ -35,10 +35,11 @@ struct LinkTask {
     double safeHeight; // mm
     const std::vector<PathStroke>& strokes;
     std::vector<StrokeAccess> accesses{};
+    Deviation deviation{}; ///< of what linking leaves out
 };
 
 /// @param watch null: nothing stands that shank or holder could touch, or no stock is known
-Result<void> linkAll(const LinkTask& task, ShankWatch* watch, PathUnderEdit& state, Progress& progress) {
+Result<void> linkAll(LinkTask& task, ShankWatch* watch, PathUnderEdit& state, Progress& progress) {
     LinkRoom room(task.edit, task.guard, task.context, task.safeHeight);
     const EntryPlanner planner(task.edit, room, task.guard, task.context, watch);
     Linker linker(room, task.guard, task.context, planner, watch);
@@ -50,11 +51,12 @@ Result<void> linkAll(const LinkTask& task, ShankWatch* watch, PathUnderEdit& sta
     state.points = std::move(linker.points);
     state.omissions = std::move(linker.omissions);
     state.entries = std::move(linker.entries);
+    task.deviation.include(linker.leftOut);
     return {};
 }
 
 /// With an eye on the stock where the tool goes deeper than its flutes are long.
-Result<void> linkWatched(const LinkTask& task, PathUnderEdit& state, Progress& progress) {
+Result<void> linkWatched(LinkTask& task, PathUnderEdit& state, Progress& progress) {
     const auto inStock = [&](RunVolume& stock) -> Result<void> {
         ShankWatch watch(stock, task.context.tool.cutter);
         if (Result<void> done = linkAll(task, &watch, state, progress); !done) return done;
@@ -87,9 +89,10 @@ Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContex
     if (!guard) return guard.error();
     if (context.stock.empty()) return Error{ErrorCode::argumentInvalid, "stock", "", "links need the stock's box"};
     std::erase_if(state.strokes, [](const PathStroke& stroke) { return stroke.points.empty(); });
-    const Deviation deviation = dropBackSteps(state, *guard, progress);
+    const Deviation dropped = dropBackSteps(state, *guard, progress);
     if (edit.entry == Link::Entry::ramp) std::ranges::for_each(state.strokes, beginAtBottom);
     LinkTask task{edit, *guard, context, safeHeightOf(edit, state, context, *guard), state.strokes};
+    task.deviation = dropped;
     task.accesses.resize(state.strokes.size());
     parallelFor(std::size_t{0}, task.accesses.size(), [&](std::size_t i) {
         if (!progress.cancelled()) task.accesses[i] = accessOf(state.strokes[i], *guard, task.safeHeight);
@@ -103,7 +106,7 @@ Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContex
     if (!strung) return strung.error();
     state.strokes.clear();
     state.linked = true;
-    return deviation;
+    return task.deviation;
 }
 
 } // namespace burin

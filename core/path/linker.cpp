@@ -46,18 +46,45 @@ std::optional<Linker::Piece> Linker::begin(const PathStroke& stroke, const Strok
                    !planner_.plunges(points.back().tip, start) && !joinsWithBackStep(stroke);
     if (piece.joined) return piece;
     depart();
-    piece.entry = planner_.into(stroke, access.entry);
+    enterFromAbove(piece);
+    if (stepsBack(piece)) begunLonger(piece);
     if (piece.entry && piece.entry->way.empty() && !planner_.mayPlunge()) return std::nullopt;
+    return piece;
+}
+
+void Linker::enterFromAbove(Piece& piece) const {
+    const PathStroke& stroke = *piece.stroke;
+    piece.entry = planner_.into(stroke, piece.access.entry);
     if (piece.entry) piece.access.entry = piece.entry->point;
     if (piece.entry && !piece.entry->way.empty()) {
         piece.way = piece.entry->way;
-        return piece;
+        return;
     }
     piece.way = swingIn(stroke, piece.access.entry);
     // Where the stroke begins the material may be gone, and beside it still be there.
     if (piece.way.size() > 1 && planner_.meetsMaterial(piece.way))
         piece.way.erase(piece.way.begin(), piece.way.end() - 1);
-    return piece;
+}
+
+/// Whether the tool turns at the stroke's beginning, and has no room to.
+bool Linker::stepsBack(const Piece& piece) const {
+    if (piece.access.entry == 0) return piece.entry && piece.entry->stepsBack;
+    const std::vector<StrokePoint>& corners = piece.stroke->points;
+    return turnBeyond(corners[0].tip, corners[1].tip) && !turnAt(*piece.stroke, 0, 1);
+}
+
+/// Gives a piece a longer first move where that helps.
+void Linker::begunLonger(Piece& piece) {
+    Deviation deviation;
+    const std::optional<PathStroke> longer = withLongStart(*piece.stroke, guard_, deviation);
+    if (!longer) return;
+    Piece other{&pieces_.emplace_back(*longer), accessOf(*longer, guard_, room_.safeHeight()), false, {}};
+    other.longer = true;
+    if (!other.access.found) return;
+    enterFromAbove(other);
+    if (stepsBack(other)) return;
+    piece = std::move(other);
+    leftOut.include(deviation);
 }
 
 /// Straight from the last point the tool would be sent forth and back by next to nothing.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/path/apply.h"
 #include "core/path/entry_planner.h"
 #include "core/path/link_room.h"
 #include "core/path/omission.h"
@@ -32,6 +33,7 @@ public:
     std::vector<PathPoint> points;
     std::vector<Omission> omissions;
     std::vector<StrokeEntry> entries;
+    Deviation leftOut; ///< of points that would have sent the tool forth and back
 
 private:
     /// What is strung on next, and how it is entered.
@@ -41,6 +43,7 @@ private:
         bool joined = false;                        ///< straight from the last point
         std::vector<StrokePoint> way;               ///< from above to where it is entered
         std::optional<EntryPlanner::Entry> entry{}; ///< in material
+        bool longer = false;                        ///< `withLongStart`
     };
     /// How far a piece can be made.
     struct Rehearsal {
@@ -50,6 +53,9 @@ private:
 
     /// Nothing where the stroke can only be plunged into, and the tool must not.
     std::optional<Piece> begin(const PathStroke& stroke, const StrokeAccess& access);
+    void enterFromAbove(Piece& piece) const;
+    bool stepsBack(const Piece& piece) const;
+    void begunLonger(Piece& piece);
     bool joinsWithBackStep(const PathStroke& stroke) const;
     void append(const Piece& piece);
     void addWatched(const PathStroke& stroke, const StrokeAccess& access);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/linker.h"
 
+#include "core/path/turn_room.h"
+
 #include <algorithm>
 
 namespace burin {
@@ -64,7 +66,10 @@ std::size_t Linker::appendUntilContact(const PathStroke& whole, const Piece& pie
     const StrokeStep &first = steps.front(), &last = steps[rehearsal.reached];
     if (last.at - first.at >= shortestKept_) {
         Piece made = piece;
-        made.stroke = &pieces_.emplace_back(between(whole, first.position, last.position));
+        PathStroke part = between(whole, first.position, last.position);
+        Deviation known; // counted when the piece was begun
+        if (piece.longer) part = withLongStart(part, guard_, known).value_or(part);
+        made.stroke = &pieces_.emplace_back(std::move(part));
         made.access = accessOf(*made.stroke, guard_, room_.safeHeight());
         if (piece.entry) made.access.entry = piece.entry->point;
         if (made.access.found && made.access.entry == piece.access.entry &&

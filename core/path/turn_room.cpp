@@ -13,6 +13,24 @@ std::optional<glm::dvec3> turnBeyond(const glm::dvec3& end, const glm::dvec3& be
     return end + turnRoom / level * glm::dvec3(last.x, last.y, 0.0);
 }
 
+std::optional<PathStroke> withLongStart(const PathStroke& stroke, const PartGuard& guard, Deviation& deviation) {
+    const std::vector<StrokePoint>& points = stroke.points;
+    const glm::dvec3& start = points.front().tip;
+    for (std::size_t to = 2; to < points.size() && !points[to - 1].arc && !points[to].arc; ++to) {
+        const glm::dvec3& end = points[to].tip;
+        Deviation left;
+        for (std::size_t i = 1; i < to; ++i) left.include(distanceToSegment(points[i].tip, start, end), points[i].tip);
+        if (left.distance > backStepTolerance) return std::nullopt;
+        if (glm::distance(start, end) < turnRoom) continue;
+        if (!guard.isClear(start, end, stroke.required, defaultSampling)) return std::nullopt;
+        PathStroke longer = stroke;
+        longer.points.erase(longer.points.begin() + 1, longer.points.begin() + static_cast<std::ptrdiff_t>(to));
+        deviation.include(left);
+        return longer;
+    }
+    return std::nullopt;
+}
+
 PathStroke turnable(const PathStroke& line, const std::vector<StrokeStep>& steps, std::size_t wanted,
                     std::size_t usable) {
     const auto lastMove = [&](std::size_t step) {

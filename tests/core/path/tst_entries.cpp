@@ -220,6 +220,32 @@ private slots:
         QVERIFY(ramps > 30.0); // there was something to judge
     }
 
+    /// A stroke that begins at a wall with a tiny move along it leaves no room to turn beyond its beginning.
+    void atAWallNothingStepsBackEither() {
+        const MeshDistance part(meshOf({{{-10, -10, -16}, {-8, 10, -1}}, {{-10, -10, -16}, {10, -8, -1}}}));
+        for (const glm::dvec3& tiny : {glm::dvec3(0.06, 0.02, 0), glm::dvec3(0.03, 0.03, 0), glm::dvec3(0.09, 0, 0)}) {
+            const glm::dvec3 start(-6.0, -6.0, -4.0);
+            const std::vector<glm::dvec3> corners{start, start + tiny, {4, -5.5, -4}, {4, 4, -4}};
+            PathContext context = contextOf(part, stubbyTool(CutterType::flat), block);
+            context.lendStock = lendBlock;
+            const auto path =
+                run({takeOf(along(corners, 40.0))}, {{Simplify{.tolerance = 0.001}}, {rampingLink()}}, context);
+            QVERIFY2(path, path ? "" : path.error().detail.c_str());
+            const EditReport& link = reportOf(*path, "link");
+            QCOMPARE(link.entries.size(), std::size_t{1});
+            QVERIFY(link.entries.front().form == EntryForm::ramp);
+            QVERIFY(backStepsOf(path->path.points).empty());
+            // The hand's beginning stays, and the tool beside the walls.
+            double nearest = 1e9;
+            for (const PathPoint& point : path->path.points) {
+                nearest = std::min(nearest, glm::distance(point.tip, start));
+                if (point.tip.z < -1.0) QVERIFY(point.tip.x > -6.0 - 1e-6 && point.tip.y > -6.0 - 1e-6);
+            }
+            QVERIFY(nearest < 1e-9);
+            QVERIFY(path->errorBudget < 0.07);
+        }
+    }
+
     void noStrokeIsPlungedIntoUnsaid() {
         double forms[3] = {};
         QVERIFY(rc::check("where no plunge is reported no move goes down steeply into material", [&] {
