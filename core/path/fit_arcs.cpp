@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace burin {
@@ -136,6 +137,56 @@ Deviation dropBackSteps(PathStroke& stroke, double tolerance, const PartGuard& g
     return dropped;
 }
 
+/// The direction in which the tool leaves the start of a move, or comes to its end; null where it goes nowhere.
+glm::dvec3 headingOf(const glm::dvec3& from, const StrokePoint& to, bool atEnd) {
+    constexpr double share = 1e-3; // of the arc: it is its own tangent there but for a thousandth of a radian or two
+    if (!to.arc) return to.tip - from;
+    const Arc arc{from, to.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
+    const ArcTurn turn = turnOf(arc);
+    return atEnd ? to.tip - placeOn(arc, turn, 1.0 - share) : placeOn(arc, turn, share) - from;
+}
+
+/// Whether the tool is sent forth and back where two moves meet, arcs among them.
+bool stepsBack(const glm::dvec3& from, const StrokePoint& at, const StrokePoint& to) {
+    const auto lengthOfMove = [](const glm::dvec3& start, const StrokePoint& end) {
+        if (!end.arc) return glm::distance(start, end.tip);
+        const Arc arc{start, end.tip, end.arc->centre, end.arc->axis, end.arc->clockwise};
+        return lengthOf(arc, turnOf(arc));
+    };
+    if (std::min(lengthOfMove(from, at), lengthOfMove(at.tip, to)) >= longestBackStep) return false;
+    const glm::dvec3 in = headingOf(from, at, true), out = headingOf(at.tip, to, false);
+    return glm::dot(in, out) < std::cos(backStepTurn) * glm::length(in) * glm::length(out);
+}
+
+/// An arc that was fitted where the tool is sent forth and back becomes lines again, of which linking can leave points
+/// out. @return whether there was one
+bool straightenBackSteps(std::vector<Primitive>& whole, const std::vector<StrokePoint>& points, const Fitter& lines,
+                         const Progress& progress) {
+    const auto startOf = [&](std::size_t i) { return i == 0 ? std::size_t{0} : whole[i - 1].end; };
+    const auto madeOf = [&](std::size_t i) {
+        StrokePoint end = points[whole[i].end];
+        end.arc = whole[i].arc;
+        return end;
+    };
+    const auto isFitted = [&](std::size_t i) { return whole[i].arc && whole[i].end > startOf(i) + 1; };
+    bool any = false;
+    std::vector<bool> straight(whole.size(), false);
+    for (std::size_t i = 0; i + 1 < whole.size(); ++i) {
+        if (!isFitted(i) && !isFitted(i + 1)) continue;
+        if (!stepsBack(points[startOf(i)].tip, madeOf(i), madeOf(i + 1))) continue;
+        any = straight[isFitted(i) ? i : i + 1] = true;
+    }
+    std::vector<Primitive> changed;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        if (straight[i])
+            std::ranges::move(lines.fit(startOf(i), whole[i].end, progress), std::back_inserter(changed));
+        else
+            changed.push_back(whole[i]);
+    }
+    whole = std::move(changed);
+    return any;
+}
+
 Deviation fitStroke(PathStroke& stroke, ArcFitRules rules, const PartGuard& guard, const Progress& progress) {
     Deviation deviation;
     if (stroke.points.size() < 2) return deviation;
@@ -152,14 +203,20 @@ Deviation fitStroke(PathStroke& stroke, ArcFitRules rules, const PartGuard& guar
             fitted[i] = fitter.fit(first, last, progress);
     });
     if (progress.cancelled()) return deviation;
+    std::vector<Primitive> whole;
+    for (std::vector<Primitive>& group : fitted) std::ranges::move(group, std::back_inserter(whole));
+    ArcFitRules straight = rules;
+    straight.largestSweep = 0.0; // no arcs
+    const Fitter lines(straight, guard, stroke);
+    while (straightenBackSteps(whole, stroke.points, lines, progress)) {
+    }
+    if (progress.cancelled()) return deviation;
     std::vector<std::size_t> kept{0};
     std::vector<std::optional<PathArc>> arcs{{}};
-    for (const std::vector<Primitive>& group : fitted) {
-        for (const Primitive& primitive : group) {
-            kept.push_back(primitive.end);
-            arcs.push_back(primitive.arc);
-            deviation.include(primitive.deviation);
-        }
+    for (const Primitive& primitive : whole) {
+        kept.push_back(primitive.end);
+        arcs.push_back(primitive.arc);
+        deviation.include(primitive.deviation);
     }
     keepOnly(stroke.points, kept);
     for (std::size_t i = 0; i < arcs.size(); ++i) stroke.points[i].arc = arcs[i];

@@ -60,6 +60,27 @@ std::size_t arcsIn(const std::vector<PathPoint>& points) {
     return count;
 }
 
+/// Turns of more than 155 degrees where one of the two moves is shorter than 0.1 mm, arcs in chords.
+std::size_t backStepsIn(const std::vector<PathPoint>& points) {
+    const auto lengthOfAll = [](const std::vector<glm::dvec3>& places) {
+        double length = 0.0;
+        for (std::size_t i = 1; i < places.size(); ++i) length += glm::distance(places[i - 1], places[i]);
+        return length;
+    };
+    std::size_t count = 0;
+    for (std::size_t i = 2; i < points.size(); ++i) {
+        if (points[i].kind != MoveKind::cut || points[i - 1].kind != MoveKind::cut) continue;
+        const std::vector<glm::dvec3> in = placesOf(points[i - 2].tip, points[i - 1], 0.02);
+        const std::vector<glm::dvec3> out = placesOf(points[i - 1].tip, points[i], 0.02);
+        if (std::min(lengthOfAll(in), lengthOfAll(out)) >= 0.1) continue;
+        const glm::dvec3 arrives = in.back() - in[in.size() - 2], leaves = out[1] - out[0];
+        const double turn =
+            std::acos(std::clamp(glm::dot(arrives, leaves) / (glm::length(arrives) * glm::length(leaves)), -1.0, 1.0));
+        if (turn > 155.0 * pi / 180.0) ++count;
+    }
+    return count;
+}
+
 } // namespace
 
 class TestFitArcs : public QObject {
@@ -140,6 +161,39 @@ private slots:
             RC_ASSERT(farthestFrom(fitted, source) <= rules.tolerance + 1e-9);
             RC_ASSERT(points.front().tip == source.front() && points.back().tip == source.back());
         }));
+    }
+
+    /// A hand that turns back between two bends, with a hesitation of a tenth of a millimetre behind the corner.
+    void noArcMakesABackStep() {
+        std::size_t arcs = 0;
+        QVERIFY(rc::check("nothing is sent forth and back", [&] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            std::uniform_real_distribution<double> one(0.0, 1.0);
+            glm::dvec3 at(0.0, 0.0, -3.0);
+            double heading = 6.0 * one(random);
+            std::vector<Tick> ticks{{at}};
+            const auto go = [&](double length, double curvature) {
+                const int steps = std::max(1, static_cast<int>(length / 0.02));
+                for (int i = 0; i < steps; ++i) {
+                    heading += curvature * length / steps;
+                    at += length / steps * glm::dvec3(std::cos(heading), std::sin(heading), 0.0);
+                    ticks.push_back({at});
+                }
+            };
+            const auto bend = [&] { return (one(random) < 0.5 ? 1.0 : -1.0) / (5.0 * std::pow(30.0, one(random))); };
+            go(4.0 + 6.0 * one(random), bend());
+            for (int corner = 0; corner < 3; ++corner) {
+                heading += (150.0 + 20.0 * one(random)) * pi / 180.0;
+                go(0.02 + 0.12 * one(random), 0.0);
+                heading += 0.6 * (one(random) - 0.5);
+                go(4.0 + 6.0 * one(random), bend());
+            }
+            const auto path = run({takeOf(ticks)}, {{FitArcs{}}, {Link{}}}, freeContext());
+            RC_ASSERT(static_cast<bool>(path));
+            arcs += arcsIn(path->path.points);
+            RC_ASSERT(backStepsIn(path->path.points) == 0U);
+        }));
+        QVERIFY(arcs > 200);
     }
 
     void anArcThatWouldEnterThePartIsNotTaken() {
