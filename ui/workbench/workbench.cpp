@@ -4,6 +4,20 @@
 
 namespace burin {
 
+namespace {
+
+/// Paths of more are evaluated when the user asks for it: edits hold some 300 bytes a sample, and opening a project
+/// takes 1.5 GB at most.
+constexpr std::uint64_t mostSamplesUnasked = 5'000'000;
+
+std::uint64_t samplesOf(const std::vector<TakeInfo>& takes) {
+    std::uint64_t samples = 0;
+    for (const TakeInfo& take : takes) samples += take.sampleCount - take.undoneCount;
+    return samples;
+}
+
+} // namespace
+
 Workbench::Workbench(QObject* parent)
     : QObject(parent)
     , document(desk_, this)
@@ -68,7 +82,7 @@ void Workbench::wire() {
     connect(&bench, &BenchController::changed, this, &Workbench::continueShow);
     connect(&bench, &BenchController::replayed, &mill, &MillController::setStrokes);
     connect(&bench, &BenchController::replayed, this, [this] { // a project that was opened shows its paths
-        path.evaluate();
+        if (samplesOf(mill.takes()) <= mostSamplesUnasked) path.evaluate();
     });
     connect(&model, &Controller::failed, this, [this] { showWhenReady_ = false; });
     bench.setWanted(target.machine());
