@@ -279,6 +279,14 @@ void TestWindowProgram::aPostOutlastsAChangeOfTheMachine() {
     QVERIFY(bench.program.program() != before && bench.program.exportable());
     QCOMPARE(bench.program.program()->dialect, bench.target.dialect());
     QVERIFY(driver.settle() && bench.program.exportable());
+    // The file's ending is that of the control.
+    QString proposed;
+    driver.whenDialogStands([&](QWidget& dialog) {
+        proposed = dialog.findChild<QLineEdit*>("fileNameEdit")->text();
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+    });
+    QVERIFY(driver.clickOn("exportButton"));
+    QVERIFY2(proposed.endsWith(".nc"), qPrintable(proposed));
     // What is typed meanwhile drops it: the text is another one.
     QVERIFY(driver.clickOn("postButton") && bench.program.busy());
     bench.target.chooseMachine("linuxcnc-mill");

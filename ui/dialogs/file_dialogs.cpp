@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QFileDialog>
+#include <QFileInfo>
 
 namespace burin {
 
@@ -69,8 +70,8 @@ QString askProjectToSave(QWidget* parent, const QString& folder, const QString& 
 }
 
 QString askProgramToExport(QWidget* parent, const QString& folder, const QString& name) {
-    return askToSave(parent, FileDialogs::tr("Export the program"), folder, name, QStringLiteral("ngc"),
-                     FileDialogs::tr("Programs (*.ngc *.nc);;All files (*)"));
+    return askToSave(parent, FileDialogs::tr("Export the program"), folder, name, QFileInfo(name).suffix(),
+                     FileDialogs::tr("Programs (*.ngc *.nc *.tap);;All files (*)"));
 }
 
 } // namespace burin

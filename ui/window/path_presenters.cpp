@@ -51,7 +51,11 @@ QString programName(const Workbench& workbench) {
     QString name = workbench.document.title();
     if (workbench.document.isUnnamed() && workbench.model.model())
         name = QFileInfo(QString::fromStdString(workbench.model.model()->sourceFile)).completeBaseName();
-    return (name.isEmpty() ? QStringLiteral("program") : name) + QStringLiteral(".ngc");
+    const TargetController& target = workbench.target;
+    const auto dialect = std::ranges::find(target.dialects(), target.dialect(), &DialectDescription::id);
+    const bool known = dialect != target.dialects().end() && !dialect->fileSuffix.empty();
+    return (name.isEmpty() ? QStringLiteral("program") : name) + QLatin1Char('.') +
+           (known ? QString::fromStdString(dialect->fileSuffix) : QStringLiteral("ngc"));
 }
 
 PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePresenter& scene, QObject* parent)

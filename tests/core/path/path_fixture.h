@@ -128,6 +128,11 @@ inline Result<EvaluatedPath> run(const std::vector<Take>& takes, const std::vect
     return evaluate("path", takes, edits, context, progress);
 }
 
+/// Whether edits left nothing of a path, which is no fault of theirs.
+inline bool isEmpty(const Result<EvaluatedPath>& path) {
+    return !path && path.error().code == ErrorCode::pathEmpty;
+}
+
 /// Places of a move no farther apart than `step`, both ends among them. An arc is turned about its axis by its own
 /// angles, with a radius that goes evenly from one end's to the other's.
 inline std::vector<glm::dvec3> placesOf(const glm::dvec3& from, const PathPoint& to, double step) {

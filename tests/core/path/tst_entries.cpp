@@ -196,7 +196,7 @@ private slots:
             std::vector<Edit> edits{{DropAirCuts{}}, {DropDwells{}}};
             const int smoothing = *rc::gen::inRange(0, 3);
             if (smoothing == 0) edits.push_back({Simplify{}});
-            if (smoothing == 1) edits.push_back({SmoothShape{}});
+            if (smoothing == 1) edits.insert(edits.end(), {{SmoothShape{}}, {HoldOut{}}});
             if (*rc::gen::inRange(0, 2) == 0) edits.push_back({FitArcs{}});
             Link link = rampingLink();
             link.travel = *rc::gen::element(Link::Travel::safe, Link::Travel::lowest, Link::Travel::around);
@@ -212,7 +212,8 @@ private slots:
                 append(ticks, along(again, 40.0));
             }
             const auto path = run({takeOf(ticks)}, edits, blockContext(tool));
-            RC_PRE(static_cast<bool>(path));
+            RC_PRE(!isEmpty(path));
+            RC_ASSERT(static_cast<bool>(path));
             const EditReport& report = reportOf(*path, "link");
             ramps += static_cast<double>(countOf(report.entries, EntryForm::ramp));
             RC_ASSERT(backStepsOf(path->path.points).empty());
@@ -263,7 +264,8 @@ private slots:
             link.travel = *rc::gen::element(Link::Travel::safe, Link::Travel::lowest, Link::Travel::around);
             link.rounding = *rc::gen::element(0.0, 0.7);
             const auto path = run({takeOf(ticks)}, {{DropAirCuts{}}, {Simplify{}}, {link}}, blockContext(tool));
-            RC_PRE(static_cast<bool>(path));
+            RC_PRE(!isEmpty(path));
+            RC_ASSERT(static_cast<bool>(path));
             const EditReport& report = reportOf(*path, "link");
             for (const StrokeEntry& entry : report.entries) forms[static_cast<std::size_t>(entry.form)] += 1.0;
             RC_ASSERT(deepestGuard(path->path.points, tool.cutter) < blur);

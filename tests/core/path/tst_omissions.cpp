@@ -114,7 +114,8 @@ private slots:
                 append(ticks, along({to, {to.x, to.y, 8}}, 400.0, false));
             }
             const auto path = run({takeOf(ticks)}, {{DropAirCuts{}}, {Simplify{}}, {Link{}}}, blockContext(tool));
-            RC_PRE(static_cast<bool>(path));
+            RC_PRE(!isEmpty(path));
+            RC_ASSERT(static_cast<bool>(path));
             for (const EditReport& report : path->reports) RC_ASSERT(report.omissions.empty());
         }));
     }
