@@ -157,6 +157,8 @@ bool Interpreter::modes(const Block& block) {
                           : code.number == gcode::exactStop ? PathMode::exactStop
                                                             : PathMode::blend;
         state_.blendTolerance = block.word('P').given() ? block.word('P').value * state_.length : 0.0;
+        const Word& merge = block.word('Q'); // without it P counts for both (convert_control_mode of LinuxCNC)
+        state_.mergeTolerance = merge.given() ? merge.value * state_.length : state_.blendTolerance;
         note(NcSettingKind::pathControl, static_cast<int>(state_.pathMode));
     }
     return true;

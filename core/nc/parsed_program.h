@@ -50,6 +50,7 @@ struct NcMotion {
     double spindleSpeed = 0.0;    ///< 1/min
     PathMode pathMode = PathMode::machine;
     double blendTolerance = 0.0; ///< mm, of PathMode::blend; 0: without limit
+    double mergeTolerance = 0.0; ///< mm, of the same: by which lines may be off one that replaces them; 0: none are
     int tool = 0;                ///< loaded
     int lengthOffset = 0;        ///< H number in force; 0: none, -1: one that the program itself states (G43.1)
     int workOffset = 54;         ///< 54 … 59; 591 … 593: G59.1 … G59.3; 1000 + n: G54.1 Pn, G154 Pn

@@ -116,6 +116,8 @@ private slots:
     void aRapidInWhatWasCutTouchesNothing();
     void blendedCornersGougeByTheFormula_data();
     void blendedCornersGougeByTheFormula();
+    void mergedLinesGougeByTheFormula_data();
+    void mergedLinesGougeByTheFormula();
     void theAllowanceIsComparedWithThePath_data();
     void theAllowanceIsComparedWithThePath();
     void stockEndsWithinAVoxel();
@@ -282,6 +284,37 @@ void VerifyTest::blendedCornersGougeByTheFormula() {
     const auto found = std::ranges::find(report.findings, FindingKind::cornerGouge, &Finding::kind);
     QCOMPARE(found->line, lineOf(text, mode.toStdString()));
     QVERIFY2(std::abs(found->amount - gouge) < 0.01, qPrintable(QString::number(found->amount)));
+}
+
+void VerifyTest::mergedLinesGougeByTheFormula_data() {
+    QTest::addColumn<QString>("mode");
+    QTest::addColumn<double>("gouge");
+    constexpr double radius = 3.3, degree = pi / 180.0;
+    QTest::newRow("all are one") << "G64 P0.01 Q0.5" << 3.0 - radius * std::cos(30.0 * degree);
+    QTest::newRow("P for both") << "G64 P0.5" << 3.0 - radius * std::cos(30.0 * degree);
+    QTest::newRow("11 are one") << "G64 P0.01 Q0.25" << 3.0 - radius * std::cos(22.0 * degree);
+    QTest::newRow("none") << "G64 P0.01 Q0" << 0.0;
+}
+
+/// 15 chords of 4° around the part's upright edge, 0.3 mm away from it.
+void VerifyTest::mergedLinesGougeByTheFormula() {
+    QFETCH(const QString, mode);
+    QFETCH(const double, gouge);
+    Case job;
+    std::string text = start + "G61\nG0 Z5\n";
+    for (int i = 0; i <= 15; ++i) {
+        const double angle = (195.0 + 4.0 * i) * pi / 180.0;
+        const std::string place =
+            "X" + std::to_string(3.3 * std::cos(angle) - 15.0) + " Y" + std::to_string(3.3 * std::sin(angle) - 10.0);
+        text += (i == 0 ? "G0 " : "G1 F600 ") + place + "\n";
+        if (i == 0) text += "G0 Z-28\n" + mode.toStdString() + "\n";
+    }
+    const VerifyReport report = job.judge(text + "G61\nG1 Y-40\nG0 Z5\n");
+    QCOMPARE(countOf(report, FindingKind::cornerGouge), gouge > 0.02 ? 1 : 0);
+    if (gouge <= 0.02) return;
+    const auto found = std::ranges::find(report.findings, FindingKind::cornerGouge, &Finding::kind);
+    QCOMPARE(found->line, lineOf(text, mode.toStdString()));
+    QVERIFY2(std::abs(found->amount - gouge) < 0.005, qPrintable(QString::number(found->amount)));
 }
 
 void VerifyTest::theAllowanceIsComparedWithThePath_data() {
