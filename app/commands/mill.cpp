@@ -288,6 +288,8 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
         makeBench(*project, *tool, machineFor(*project, arguments.machine, context), context.progress());
     if (!bench) return context.fail(bench.error());
     if (const std::string refusal = unprotected(bench->embedded); !refusal.empty() && !arguments.overrides) {
+        const std::vector<std::string> doubts = doubtsOf(*bench->model, bench->embedded);
+        context.answer({{"takes", json::array()}, {"part_warnings", doubts}}, "not milled" + textOfDoubts(doubts));
         context.message(refusal);
         return static_cast<int>(ErrorClass::checkFailed);
     }
