@@ -10,6 +10,9 @@
 #include "core/verify/report_json.h"
 #include "ui/panels/embedding_words.h"
 
+#include <QCoreApplication>
+
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -155,6 +158,17 @@ std::vector<std::string> doubtsOf(const Model& model, const EmbeddedSetup& embed
     return doubts;
 }
 
+std::string unprotected(const EmbeddedSetup& embedded) {
+    const auto bodies =
+        std::ranges::count(embedded.findings, EmbeddingFinding::Kind::tooSmall, &EmbeddingFinding::kind);
+    if (bodies == 0) return {};
+    return QCoreApplication::translate("Command",
+                                       "%n bodies are too small for the voxels and would not be protected. Choose "
+                                       "smaller voxels, or go on all the same with --override.",
+                                       nullptr, static_cast<int>(bodies))
+        .toStdString();
+}
+
 std::string textOfDoubts(const std::vector<std::string>& doubts) {
     std::string text;
     for (const std::string& doubt : doubts) text += "\nwarning: " + doubt;
@@ -163,12 +177,13 @@ std::string textOfDoubts(const std::vector<std::string>& doubts) {
 
 namespace {
 
-/// "7: spindle_power 918.0 W of 900.0 W at (…) mm, and on 12 lines near by"
+/// "line 7: spindle_power 918.0 W of 900.0 W at (…) mm, and on 12 lines near by"
 std::string textOf(const Finding& finding) {
-    const int decimals = finding.limit > 1.0 ? 1 : 4;
+    const int decimals = finding.limit > 1.0 && finding.kind != FindingKind::allowanceDiffers ? 1 : 4;
     const std::string unit = finding.limit > 0.0 ? std::string(" ") + unitOf(finding.kind) : std::string();
-    std::string text = std::to_string(finding.line) + ": " + idOf(finding.kind) + " " +
-                       formatFixed(finding.amount, finding.limit > 0.0 ? decimals : 4) + unit;
+    std::string text = (finding.line > 0 ? "line " + std::to_string(finding.line) : "program") + ": " +
+                       idOf(finding.kind) + " " + formatFixed(finding.amount, finding.limit > 0.0 ? decimals : 4) +
+                       unit;
     if (finding.limit > 0.0) text += " of " + formatFixed(finding.limit, decimals) + unit;
     text += " at (" + formatFixed(finding.place.x, 3) + ", " + formatFixed(finding.place.y, 3) + ", " +
             formatFixed(finding.place.z, 3) + ") mm";
@@ -267,15 +282,14 @@ std::string textOf(const CheckedProgram& program, double gougeTolerance, const M
                  : mode.tolerance > 0.0             ? "blended within " + formatFixed(mode.tolerance, 3) + " mm"
                                                     : std::string("blended without limit"));
     }
-    for (std::size_t i = 0; i < report.findings.size() && i < 20; ++i)
-        text << "\n  line " << textOf(report.findings[i]);
+    for (std::size_t i = 0; i < report.findings.size() && i < 20; ++i) text << "\n  " << textOf(report.findings[i]);
     if (report.findings.size() > 20) text << "\n  and " << report.findings.size() - 20 << " more";
     std::set<FindingKind> told;
     for (const Finding& finding : report.findings)
         if (told.insert(finding.kind).second)
             text << "\n  remedy   " << idOf(finding.kind) << ": " << remedyOf(finding.kind).text;
     for (std::size_t i = 0; i < report.warnings.size() && i < 20; ++i)
-        text << "\n  warning  line " << textOf(report.warnings[i]);
+        text << "\n  warning  " << textOf(report.warnings[i]);
     if (report.warnings.size() > 20) text << "\n  and " << report.warnings.size() - 20 << " more warnings";
     for (std::size_t i = 0; i < report.nearPasses.size() && i < 20; ++i) {
         const NearPass& pass = report.nearPasses[i];

@@ -40,6 +40,9 @@ std::string textOf(const CheckedProgram& program, double gougeTolerance, const M
 
 /// What is doubtful about a part: what import said, and what embedding found.
 std::vector<std::string> doubtsOf(const Model& model, const EmbeddedSetup& embedded);
+/// Why a command does not go on with a part of which bodies are too small for the voxels to be protected, and how it
+/// does all the same; empty where all are protected.
+std::string unprotected(const EmbeddedSetup& embedded);
 /// The same as lines that follow others; empty where there is no doubt.
 std::string textOfDoubts(const std::vector<std::string>& doubts);
 

@@ -24,7 +24,7 @@ struct EmbedArguments {
     std::string stock = "box", material = "aluminium-6061";
     std::vector<std::string> bodyMaterials;
     SurroundingsArguments around;
-    bool replace = false;
+    bool replace = false, overrides = false;
 };
 
 /// "BODY=NAME" for each body that differs. Errors: argumentInvalid, nameUnknown.
@@ -121,6 +121,13 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
     const Result<EmbeddedSetup> embedded = embed(*model, *setup, *materials, context.progress());
     if (!embedded) return context.fail(embedded.error());
 
+    const std::vector<std::string> warnings = doubtsOf(*model, *embedded);
+    if (const std::string refusal = unprotected(*embedded); !refusal.empty() && !arguments.overrides) {
+        context.answer({{"project", nullptr}, {"warnings", warnings}}, "not made" + textOfDoubts(warnings));
+        context.message(refusal);
+        return static_cast<int>(ErrorClass::checkFailed);
+    }
+
     context.stage("Saving");
     Result<ProjectChange> project = ProjectChange::create(arguments.output);
     if (!project) return context.fail(project.error());
@@ -132,7 +139,6 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
     if (!saved) return context.fail(saved.error());
 
     const glm::ivec3 voxels = embedded->workpiece.grid().count();
-    const std::vector<std::string> warnings = doubtsOf(*model, *embedded);
     const nlohmann::json answer{{"project", std::filesystem::absolute(arguments.output).lexically_normal().string()},
                                 {"stock_box_mm", jsonOf(setup->stock)},
                                 {"voxel_mm", setup->voxel},
@@ -162,6 +168,8 @@ void registerEmbed(CLI::App& program, CommandContext& context, int& status) {
     command->add_option("MODEL", arguments->model, "STEP, IGES, BREP or STL file")->required();
     command->add_option("-o,--output", arguments->output, "Project file to write (.burin)")->required();
     command->add_flag("--replace", arguments->replace, "Replace a project that holds recordings");
+    command->add_flag("--override", arguments->overrides,
+                      "Make the project even if bodies are too small for the voxels to be protected");
     command->add_option("--voxel", arguments->voxel, "Edge of a voxel, mm")->capture_default_str();
     command->add_option("--stock", arguments->stock, "Shape of the stock: box")->capture_default_str();
     command->add_option("--margin", arguments->margin, "Stock around the part on every side, mm")

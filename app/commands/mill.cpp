@@ -31,7 +31,7 @@ constexpr std::string_view devicePrefix = "device:";
 
 struct MillArguments {
     std::string project, stylus = "operator", mode, tool = "ball-6", machine, trace, axis;
-    bool realtime = false, fast = false;
+    bool realtime = false, fast = false, overrides = false;
     double seconds = 0.0, rate = 1000.0;
     int deadMan = 0; ///< button, from 1; 0: none
     std::string grip = "firm", intent = "passes";
@@ -287,6 +287,15 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     Result<Bench> bench =
         makeBench(*project, *tool, machineFor(*project, arguments.machine, context), context.progress());
     if (!bench) return context.fail(bench.error());
+    if (const std::string refusal = unprotected(bench->embedded); !refusal.empty() && !arguments.overrides) {
+        const std::vector<std::string> doubts = doubtsOf(*bench->model, bench->embedded);
+        context.answer({{"takes", json::array()}, {"part_warnings", doubts}}, "not milled" + textOfDoubts(doubts));
+        context.message(refusal);
+        return static_cast<int>(ErrorClass::checkFailed);
+    }
+    const Result<std::vector<TakeInfo>> before = project->takes();
+    if (!before) return context.fail(before.error());
+    const bool fresh = before->empty();
     if (const Result<void> replayed = replayTakes(*project, *bench, context.progress()); !replayed)
         return context.fail(replayed.error());
 
@@ -338,7 +347,14 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     answer["samples"] = samples;
     answer["removed_mm3"] = removed;
     context.answer(answer, text + textOfDoubts(doubts));
-    return context.progress().cancelled() ? static_cast<int>(ErrorClass::cancelled) : 0;
+    if (context.progress().cancelled()) return static_cast<int>(ErrorClass::cancelled);
+    const bool idle = fresh && arguments.stylus == "operator" && arguments.intent == "passes" &&
+                      !(arguments.seconds > 0.0) && !(removed > 0.0) && !arguments.overrides;
+    if (!idle) return 0;
+    context.message(QCoreApplication::translate("Command", "The tool can't reach anything to mill. Use a smaller or "
+                                                           "longer tool, or accept it with --override.")
+                        .toStdString());
+    return static_cast<int>(ErrorClass::checkFailed);
 }
 
 void addOperator(CLI::App& command, MillArguments& arguments) {
@@ -372,6 +388,9 @@ void registerMill(CLI::App& program, CommandContext& context, int& status) {
         ->capture_default_str();
     command->add_option("--trace", arguments->trace,
                         "Also write the motion of the trace or device to this file, which --stylus trace:FILE replays");
+    command->add_flag("--override", arguments->overrides,
+                      "Mill even if bodies are too small for the voxels to be protected, and accept that the operator "
+                      "reaches nothing");
     command->add_option("--tool", arguments->tool, "Tool")->capture_default_str();
     command->add_option("--machine", arguments->machine,
                         "Machine, for the spindle speed and its travel; without it the project's");

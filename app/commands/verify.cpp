@@ -6,6 +6,7 @@
 #include "core/base/file.h"
 #include "core/nc/dialect_library.h"
 #include "core/project/companions.h"
+#include "core/project/job_paths.h"
 #include "core/project/program_job.h"
 #include "core/verify/deviation_scale.h"
 #include "core/verify/report_json.h"
@@ -14,6 +15,7 @@
 #include <CLI/CLI.hpp>
 
 #include <array>
+#include <optional>
 
 namespace burin {
 
@@ -22,6 +24,7 @@ namespace {
 struct VerifyArguments {
     std::string program, project, tool, map, machine, dialect;
     double tolerance = 0.02, allowance = 0.0;
+    std::optional<double> excess;
     std::size_t exactSamples = 500;
 };
 
@@ -69,8 +72,16 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     Result<std::vector<Tool>> tools = project->tools();
     if (!tools) return context.fail(tools.error());
     request.tools = arguments.tool.empty() ? std::move(*tools) : std::vector{*tool}; // who names a tool means it
+    request.anyNumber = !arguments.tool.empty();
     request.gougeTolerance = arguments.tolerance;
     request.exactSamples = arguments.exactSamples;
+    request.excessTolerance = arguments.excess.value_or(request.excessTolerance);
+    const bool follows = arguments.excess ? *arguments.excess > 0.0 : isPosted(*text);
+    if (follows) {
+        Result<std::vector<Path>> promised = promisedPaths(*project, *bench, context.progress());
+        if (!promised) return context.fail(promised.error());
+        request.promised = std::make_shared<const std::vector<Path>>(std::move(*promised));
+    }
     const Result<CheckedProgram> checked =
         checkProgram(*bench, std::move(*text), arguments.program, request, context.progress());
     if (!checked) return context.fail(checked.error());
@@ -115,6 +126,13 @@ void registerVerify(CLI::App& program, CommandContext& context, int& status) {
     command->add_option("--tolerance", arguments->tolerance, "Deepest gouge that passes, mm")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();
+    command
+        ->add_option(
+            "--excess", arguments->excess,
+            "Most by which the stock left on the part may differ from what the project's paths leave, and by which "
+            "blended corners may leave more, mm; 0: not judged. Without it 0.1, and the project's paths count "
+            "for programs that Burin posted")
+        ->check(CLI::Range(0.0, 100.0));
     command->add_option("--exact", arguments->exactSamples, "Number of worst points that are judged on exact geometry")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();

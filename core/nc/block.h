@@ -39,7 +39,8 @@ inline constexpr int inchByG70 = 700;
 inline constexpr int home = 280, storeHome = 281, secondHome = 300, storeSecondHome = 301;
 inline constexpr int noCompensation = 400, lengthOffset = 430, statedLength = 431, noLengthOffset = 490;
 inline constexpr int localShift = 520, machineFrame = 530, furtherOffset = 541;
-inline constexpr int exactPath = 610, exactStop = 611, blend = 640, peckBreaking = 730, noMotion = 800, absoluteCentres = 901;
+inline constexpr int exactPath = 610, exactStop = 611, blend = 640, peckBreaking = 730, noMotion = 800,
+                     absoluteCentres = 901;
 inline constexpr int incremental = 910, shift = 920, dropShift = 921, pauseShift = 922;
 inline constexpr int restoreShift = 923, inverseTime = 930, perRevolution = 950;
 inline constexpr int retractToHeight = 990, furtherOffsetHaas = 1540;
@@ -85,6 +86,9 @@ struct BlockFault {
     ProgramProblem problem = ProgramProblem::characterNotAllowed;
     std::uint32_t column = 1; ///< from 1
     std::uint32_t length = 1; ///< characters concerned
+    /// Lines that may be the cause: of an arc, those that set the two axes of its start; 0: none.
+    std::array<std::uint32_t, 2> starts{};
+    std::uint32_t incrementalSince = 0; ///< line of the G91 in force; 0: none, or no matter
 };
 
 } // namespace burin

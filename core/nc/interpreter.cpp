@@ -24,12 +24,38 @@ bool Interpreter::fail(ProgramProblem problem, std::uint32_t column) {
 
 bool Interpreter::run(const Block& block, std::uint32_t line, BlockFault& fault) {
     fault_ = &fault;
+    line_ = line;
     writer_.beginBlock(line);
     if (program.motions.size() > mostMoves) return fail(ProgramProblem::tooManyMoves, block.firstColumn);
     ++program.blocks;
+    if (!carryOut(block)) {
+        nameCauses(fault);
+        return false;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+        if (block.word(static_cast<char>('X' + axis)).given()) setOn_[static_cast<std::size_t>(axis)] = line;
+    return true;
+}
+
+void Interpreter::nameCauses(BlockFault& fault) const {
+    const bool ofArc =
+        fault.problem == ProgramProblem::arcRadiusDiffers || fault.problem == ProgramProblem::arcRadiusTooSmall;
+    if (ofArc)
+        fault.starts = {setOn_[static_cast<std::size_t>((state_.planeAxis + 1) % 3)],
+                        setOn_[static_cast<std::size_t>((state_.planeAxis + 2) % 3)]};
+    const bool ofMode =
+        fault.problem == ProgramProblem::placeUnknown || fault.problem == ProgramProblem::machineFrameMotion;
+    if (ofArc || ofMode) fault.incrementalSince = incrementalSince_;
+}
+
+bool Interpreter::carryOut(const Block& block) {
     return checkCodes(block) && checkWords(block) && checkUse(block) && feedAndSpeed(block) && toolChange(block) &&
            spindleAndCoolant(block) && dwell(block) && planeAndUnits(block) && lengthOffset(block) &&
            workOffset(block) && modes(block) && once(block) && motion(block) && stop(block);
+}
+
+void Interpreter::note(NcSettingKind kind, int value) {
+    program.settings.push_back({kind, value, line_, program.motions.size()});
 }
 
 /// A feed beside a change of units is refused: controls differ in which units it has.
@@ -55,7 +81,10 @@ bool Interpreter::feedAndSpeed(const Block& block) {
         state_.spindleSpeed = speed.value;
         program.maximumSpindleSpeed = std::max(program.maximumSpindleSpeed, speed.value);
     }
-    if (block.word('T').given()) state_.selectedTool = static_cast<int>(block.word('T').value);
+    if (block.word('T').given()) {
+        state_.selectedTool = static_cast<int>(block.word('T').value);
+        note(NcSettingKind::toolSelected, state_.selectedTool);
+    }
     return true;
 }
 
@@ -65,9 +94,11 @@ bool Interpreter::toolChange(const Block& block) {
     if (code.number == 610) { // the tool that is in the spindle gets its number: nothing moves
         if (!block.word('Q').given()) return fail(ProgramProblem::toolNotSelected, code);
         state_.tool = static_cast<int>(block.word('Q').value);
+        note(NcSettingKind::toolChange, state_.tool);
         return true;
     }
     state_.tool = state_.selectedTool;
+    note(NcSettingKind::toolChange, state_.tool);
     state_.spindle = SpindleState::off;
     state_.mist = state_.flood = false;
     state_.frames.forgetPlace();
@@ -75,10 +106,12 @@ bool Interpreter::toolChange(const Block& block) {
 }
 
 bool Interpreter::spindleAndCoolant(const Block& block) {
-    if (const Code& code = block.code(MGroup::spindle); code.given())
+    if (const Code& code = block.code(MGroup::spindle); code.given()) {
         state_.spindle = code.number == 30   ? SpindleState::clockwise
                          : code.number == 40 ? SpindleState::anticlockwise
                                              : SpindleState::off;
+        note(NcSettingKind::spindle, static_cast<int>(state_.spindle));
+    }
     if (const Code& code = block.code(MGroup::coolant); code.given()) {
         state_.mist = code.number == 70 || (state_.mist && code.number == 80);
         state_.flood = code.number == 80 || (state_.flood && code.number == 70);
@@ -110,8 +143,11 @@ bool Interpreter::planeAndUnits(const Block& block) {
 }
 
 bool Interpreter::modes(const Block& block) {
-    if (const Code& code = block.code(GGroup::distance); code.given())
+    if (const Code& code = block.code(GGroup::distance); code.given()) {
         state_.incremental = code.number == gcode::incremental;
+        incrementalSince_ = !state_.incremental ? 0 : incrementalSince_ != 0 ? incrementalSince_ : line_;
+        note(NcSettingKind::distance, state_.incremental ? 1 : 0);
+    }
     if (const Code& code = block.code(GGroup::arcDistance); code.given())
         state_.centresAbsolute = code.number == gcode::absoluteCentres;
     if (const Code& code = block.code(GGroup::retract); code.given())
@@ -121,6 +157,9 @@ bool Interpreter::modes(const Block& block) {
                           : code.number == gcode::exactStop ? PathMode::exactStop
                                                             : PathMode::blend;
         state_.blendTolerance = block.word('P').given() ? block.word('P').value * state_.length : 0.0;
+        const Word& merge = block.word('Q'); // without it P counts for both (convert_control_mode of LinuxCNC)
+        state_.mergeTolerance = merge.given() ? merge.value * state_.length : state_.blendTolerance;
+        note(NcSettingKind::pathControl, static_cast<int>(state_.pathMode));
     }
     return true;
 }

@@ -52,6 +52,11 @@ private:
     bool machineFrame(const Block& block);
     bool stop(const Block& block);
 
+    bool carryOut(const Block& block);
+    /// What a fault may be the consequence of.
+    void nameCauses(BlockFault& fault) const;
+    /// Notes what the block sets, for who looks for causes.
+    void note(NcSettingKind kind, int value);
     bool target(const Block& block, glm::dvec3& place, std::array<bool, 3>& known);
     PartialPlace axisWords(const Block& block) const;
     int motionOf(const Block& block) const noexcept;
@@ -61,6 +66,9 @@ private:
     MotionWriter writer_;
     CannedCycles cycles_;
     BlockFault* fault_ = nullptr;
+    std::uint32_t line_ = 0;
+    std::array<std::uint32_t, 3> setOn_{}; ///< by axis, the line that last moved it
+    std::uint32_t incrementalSince_ = 0;   ///< line of the G91 in force; 0: G90 is
 };
 
 } // namespace burin

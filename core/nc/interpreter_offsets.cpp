@@ -29,6 +29,7 @@ bool Interpreter::lengthOffset(const Block& block) {
         state_.frames.setLengthOffset(number,
                                       number == 0 ? std::optional<double>(0.0) : state_.frames.lengthOf(number));
     }
+    note(NcSettingKind::lengthOffset, state_.frames.lengthOffsetNumber());
     return true;
 }
 
@@ -46,6 +47,7 @@ bool Interpreter::workOffset(const Block& block) {
         number = furtherOffsetsBegin + code.number / 10 - 109;
     }
     state_.frames.setWorkOffset(number);
+    note(NcSettingKind::workOffset, number);
     return true;
 }
 
@@ -126,6 +128,8 @@ bool Interpreter::home(const Block& block, const Code& code) {
 }
 
 bool Interpreter::shift(const Block& block, const Code& code) {
+    const bool sets = code.number != gcode::dropShift && code.number != gcode::pauseShift;
+    note(NcSettingKind::shift, sets ? 1 : 0);
     switch (code.number) {
     case gcode::shift:
     case gcode::localShift:

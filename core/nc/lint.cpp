@@ -88,6 +88,7 @@ private:
         }
         afterRun(marks);
         interpreter_.program.motions.clear();
+        interpreter_.program.settings.clear();
     }
 
     void beforeRun() {

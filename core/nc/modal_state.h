@@ -26,6 +26,7 @@ struct ModalState {
     bool unitsStated = false;
     PathMode pathMode = PathMode::machine;
     double blendTolerance = 0.0; ///< mm; 0: without limit
+    double mergeTolerance = 0.0; ///< mm; 0: lines are not merged
     FeedMode feedMode = FeedMode::perMinute;
     double feed = 0.0;         ///< mm/min, 1/min, or mm per turn
     double spindleSpeed = 0.0; ///< 1/min

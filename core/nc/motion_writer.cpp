@@ -27,6 +27,7 @@ NcMotion& MotionWriter::move(NcMotionKind kind, const glm::dvec3& target, const 
     motion.feedMode = state_.feedMode;
     motion.pathMode = state_.pathMode;
     motion.blendTolerance = state_.blendTolerance;
+    motion.mergeTolerance = state_.mergeTolerance;
     motion.mist = state_.mist;
     motion.flood = state_.flood;
     motion.fromKnown = state_.frames.known();

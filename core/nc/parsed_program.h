@@ -50,6 +50,7 @@ struct NcMotion {
     double spindleSpeed = 0.0;    ///< 1/min
     PathMode pathMode = PathMode::machine;
     double blendTolerance = 0.0; ///< mm, of PathMode::blend; 0: without limit
+    double mergeTolerance = 0.0; ///< mm, of the same: by which lines may be off one that replaces them; 0: none are
     int tool = 0;                ///< loaded
     int lengthOffset = 0;        ///< H number in force; 0: none, -1: one that the program itself states (G43.1)
     int workOffset = 54;         ///< 54 … 59; 591 … 593: G59.1 … G59.3; 1000 + n: G54.1 Pn, G154 Pn
@@ -68,9 +69,30 @@ struct NcMotion {
     ArcTurn turn() const noexcept;
 };
 
+/// Words that stay in force: of what a finding may be the consequence, many lines before it.
+enum class NcSettingKind : std::uint8_t {
+    toolSelected, ///< T; value: its number
+    toolChange,   ///< M6, M61; value: the number
+    spindle,      ///< M3, M4, M5; value: SpindleState
+    lengthOffset, ///< G43, G43.1, G49; value: as NcMotion::lengthOffset
+    workOffset,   ///< G54 …; value: as NcMotion::workOffset
+    shift,        ///< G52, G92 … G92.3; value: 1 where a shift may be in force behind it
+    distance,     ///< G90, G91; value: 1 where distances are incremental
+    pathControl   ///< G61, G61.1, G64 of a control that blends; value: PathMode
+};
+
+/// A line that sets one of them.
+struct NcSetting {
+    NcSettingKind kind = NcSettingKind::toolChange;
+    int value = 0;
+    std::uint32_t line = 0;  ///< of the text, from 1
+    std::size_t motions = 0; ///< so many stand before it
+};
+
 /// What a program does, read back from its text.
 struct ParsedProgram {
     std::vector<NcMotion> motions;
+    std::vector<NcSetting> settings;  ///< in the order in which they come into force
     std::size_t blocks = 0;           ///< lines that hold at least one word
     double maximumSpindleSpeed = 0.0; ///< 1/min
     int workOffset = 54;              ///< in force at the end, numbered as in NcMotion

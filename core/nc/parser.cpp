@@ -11,10 +11,22 @@
 namespace burin {
 namespace {
 
+/// Lines that a fault may be the consequence of: "; its start is set by line 145 and line 146".
+std::string causesOf(const BlockFault& fault) {
+    std::string text;
+    const auto [first, second] = std::minmax(fault.starts[0], fault.starts[1]);
+    if (second != 0) text += "; its start is set by line " + std::to_string(second);
+    if (first != 0 && first != second) text += " and line " + std::to_string(first);
+    if (fault.incrementalSince != 0)
+        text += "; distances are incremental since line " + std::to_string(fault.incrementalSince);
+    return text;
+}
+
 Error syntaxError(const std::string& origin, std::uint32_t line, std::string_view text, const BlockFault& fault) {
     std::string detail(wordingOf(fault.problem));
     const std::string words = fault.length > 1 ? shownWords(text, fault.column - 1, fault.length) : std::string();
     if (!words.empty()) detail += ": " + words;
+    detail += causesOf(fault);
     return Error{ErrorCode::programSyntax, origin,
                  "line " + std::to_string(line) + ", column " + std::to_string(fault.column), std::move(detail)};
 }

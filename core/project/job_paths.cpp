@@ -253,4 +253,35 @@ Result<EvaluatedPath> evaluateInJob(const Project& project, const Bench& bench, 
     return *milled->back().evaluated;
 }
 
+Result<std::vector<Path>> promisedPaths(const Project& project, const Bench& bench, Progress& progress) {
+    const Result<std::vector<StoredPath>> paths = project.paths();
+    if (!paths) return paths.error();
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    std::vector<PathMatter> matters;
+    std::vector<StoredPath> variants;
+    for (StoredPath path : *paths) {
+        if (toolOf(path, *takes).empty()) continue;
+        addNewerTakes(path, *takes); // as programs are posted
+        if (!isFirstOfItsTool(path, *paths, *takes)) {
+            variants.push_back(std::move(path));
+            continue;
+        }
+        Result<PathMatter> matter = matterOf(project, path);
+        if (!matter) return std::move(matter).error();
+        matters.push_back(std::move(*matter));
+    }
+    if (matters.empty()) return std::vector<Path>{};
+    Result<EvaluatedPaths> job = evaluateInOrder(bench, std::move(matters), progress);
+    if (!job && job.error().code != ErrorCode::pathEmpty) return std::move(job).error();
+    std::vector<Path> promised;
+    if (job) promised = std::move(job->program.paths);
+    for (const StoredPath& variant : variants) {
+        Result<EvaluatedPath> evaluated = evaluateInJob(project, bench, variant, progress);
+        if (!evaluated && evaluated.error().code != ErrorCode::pathEmpty) return std::move(evaluated).error();
+        if (evaluated) promised.push_back(std::move(evaluated->path));
+    }
+    return promised;
+}
+
 } // namespace burin

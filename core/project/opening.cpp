@@ -9,8 +9,10 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <fcntl.h>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 
@@ -158,11 +160,12 @@ Result<OpenedCopy> startFrom(std::shared_ptr<WorkingCopy> copy, SavedFile& saved
     return OpenedCopy{std::move(copy), std::move(*database), false, {}};
 }
 
-/// What was opened, for reading alone. Of an older version a copy in memory is brought up to date.
-Result<OpenedCopy> forReading(Database database, bool recovered) {
+/// What was opened, for reading alone: as a copy in memory where it is not to be kept open, and where it is of an older
+/// version, which is brought up to date.
+Result<OpenedCopy> forReading(Database database, bool recovered, bool inMemory) {
     const Result<std::int64_t> version = database.integer("PRAGMA user_version");
     if (!version) return version.error();
-    if (*version != projectVersion) {
+    if (inMemory || *version != projectVersion) {
         Result<Database> memory = Database::inMemory(database.subject());
         if (!memory) return std::move(memory).error();
         if (Result<void> copied = copyDatabase(database, *memory); !copied) return std::move(copied).error();
@@ -176,18 +179,28 @@ Result<OpenedCopy> forReading(Database database, bool recovered) {
 Result<OpenedCopy> savedForReading(const fs::path& file) {
     Result<SavedFile> saved = openSaved(file);
     if (!saved) return std::move(saved).error();
-    return forReading(std::move(saved->database), false);
+    return forReading(std::move(saved->database), false, false);
 }
 
-/// Unsaved work as it was left, which stays as it is.
-Result<OpenedCopy> leftForReading(std::shared_ptr<WorkingCopy> copy) {
-    Result<Database> database = copy->connectForReading();
+/// Unsaved work as it was left, which stays as it is. Nobody has to wait until its reader is done.
+Result<OpenedCopy> leftForReading(const WorkingCopy& copy) {
+    Result<Database> database = copy.connectForReading();
     if (!database) return std::move(database).error();
     if (Result<void> ours = checkForm(*database); !ours) return std::move(ours).error();
     if (Result<void> sound = database->quickCheck(); !sound) return std::move(sound).error();
-    Result<OpenedCopy> opened = forReading(std::move(*database), true);
-    if (opened) opened->lock = std::move(copy);
-    return opened;
+    return forReading(std::move(*database), true, true);
+}
+
+/// Waits while others only read what was left, which takes them moments. Errors: as WorkingCopy::lock.
+Result<std::shared_ptr<WorkingCopy>> lockForReading(const fs::path& file) {
+    constexpr int attempts = 100;
+    for (int attempt = 1;; ++attempt) {
+        Result<std::shared_ptr<WorkingCopy>> locked = WorkingCopy::lock(file, WorkingCopy::Purpose::reading);
+        const bool waits = !locked && locked.error().code == ErrorCode::projectInUse &&
+                           WorkingCopy::isReading(locked.error()) && attempt < attempts;
+        if (!waits) return locked;
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
 }
 
 /// Another version's copy must never be judged, let alone moved, by this one.
@@ -322,11 +335,14 @@ Result<OpenedCopy> openWorkingCopy(const fs::path& file) {
 
 Result<OpenedCopy> openForReading(const fs::path& file) {
     if (const Result<void> reached = checkReached(file); !reached) return reached.error();
-    Result<std::shared_ptr<WorkingCopy>> locked = WorkingCopy::lock(file);
-    // Without work that was left there is nothing that a lock is needed for.
-    if (!locked && locked.error().code != ErrorCode::projectInUse && stands(file) &&
-        (isProtected(file) || !stands(WorkingCopy::pathBeside(file))))
-        return savedForReading(file);
+    // A save puts a whole file in the place of another: only work that was left needs a lock.
+    const bool left = stands(WorkingCopy::pathBeside(file)) || stands(Companions::unshortened(file).working);
+    if (stands(file) && !left) return savedForReading(file);
+    Result<std::shared_ptr<WorkingCopy>> locked = lockForReading(file);
+    // Who works on the project shows what is saved; who reads what was left would show something else.
+    const bool inUse = !locked && locked.error().code == ErrorCode::projectInUse;
+    if (inUse && stands(file) && !WorkingCopy::isReading(locked.error())) return savedForReading(file);
+    if (!locked && !inUse && stands(file) && isProtected(file)) return savedForReading(file);
     std::shared_ptr<WorkingCopy> copy = locked                                       ? std::move(*locked)
                                         : locked.error().code == ErrorCode::diskFull ? WorkingCopy::withoutLock(file)
                                                                                      : nullptr;
@@ -334,22 +350,20 @@ Result<OpenedCopy> openForReading(const fs::path& file) {
     if (locked) copy->removeAbandonedParts();
     if (Result<void> readable = checkLeftoverVersion(*copy); !readable) return std::move(readable).error();
 
-    if (!stands(file)) return leftForReading(std::move(copy));
+    if (!stands(file)) return leftForReading(*copy);
     Result<SavedFile> saved = openSaved(file);
     if (!saved) {
         const bool salvage = saved.error().code == ErrorCode::fileDamaged && copy->exists() && copy->state();
-        return salvage ? leftForReading(std::move(copy)) : std::move(saved).error();
+        return salvage ? leftForReading(*copy) : std::move(saved).error();
     }
     const Result<Leftover> leftover = judge(*copy, saved->state);
     if (!leftover) return leftover.error();
     if (*leftover == Leftover::belongsToFile) {
-        Result<OpenedCopy> left = leftForReading(copy);
-        if (left || !isDamage(left.error())) return left;
+        Result<OpenedCopy> unsaved = leftForReading(*copy);
+        if (unsaved || !isDamage(unsaved.error())) return unsaved;
     }
     if (*leftover == Leftover::holdsNothingNew) copy->abandon();
-    Result<OpenedCopy> opened = forReading(std::move(saved->database), false);
-    if (opened) opened->lock = std::move(copy);
-    return opened;
+    return forReading(std::move(saved->database), false, false);
 }
 
 } // namespace burin

@@ -9,6 +9,7 @@
 #include "core/path/milling_side.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -112,14 +113,24 @@ Result<void> checkLength(const ParsedProgram& program, const std::string& origin
     return {};
 }
 
+constexpr std::string_view authored = "path authored by hand"; // some dialects write it in capitals
+
 } // namespace
+
+bool isPosted(std::string_view text) {
+    constexpr std::size_t header = 4000; // characters
+    const std::string_view head = text.substr(0, header);
+    return !std::ranges::search(head, authored, [](char a, char b) {
+                return std::tolower(static_cast<unsigned char>(a)) == b;
+            }).empty();
+}
 
 std::vector<std::string> programHeader(const Bench& bench, const std::vector<Tool>& tools) {
     const auto length = [](double value) { return formatFixed(value, 3); };
     const auto place = [&](const glm::dvec3& v) { return "X" + length(v.x) + " Y" + length(v.y) + " Z" + length(v.z); };
     const Box& stock = bench.setup.stock;
     std::vector<std::string> lines;
-    lines.push_back("Burin: path authored by hand, checked by re-simulation before export");
+    lines.push_back("Burin: " + std::string(authored) + ", checked by re-simulation before export");
     if (!bench.model->sourceFile.empty())
         lines.push_back("Part: " + std::filesystem::path(bench.model->sourceFile).filename().string());
     lines.push_back("Stock: " + bench.setup.stockMaterial + ", size " + place(stock.size()) + " mm");
@@ -244,7 +255,8 @@ Result<CheckedProgram> overrideCheck(CheckedProgram program, const std::string& 
     if (!parsed) return std::move(parsed).error();
     const auto lines = [](const std::string& all) { return std::ranges::count(all, '\n'); };
     const auto added = static_cast<std::uint32_t>(lines(*text) - lines(program.text));
-    for (Finding& finding : program.report.findings) finding.line += added;
+    for (Finding& finding : program.report.findings)
+        if (finding.line > 0) finding.line += added;
     for (Finding& warning : program.report.warnings) warning.line += added;
     for (NearPass& pass : program.report.nearPasses) pass.line += added;
     for (MotionLoad& load : program.report.loads) load.line += added;
@@ -263,6 +275,7 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     if (Result<void> checkable = checkLength(*parsed, origin); !checkable) return std::move(checkable).error();
     VerifyRequest verification;
     verification.program = &*parsed;
+    verification.control = &control;
     verification.model = bench.model.get();
     verification.part = &bench.part;
     verification.setup = bench.setup;
@@ -275,7 +288,7 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     CheckedProgram checked;
     checked.tools = std::move(*tools);
     verification.tool = checked.tools.front();
-    if (checked.tools.size() > 1) verification.tools = checked.tools;
+    if (!request.tools.empty() && !request.anyNumber) verification.tools = checked.tools;
     if (request.before) {
         Result<std::vector<Tool>> before = toolsMeant(*request.before, bench, request);
         if (!before) return std::move(before).error();
@@ -284,6 +297,8 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     }
     verification.machine = bench.machine;
     verification.gougeTolerance = request.gougeTolerance;
+    verification.excessTolerance = request.excessTolerance;
+    verification.promised = request.promised.get();
     verification.exactSamples = request.exactSamples;
     verification.import = request.import;
     Result<VerifyReport> report = verify(verification, progress, &checked.machined);

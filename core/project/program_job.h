@@ -37,9 +37,13 @@ struct ProgramRequest {
     std::size_t exactSamples = 500;
     NcUnits units = NcUnits::millimetre; ///< of the program's text
     ImportOptions import;                ///< worker for the exact distances
-    /// Tools that a program may call by their numbers; one: whatever it calls. The bench's where it calls none, or
-    /// where there are none.
+    /// Tools that a program may call by their numbers. The bench's where it calls none; where there are none, whatever
+    /// it calls.
     std::vector<Tool> tools;
+    /// That the program is to follow, setup frame; null: none is known.
+    std::shared_ptr<const std::vector<Path>> promised{};
+    double excessTolerance = 0.1; ///< mm, as VerifyRequest::excessTolerance
+    bool anyNumber = false;       ///< the one of `tools` is meant by whatever number the program calls
     /// Why a program that its check refuses is wanted all the same, in the user's words; they and what was found stand
     /// in the program's header then. Empty: it is not wanted.
     std::string overrideReason;
@@ -76,6 +80,9 @@ struct ProgramPaths {
 
 /// Comment lines that a program of these tools begins with: part, stock, zero, tools.
 std::vector<std::string> programHeader(const Bench& bench, const std::vector<Tool>& tools);
+
+/// Whether a text says in its header that Burin posted it: it is then to follow the project's paths.
+bool isPosted(std::string_view text);
 
 /// Posts paths, reads the text back with Burin's own parser and re-simulates it. What is not `released` must not reach
 /// a machine. Errors: those of toProgram, the dialect, parseProgram and verify.

@@ -37,8 +37,11 @@ std::string ownerIn(int descriptor) {
     return size > 0 ? std::string(text.data(), static_cast<std::size_t>(size)) : std::string("another process");
 }
 
-void writeOwner(int descriptor) {
-    const std::string owner = "process " + std::to_string(::getpid());
+constexpr std::string_view reading = ", reading";
+
+void writeOwner(int descriptor, WorkingCopy::Purpose purpose) {
+    std::string owner = "process " + std::to_string(::getpid());
+    if (purpose == WorkingCopy::Purpose::reading) owner += reading;
     // Only for the message that another process shows; the lock holds without it.
     if (::ftruncate(descriptor, 0) != 0 || ::pwrite(descriptor, owner.data(), owner.size(), 0) < 0) return;
 }
@@ -133,12 +136,16 @@ Result<void> finishAsProject(Database& database) {
 
 WorkingCopy::WorkingCopy(fs::path file, int lockDescriptor) : file_(std::move(file)), lock_(lockDescriptor) {}
 
-Result<std::shared_ptr<WorkingCopy>> WorkingCopy::lock(const fs::path& file) {
+bool WorkingCopy::isReading(const Error& inUse) {
+    return inUse.detail.ends_with(reading);
+}
+
+Result<std::shared_ptr<WorkingCopy>> WorkingCopy::lock(const fs::path& file, Purpose purpose) {
     const Result<int> descriptor = lockedDescriptor(file, Companions::of(file).lock);
     if (!descriptor) return descriptor.error();
     std::shared_ptr<WorkingCopy> copy(new WorkingCopy(file, *descriptor));
     if (Result<void> ours = copy->takeOldNames(); !ours) return std::move(ours).error();
-    writeOwner(copy->lock_);
+    writeOwner(copy->lock_, purpose);
     std::error_code none;
     if (fs::exists(fs::symlink_status(copy->path(), none)) && !isRegular(copy->path()))
         return notOurs(file, copy->path());

@@ -20,7 +20,11 @@ class WorkingCopy {
 public:
     /// A lock or a copy that is a link, or no regular file, is not ours and is not touched.
     /// Errors: projectInUse, fileNotWritable, diskFull.
-    static Result<std::shared_ptr<WorkingCopy>> lock(const std::filesystem::path& file);
+    enum class Purpose : std::uint8_t { working, reading };
+    static Result<std::shared_ptr<WorkingCopy>> lock(const std::filesystem::path& file,
+                                                     Purpose purpose = Purpose::working);
+    /// Of a projectInUse: whether its lock is held by one who only reads work that was left.
+    static bool isReading(const Error& inUse);
     /// For looking at what was left on a disk that has no room for a lock, which nobody else has either. Nothing is
     /// ever removed. Null: somebody has a lock.
     static std::shared_ptr<WorkingCopy> withoutLock(const std::filesystem::path& file);

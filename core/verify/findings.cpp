@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/findings.h"
 
+#include <cmath>
+
 namespace burin {
 
 void Findings::add(FindingKind kind, std::uint32_t line, const glm::dvec3& place, double amount) {
@@ -10,7 +12,13 @@ void Findings::add(FindingKind kind, std::uint32_t line, const glm::dvec3& place
 
 void Findings::add(const Finding& finding) {
     const auto [entry, isNew] = worst_.try_emplace({finding.line, finding.kind}, finding);
-    if (!isNew && finding.amount > entry->second.amount) entry->second = finding;
+    if (!isNew && isWorse(finding, entry->second)) entry->second = finding;
+}
+
+bool isWorse(const Finding& one, const Finding& other) noexcept {
+    if (one.kind == FindingKind::allowanceDiffers)
+        return std::abs(one.amount - one.limit) > std::abs(other.amount - other.limit);
+    return one.amount > other.amount;
 }
 
 std::vector<Finding> Findings::inProgramOrder() const {
@@ -58,6 +66,28 @@ const char* idOf(FindingKind kind) {
         return "width_of_cut";
     case FindingKind::centrePlunge:
         return "plunge_without_centre";
+    case FindingKind::toolUnknown:
+        return "tool_unknown";
+    case FindingKind::toolNotLoaded:
+        return "tool_not_loaded";
+    case FindingKind::lengthOffsetMissing:
+        return "length_offset_missing";
+    case FindingKind::lengthOffsetOfOther:
+        return "length_offset_of_another_tool";
+    case FindingKind::workOffsetOther:
+        return "other_work_offset";
+    case FindingKind::spindleReversed:
+        return "spindle_reversed";
+    case FindingKind::cornerGouge:
+        return "corner_gouge";
+    case FindingKind::cornerExcess:
+        return "corner_excess";
+    case FindingKind::allowanceDiffers:
+        return "allowance_differs";
+    case FindingKind::partNotProtected:
+        return "part_not_protected";
+    case FindingKind::partNotReached:
+        return "part_not_reached";
     }
     return "unknown";
 }
@@ -72,6 +102,9 @@ const char* unitOf(FindingKind kind) {
     case FindingKind::depthOfCut:
     case FindingKind::widthOfCut:
     case FindingKind::centrePlunge:
+    case FindingKind::cornerGouge:
+    case FindingKind::cornerExcess:
+    case FindingKind::allowanceDiffers:
         return "mm";
     case FindingKind::spindlePower:
         return "W";
@@ -87,8 +120,16 @@ const char* unitOf(FindingKind kind) {
     case FindingKind::feedLimit:
         return "mm/min";
     case FindingKind::spindleLimit:
+    case FindingKind::spindleReversed:
         return "1/min";
     case FindingKind::unknownStart:
+    case FindingKind::toolUnknown:
+    case FindingKind::toolNotLoaded:
+    case FindingKind::lengthOffsetMissing:
+    case FindingKind::lengthOffsetOfOther:
+    case FindingKind::workOffsetOther:
+    case FindingKind::partNotProtected:
+    case FindingKind::partNotReached:
         break;
     }
     return "";
@@ -131,6 +172,27 @@ TextId remedyOf(FindingKind kind) {
         return BURIN_TEXT("Finding", "use a smaller step-over");
     case FindingKind::centrePlunge:
         return BURIN_TEXT("Finding", "begin beside the material, or use a centre-cutting tool");
+    case FindingKind::toolUnknown:
+        return BURIN_TEXT("Finding", "add the tool to the project with this number, or correct the number");
+    case FindingKind::toolNotLoaded:
+        return BURIN_TEXT("Finding", "load the tool with M6 before this move");
+    case FindingKind::lengthOffsetMissing:
+        return BURIN_TEXT("Finding", "state G43 and the tool's H number after the tool change");
+    case FindingKind::lengthOffsetOfOther:
+        return BURIN_TEXT("Finding", "state the H number of the tool in the spindle");
+    case FindingKind::workOffsetOther:
+        return BURIN_TEXT("Finding", "state the work offset in which the project's zero is stored");
+    case FindingKind::spindleReversed:
+        return BURIN_TEXT("Finding", "state M3: the tool is right-handed");
+    case FindingKind::cornerGouge:
+    case FindingKind::cornerExcess:
+        return BURIN_TEXT("Finding", "state a small tolerance with G64 P, or G61");
+    case FindingKind::allowanceDiffers:
+        return BURIN_TEXT("Finding", "correct the shift or the coordinates, or post the path again");
+    case FindingKind::partNotProtected:
+        return BURIN_TEXT("Finding", "choose smaller voxels");
+    case FindingKind::partNotReached:
+        return BURIN_TEXT("Finding", "use a smaller or longer tool, or clamp the part another way up");
     }
     return {};
 }

@@ -13,6 +13,9 @@ namespace burin {
 /// What the user can do about a finding: the end of a sentence, marked for translation.
 TextId remedyOf(FindingKind kind);
 
+/// Of two findings of one kind the one to be shown.
+bool isWorse(const Finding& one, const Finding& other) noexcept;
+
 /// Collects findings; of each kind and program line only the worst is kept.
 class Findings {
 public:

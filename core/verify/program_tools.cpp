@@ -20,12 +20,6 @@ int firstNumber(const ParsedProgram& program) {
     return 0;
 }
 
-Error unknown(int number, const std::vector<Tool>& tools) {
-    std::string there;
-    for (const Tool& tool : tools) there += (there.empty() ? "T" : ", T") + std::to_string(tool.number);
-    return {ErrorCode::nameUnknown, "tool", "T" + std::to_string(number), there};
-}
-
 } // namespace
 
 Result<ProgramTools> toolsOf(const VerifyRequest& request) {
@@ -41,15 +35,23 @@ Result<ProgramTools> toolsOf(const VerifyRequest& request) {
                 return Error{ErrorCode::notSupported, "a program with a tool change", "one program a tool", {}};
             const auto tool = std::find_if(request.tools.begin(), request.tools.end(),
                                            [&](const Tool& one) { return one.number == number; });
-            if (!request.tools.empty() && tool == request.tools.end() && number != 0)
-                return unknown(number, request.tools);
+            if (!request.tools.empty() && tool == request.tools.end() && number != 0) break;
             result.tools.push_back(tool != request.tools.end() ? *tool : request.tool);
             place = places.emplace(number, static_cast<std::uint16_t>(result.tools.size() - 1)).first;
         }
         result.ofMotion.push_back(place->second);
     }
+    result.known = result.ofMotion.size();
+    result.ofMotion.resize(program.motions.size());
     if (result.tools.empty()) result.tools.push_back(request.tool);
     return result;
+}
+
+Error unknownTool(const VerifyRequest& request, const ProgramTools& tools) {
+    std::string there;
+    for (const Tool& tool : request.tools) there += (there.empty() ? "T" : ", T") + std::to_string(tool.number);
+    const int number = numberOf(request.program->motions[tools.known], firstNumber(*request.program));
+    return {ErrorCode::nameUnknown, "tool", "T" + std::to_string(number), there};
 }
 
 } // namespace burin

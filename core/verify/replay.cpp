@@ -71,7 +71,10 @@ private:
         Box reach;
         for (std::size_t i = 0; i < (guards ? tool.stack.size() : tool.fluteCount); ++i) {
             Box piece = SweptPiece(tool.stack[i], from, to, axis).bounds();
-            if (i >= tool.fluteCount) piece = piece.grown(tool.near);
+            if (i >= tool.fluteCount)
+                piece = piece.grown(tool.near);
+            else if (move.rapid)
+                piece = piece.grown(grid_.edge()); // what it may graze
             if (piece.low.z < top) reach.include(piece);
         }
         if (reach.empty()) return {};
@@ -166,7 +169,7 @@ void tellPasses(const std::vector<RowResult>& rows, const std::vector<ToolMove>&
 
 Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
                                     RunVolume& workpiece, Findings& findings, Progress& progress, NearWatch near,
-                                    std::vector<StepCut>* steps) {
+                                    std::vector<StepCut>* steps, const ExactStock* exact) {
     const Grid& grid = workpiece.grid();
     std::vector<ReplayTool> replayTools;
     for (const Tool& tool : tools)
@@ -178,7 +181,8 @@ Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::spa
         const auto place = static_cast<std::size_t>(row);
         if (turns.of(place).empty() || progress.cancelled()) return;
         RowStock stock(workpiece, row);
-        rows[place] = RowReplay(stock, grid, moves, replayTools, steps != nullptr).run(turns.of(place), progress);
+        rows[place] = RowReplay(stock, grid, moves, replayTools, steps != nullptr, exact != nullptr)
+                          .run(turns.of(place), progress);
         BrickLines lines(grid.lineEnd());
         for (std::int32_t brick = 0; brick < stock.brickCount(); ++brick) {
             if (!stock.isCut(brick)) continue;
@@ -191,6 +195,11 @@ Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::spa
     if (!written) return Error{ErrorCode::volumeOutOfMemory, std::to_string(workpiece.reservedBytes()), {}, {}};
     std::vector<MoveCut> cuts = sumsOf(rows, moves.size(), grid);
     for (std::size_t i = 0; i < moves.size(); ++i) judgeRemoval(moves[i], cuts[i], findings);
+    if (exact != nullptr) {
+        std::vector<GrazedLine> grazed;
+        for (const RowResult& row : rows) grazed.insert(grazed.end(), row.grazed.begin(), row.grazed.end());
+        judgeGrazes(grazed, moves, tools, grid, *exact, findings);
+    }
     judgeContacts(rows, moves, tools, grid, findings);
     if (steps != nullptr) *steps = stepsOf(rows);
     if (near.passes != nullptr) tellPasses(rows, moves, tools, grid, *near.passes);

@@ -4,6 +4,7 @@
 
 #include "core/verify/findings.h"
 #include "core/verify/near_pass.h"
+#include "core/verify/rapid_graze.h"
 #include "core/verify/step_meter.h"
 #include "core/verify/tool_moves.h"
 
@@ -29,9 +30,11 @@ struct NearWatch {
 /// how many. What it takes is what the moves take one by one: each is swept exactly.
 /// @param tools those that ToolMove::tool counts
 /// @param steps what the feed moves met, step by step, rising; null: nobody asks
+/// @param exact the workpiece by formula, for rapids that graze it by less than a voxel (judgeGrazes); null: nobody
+/// asks
 /// @return by move. Errors: volumeOutOfMemory, cancelled.
 Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
                                     RunVolume& workpiece, Findings& findings, Progress& progress, NearWatch near = {},
-                                    std::vector<StepCut>* steps = nullptr);
+                                    std::vector<StepCut>* steps = nullptr, const ExactStock* exact = nullptr);
 
 } // namespace burin

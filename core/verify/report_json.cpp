@@ -89,8 +89,8 @@ json jsonOf(const Finding& finding) {
     if (finding.limit > 0.0) {
         entry["limit"] = finding.limit;
         entry["unit"] = unitOf(finding.kind);
-        entry["count"] = finding.count;
     }
+    if (finding.limit > 0.0 || finding.count > 1) entry["count"] = finding.count;
     return entry;
 }
 

@@ -37,6 +37,7 @@ ReplayTool::ReplayTool(const Cutter& cutter, const Grid& grid, double nearDistan
     const glm::dvec3 axis = inLineFrame(grid, toolAxis);
     for (std::size_t i = 0; i < stack.size(); ++i) {
         if (i < fluteCount) {
+            wider.push_back(thickened(stack[i], 0.75 * grid.edge())); // to the corners of a line's square
             fluteRadius = std::max(fluteRadius, stack[i].widestRadius());
             continue;
         }
@@ -85,6 +86,7 @@ void RowReplay::make(std::uint32_t number) {
             tip = next;
         }
     }
+    if (grazes_ && move.rapid && tool.upright) lookGrazed(tool, from, to, number);
     if (removed.units > 0) result_.cuts.push_back({number, removed});
     if (metered_) meter_.finish(result_.steps);
     if (tool.near > 0.0 && result_.contacts.size() == contacts) lookNear(tool, from, to, number);
@@ -172,6 +174,19 @@ void RowReplay::cutSwept(const ReplayTool& tool, const glm::dvec3& from, const g
         forEachSpanInRows(SweptPiece(tool.stack[i], from, to, axis), grid_, rows(), cut);
         if (brick >= 0) stock_.settle(brick);
     }
+}
+
+void RowReplay::lookGrazed(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, std::uint32_t number) {
+    if (std::min(from.z, to.z) - inLineFrame(grid_, grid_.low()).z >= reach_ * grid_.edge() / unitsPerVoxel) return;
+    for (const RevolvedPiece& piece : tool.wider)
+        forEachSpanInRows(SweptPiece(piece, from, to), grid_, rows(),
+                          [&](LineIndex line, RunPosition low, RunPosition high) {
+                              UnitSum here;
+                              if (static_cast<std::int32_t>(low) < stock_.brickReach(line.u / brickSide) &&
+                                  stock_.overlap(line, low, high, here) > 0)
+                                  result_.grazed.push_back({number, line});
+                              return true;
+                          });
 }
 
 bool RowReplay::mayTouch(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to) const {

@@ -5,6 +5,7 @@
 #include "core/base/progress.h"
 #include "core/cutting/footprint.h"
 #include "core/verify/cut_filter.h"
+#include "core/verify/rapid_graze.h"
 #include "core/verify/row_stock.h"
 #include "core/verify/step_meter.h"
 #include "core/verify/tool_moves.h"
@@ -21,6 +22,7 @@ struct ReplayTool {
 
     std::vector<RevolvedPiece> stack; ///< pieces(cutter)
     std::size_t fluteCount = 0;       ///< so many of them, from the tip, cut
+    std::vector<RevolvedPiece> wider; ///< the flutes and all that is less than a voxel beside them
     double fluteRadius = 0.0;         ///< mm, widest
     double guardBottom = 0.0;         ///< mm along the runs from the tip: shank and holder reach no lower
     bool upright = true;              ///< the axis lies along the runs
@@ -50,7 +52,8 @@ struct RowResult {
     std::vector<MoveUnits> cuts;
     std::vector<StockPass> passes;
     std::vector<StepContact> contacts;
-    std::vector<StepCut> steps; ///< of the feed moves, where they are asked for; rising move and step
+    std::vector<GrazedLine> grazed; ///< of rapids, where the tool is upright
+    std::vector<StepCut> steps;     ///< of the feed moves, where they are asked for; rising move and step
 };
 
 /// Distances to stock are told to so much, mm, beside what the runs themselves know it to.
@@ -64,16 +67,17 @@ inline constexpr double passResolution = 1.0 / 32.0;
 /// most a voxel, each cut before it is looked at.
 class RowReplay {
 public:
-    /// @param meters whether RowResult::steps is asked for
+    /// @param meters whether RowResult::steps is asked for  @param grazes the same of RowResult::grazed
     RowReplay(RowStock& stock, const Grid& grid, std::span<const ToolMove> moves, std::span<const ReplayTool> tools,
-              bool meters = false)
+              bool meters = false, bool grazes = false)
         : stock_(stock)
         , grid_(grid)
         , moves_(moves)
         , tools_(tools)
         , reach_(stock.reach())
         , meter_(grid)
-        , meters_(meters) {}
+        , meters_(meters)
+        , grazes_(grazes) {}
 
     /// @param turns places in the moves, rising
     RowResult run(std::span<const std::uint32_t> turns, const Progress& progress);
@@ -88,6 +92,7 @@ private:
     void cutSwept(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed);
     void take(LineIndex line, RunPosition from, RunPosition to, UnitSum& removed);
     void cutBrick(std::int32_t brick, std::uint64_t lines, UnitSum& removed);
+    void lookGrazed(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, std::uint32_t number);
     bool mayTouch(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to) const;
     bool touches(const SweptPiece& piece, RunPosition tolerance) const;
     void lookNear(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, std::uint32_t number);
@@ -105,7 +110,8 @@ private:
     std::int32_t reach_;        ///< run units, of all that the row holds
     std::vector<Flute> flutes_; ///< of the move
     StepMeter meter_;
-    bool meters_;          ///< asked for at all
+    bool meters_; ///< asked for at all
+    bool grazes_;
     bool metered_ = false; ///< of this move
     RowResult result_;
 };

@@ -4,6 +4,8 @@
 
 #include "core/base/units.h"
 #include "core/geometry/revolved_piece.h"
+#include "core/verify/causes.h"
+#include "core/verify/corner_cutting.h"
 #include "core/verify/deviation_map.h"
 #include "core/verify/excess.h"
 #include "core/verify/findings.h"
@@ -14,8 +16,11 @@
 #include "core/verify/near_pass.h"
 #include "core/verify/obstacles.h"
 #include "core/verify/outline.h"
+#include "core/verify/program_settings.h"
 #include "core/verify/program_tools.h"
+#include "core/verify/promised_path.h"
 #include "core/verify/replay.h"
+#include "core/verify/side_lines.h"
 #include "core/verify/tool_moves.h"
 
 #include <algorithm>
@@ -56,20 +61,36 @@ void markGouges(const std::vector<GougePlace>& places, double voxel, std::vector
     }
 }
 
+/// What the workpiece was milled with before.
+struct EarlierMoves {
+    std::vector<ToolMove> moves;
+    std::vector<Tool> tools;
+};
+
 /// Cuts what an earlier program cut; what was wrong with it is no fault of the one that is judged.
-Result<void> millBefore(const VerifyRequest& request, RunVolume& workpiece, Progress& progress) {
-    if (request.before == nullptr) return {};
+Result<EarlierMoves> millBefore(const VerifyRequest& request, RunVolume& workpiece, Progress& progress) {
+    if (request.before == nullptr) return EarlierMoves{};
     VerifyRequest earlier;
     earlier.program = request.before;
     if (request.toolsBefore.size() == 1) earlier.tool = request.toolsBefore.front();
     if (request.toolsBefore.size() > 1) earlier.tools = request.toolsBefore;
     const Result<ProgramTools> tools = toolsOf(earlier);
     if (!tools) return tools.error();
-    const std::vector<ToolMove> moves =
-        toolMoves(*request.before, request.setup.workOffset, request.machine, tools->ofMotion);
+    if (tools->known < request.before->motions.size()) return unknownTool(earlier, *tools);
+    EarlierMoves earlierMoves{toolMoves(*request.before, request.setup.workOffset, request.machine, tools->ofMotion),
+                              tools->tools};
     Findings unwanted;
-    const Result<std::vector<MoveCut>> cuts = replay(moves, tools->tools, workpiece, unwanted, progress);
-    return cuts ? Result<void>() : Result<void>(cuts.error());
+    const Result<std::vector<MoveCut>> cuts =
+        replay(earlierMoves.moves, earlierMoves.tools, workpiece, unwanted, progress);
+    if (!cuts) return cuts.error();
+    return earlierMoves;
+}
+
+void judgeProtection(const EmbeddedSetup& embedded, Findings& findings) {
+    double bodies = 0.0;
+    for (const EmbeddingFinding& finding : embedded.findings)
+        if (finding.kind == EmbeddingFinding::Kind::tooSmall)
+            findings.add(FindingKind::partNotProtected, 0, finding.place.centre(), ++bodies);
 }
 
 void take(const GougeJudgement& gouges, VerifyReport& report) {
@@ -137,16 +158,24 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     Result<EmbeddedSetup> embedded = embed(*request.model, request.setup, request.materials, progress);
     if (!embedded) return std::move(embedded).error();
     RunVolume& workpiece = embedded->workpiece;
-    if (Result<void> milled = millBefore(request, workpiece, progress); !milled) return std::move(milled).error();
+    const Result<EarlierMoves> earlier = millBefore(request, workpiece, progress);
+    if (!earlier) return earlier.error();
 
-    const std::vector<ToolMove> moves =
+    std::vector<ToolMove> moves =
         toolMoves(*request.program, request.setup.workOffset, request.machine, tools->ofMotion);
+    std::erase_if(moves, [&](const ToolMove& move) { return move.motion >= tools->known; });
     const std::vector<ShrunkOutline> outlines = outlinesFor(tools->tools, workpiece);
     Findings findings;
     VerifyReport report;
+    judgeSettings(request, findings);
     judgeLimits(moves, request.program->maximumSpindleSpeed, request.machine, request.travel, findings);
     if (Result<void> judged = judgeObstacles(moves, tools->tools, request, findings, progress); !judged)
         return std::move(judged).error();
+    if (Result<void> judged = judgeCorners(moves, tools->tools, request, findings, progress); !judged)
+        return std::move(judged).error();
+    const Result<PathComparison> comparison = comparePaths(moves, tools->tools, request, findings, progress);
+    if (!comparison) return comparison.error();
+    judgeProtection(*embedded, findings);
     NearPasses passes;
     if (Result<void> judged = judgeNearPasses(moves, tools->tools, request, passes, progress); !judged)
         return std::move(judged).error();
@@ -158,10 +187,13 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
 
     progress.stage(0.05, 0.4);
     std::vector<StepCut> steps;
+    const ExactStock exact{request.setup.stock, earlier->moves, earlier->tools};
+    const SideLines sides(workpiece, request.setup.stock);
     const Result<std::vector<MoveCut>> cuts =
-        replay(moves, tools->tools, workpiece, findings, progress, {request.nearDistance, &passes}, &steps);
+        replay(moves, tools->tools, workpiece, findings, progress, {request.nearDistance, &passes}, &steps, &exact);
     if (!cuts) return cuts.error();
     for (const MoveCut& cut : *cuts) report.removed += cut.volume;
+    report.removed += sides.removedBeside(workpiece);
     const ReplayedProgram replayed{request.program, &moves, &*cuts, &steps, tools->tools, &time, request.setup.voxel};
     judgeLoads(replayed, request, workpiece.properties(), embedded->stockProperty, findings, report);
     judgePlunges(replayed, findings);
@@ -179,8 +211,10 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     report.deviations = std::move(*deviations);
     markGouges(gouges->places, request.setup.voxel, report.deviations);
     summariseExcess(report);
+    if (!report.deviations.empty() && report.reachableShare == 0.0)
+        findings.add(FindingKind::partNotReached, 0, report.deviations.front().place, 0.0);
 
-    report.findings = findings.inProgramOrder();
+    report.findings = byCause(findings.inProgramOrder(), *request.program, *comparison);
     report.nearPasses = passes.byPlace();
     if (machined != nullptr) *machined = workpiece.snapshot();
     progress.report(1.0);

@@ -7,7 +7,9 @@
 #include "core/cad/import.h"
 #include "core/geometry/mesh_distance.h"
 #include "core/machine/machine_profile.h"
+#include "core/nc/control.h"
 #include "core/nc/parser.h"
+#include "core/path/path.h"
 #include "core/setup/obstacle.h"
 #include "core/setup/setup.h"
 #include "core/tool/tool.h"
@@ -30,14 +32,20 @@ struct VerifyRequest {
     std::vector<Obstacle> obstacles; ///< those that are on are judged
     Tool tool;                       ///< of every move, where `tools` is empty
     std::vector<Tool> tools;         ///< those that the program may call by their numbers; empty: it may call one alone
+    const Control* control = nullptr; ///< that reads the program; null: what depends on it is not judged
+    int workOffset = 54;              ///< that the setup's zero is kept in, as NcMotion::workOffset
     /// What the workpiece was milled with before, and the tools that it may call, as `tools`, or one for all. It is
     /// not judged. Null: the workpiece is fresh.
     const ParsedProgram* before = nullptr;
     std::vector<Tool> toolsBefore;
     MachineProfile machine;
     Box travel; ///< mm, setup frame: where the machine lets the tip go; empty: where its travel lies is not known
-    double gougeTolerance = 0.02;   ///< mm
-    double sampling = 0.1;          ///< mm along moves
+    double gougeTolerance = 0.02; ///< mm
+    double sampling = 0.1;        ///< mm along moves
+    /// mm by which the allowance left may differ from that of `promised`, and blended corners may leave stock at the
+    /// part; 0: neither is judged.
+    double excessTolerance = 0.1;
+    const std::vector<Path>* promised = nullptr; ///< that the program is to follow, setup frame; null: none is known
     double nearDistance = 1.0;      ///< mm: a shank or holder that passes nearer is told, but is no fault; 0: none
     std::size_t exactSamples = 500; ///< of the worst samples are judged on the exact B-rep; 0, or no B-rep: mesh only
     ImportOptions import;           ///< worker and limits for the exact distances
@@ -63,8 +71,21 @@ enum class FindingKind : std::uint8_t {
     depthOfCut,    ///< amount: mm along the tool's axis
     widthOfCut,    ///< amount: mm across it
     centrePlunge,  ///< straight down into material with a tool that does not cut at its centre; amount: mm of depth
+    // What the program sets, at the line that does:
+    toolUnknown,         ///< a tool that the request does not have: nothing behind it is judged; amount: its number
+    toolNotLoaded,       ///< feeds before it loads the tool that it names; amount: 0
+    lengthOffsetMissing, ///< moves along Z with a tool whose length is not in force; amount: its number
+    lengthOffsetOfOther, ///< the length of another tool; amount: the H number
+    workOffsetOther,     ///< in another work offset than the setup's; amount: its number, as NcMotion::workOffset
+    spindleReversed,     ///< feeds while the spindle turns against the cutter's hand; amount: 1/min
+    cornerGouge,         ///< a corner that the program lets the control cut (G64) enters the part; amount: mm of depth
+    cornerExcess,        ///< such a corner leaves stock at the part; amount: mm
+    allowanceDiffers, ///< from that of the path to follow; amount: mm left on the part; limit: mm that the path leaves
+    // Of the program as a whole, without a line (0):
+    partNotProtected, ///< bodies too small for the voxels: nothing of them is protected; amount: how many
+    partNotReached,   ///< no tool of the program can touch the part anywhere; amount: 0
 };
-inline constexpr FindingKind lastFindingKind = FindingKind::centrePlunge;
+inline constexpr FindingKind lastFindingKind = FindingKind::partNotReached;
 /// Stable id of a kind, for JSON: "gouge", "rapid_in_stock", …
 const char* idOf(FindingKind kind);
 /// What a kind's amount is counted in, in ASCII: "mm", "mm^3"; empty where the amount says nothing.
@@ -72,7 +93,7 @@ const char* unitOf(FindingKind kind);
 
 struct Finding {
     FindingKind kind = FindingKind::gouge;
-    std::uint32_t line = 0;  ///< of the program's text, from 1
+    std::uint32_t line = 0;  ///< of the program's text, from 1: of what causes it; 0: it has none
     glm::dvec3 place{0.0};   ///< mm, setup frame
     double amount = 0.0;     ///< in the unit that the kind states
     double limit = 0.0;      ///< in the same unit, that was to be kept; 0: the kind has none
@@ -123,7 +144,7 @@ struct VerifyReport {
     int toolChanges = 0;                        ///< that the time contains, the first tool's included
     RapidMode rapids = RapidMode::synchronised; ///< the way that rapids were judged on
     std::vector<StatedPathMode> pathModes;      ///< what the program itself says of corners, and the time counts
-    std::vector<Finding> findings;              ///< the worst of each kind on each line, in program order
+    std::vector<Finding> findings;              ///< one of a kind for each cause, in program order
     std::vector<Finding> warnings;              ///< of loads beyond estimated limits, and of bending; the worst first
     std::vector<NearPass> nearPasses;           ///< one a place, the nearest first
     std::vector<DeviationSample> deviations;
@@ -134,10 +155,11 @@ struct VerifyReport {
 
 /// Re-simulates a program on a fresh workpiece, or as an earlier program left it, and judges it: flutes, shank and
 /// holder against stock and part, rapids, limits, gouges on the fine mesh and, at the worst samples, on exact geometry.
-/// core/verify/README.md states the rules.
+/// core/verify/README.md states the rules. Behind
+/// the first move of a tool that the request does not have nothing is judged.
 /// @param machined  the workpiece as the program leaves it, where not null
-/// Errors: those of embed and exactSignedDistances, nameUnknown (a tool that the request does not have), notSupported
-/// (several tools, and a request with one for all), cancelled.
+/// Errors: those of embed and exactSignedDistances, nameUnknown (a tool of `before`), notSupported (several tools, and
+/// a request with one for all), cancelled.
 Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, VolumeSnapshot* machined = nullptr);
 
 } // namespace burin

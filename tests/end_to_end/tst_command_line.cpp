@@ -269,9 +269,24 @@ void CommandLineTest::whatIsDoubtfulOfAPartIsRepeated() {
         return texts.size() == 2 && texts[0].toString().contains("unit") && texts[1].toString().contains("protected");
     };
     const QString part = BURIN_FIXTURES "/models/of-others/s14b-20-micrometre.stl";
-    QVERIFY(doubts(runBurin({"embed", part, "-o", project, "--voxel", "0.5", "--json"}), "warnings"));
-    QVERIFY(doubts(runBurin({"mill", project, "--seconds", "0.2", "--json"}), "part_warnings"));
-    QVERIFY(doubts(runBurin({"verify", program, "--project", project, "--tool", "ball-6", "--json"}), "part_warnings"));
+    // What nothing protects is refused, unless somebody wants it all the same.
+    const QStringList embed{"embed", part, "-o", project, "--voxel", "0.5", "--json"};
+    const ProgramRun refused = runBurin(embed);
+    QCOMPARE(refused.status, 1);
+    QVERIFY(doubts(refused, "warnings") && refused.messages.contains("--override") && !QFile::exists(project));
+    const ProgramRun made = runBurin(embed + QStringList{"--override"});
+    QCOMPARE(made.status, 0);
+    QVERIFY(doubts(made, "warnings"));
+    const QStringList mill{"mill", project, "--seconds", "0.2", "--json"};
+    QCOMPARE(runBurin(mill).status, 1);
+    QVERIFY(doubts(runBurin(mill), "part_warnings"));
+    const ProgramRun milled = runBurin(mill + QStringList{"--override"});
+    QCOMPARE(milled.status, 0);
+    QVERIFY(doubts(milled, "part_warnings"));
+    const ProgramRun verified = runBurin({"verify", program, "--project", project, "--tool", "ball-6", "--json"});
+    QCOMPARE(verified.status, 1);
+    QVERIFY(doubts(verified, "part_warnings"));
+    QCOMPARE(verified.json()["findings"].toArray()[0].toObject()["kind"].toString(), "part_not_protected");
     QVERIFY(runBurin({"verify", program, "--project", project, "--tool", "ball-6"}).output.contains("\nwarning: "));
 }
 

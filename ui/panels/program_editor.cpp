@@ -50,6 +50,7 @@ ProgramEditor::ProgramEditor(QWidget* parent)
     connect(findings_, &RowList::rowChosen, this, [this](int row) {
         if (static_cast<std::size_t>(row) >= marks_.size()) return;
         const int line = marks_[static_cast<std::size_t>(row)].line;
+        if (line == 0) return; // it is of the whole program
         text_->showLine(line);
         emit lineChosen(line);
     });
@@ -146,7 +147,7 @@ std::vector<ListRow> ProgramEditor::rows() const {
         const bool error = mark.kind == LineMark::Kind::error;
         ListRow row;
         row.title = row.toolTip = mark.text;
-        row.value = tr("line %1").arg(mark.line);
+        row.value = mark.line > 0 ? tr("line %1").arg(mark.line) : tr("program");
         row.icon = error ? QStringLiteral("error") : QStringLiteral("warning");
         row.iconRole = error ? &Palette::force : &Palette::accent;
         rows.push_back(row);

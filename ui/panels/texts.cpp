@@ -208,9 +208,7 @@ QString loadText(const Finding& finding, LengthUnit unit) {
     }
 }
 
-} // namespace
-
-QString findingText(const Finding& finding, LengthUnit unit) {
+QString kindText(const Finding& finding, LengthUnit unit) {
     const QString volume = volumeText(finding.amount, unit);
     const QString length = lengthText(finding.amount, unit);
     switch (finding.kind) {
@@ -236,6 +234,29 @@ QString findingText(const Finding& finding, LengthUnit unit) {
         return PanelTexts::tr("In a fixture by %1").arg(length);
     case FindingKind::centrePlunge:
         return PanelTexts::tr("Plunge of %1: the tool does not cut at its centre").arg(length);
+    case FindingKind::toolUnknown:
+        return PanelTexts::tr("T%1 is not in the project; nothing after it was checked").arg(finding.amount);
+    case FindingKind::toolNotLoaded:
+        return PanelTexts::tr("Feed move before the tool is loaded");
+    case FindingKind::lengthOffsetMissing:
+        return PanelTexts::tr("The length offset of T%1 is not in force").arg(finding.amount);
+    case FindingKind::lengthOffsetOfOther:
+        return PanelTexts::tr("H%1 is the length offset of another tool").arg(finding.amount);
+    case FindingKind::workOffsetOther:
+        return PanelTexts::tr("Not the project's work offset");
+    case FindingKind::spindleReversed:
+        return PanelTexts::tr("Spindle turns anticlockwise; the tool is right-handed");
+    case FindingKind::cornerGouge:
+        return PanelTexts::tr("Blended corners gouge by %1").arg(length);
+    case FindingKind::cornerExcess:
+        return PanelTexts::tr("Blended corners leave %1 of stock").arg(length);
+    case FindingKind::allowanceDiffers:
+        return PanelTexts::tr("Leaves %1 on the part, the path leaves %2").arg(length, lengthText(finding.limit, unit));
+    case FindingKind::partNotProtected:
+        return PanelTexts::tr("%n bodies are too small for the voxels and not protected", nullptr,
+                              static_cast<int>(finding.amount));
+    case FindingKind::partNotReached:
+        return PanelTexts::tr("No tool of the program reaches the part");
     case FindingKind::spindlePower:
     case FindingKind::spindleTorque:
     case FindingKind::toolBreakage:
@@ -243,9 +264,15 @@ QString findingText(const Finding& finding, LengthUnit unit) {
     case FindingKind::chipLoad:
     case FindingKind::depthOfCut:
     case FindingKind::widthOfCut:
-        break;
+        return loadText(finding, unit);
     }
-    const QString text = loadText(finding, unit);
+    return {};
+}
+
+} // namespace
+
+QString findingText(const Finding& finding, LengthUnit unit) {
+    const QString text = kindText(finding, unit);
     if (finding.count < 2) return text;
     return PanelTexts::tr("%1 (and on %n more lines)", nullptr, static_cast<int>(finding.count) - 1).arg(text);
 }

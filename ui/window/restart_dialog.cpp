@@ -60,7 +60,8 @@ QString findingsOf(const CheckedProgram& program, LengthUnit unit) {
     constexpr qsizetype most = 8;
     QStringList lines;
     const auto add = [&](std::uint32_t line, const QString& text) {
-        lines << RestartDialog::tr("Line %1: %2").arg(QString::number(line), text);
+        lines << (line > 0 ? RestartDialog::tr("Line %1: %2").arg(QString::number(line), text)
+                           : RestartDialog::tr("Program: %1").arg(text));
     };
     for (const Finding& finding : program.report.findings) add(finding.line, findingText(finding, unit));
     for (const LintMark& mark : program.lint)

@@ -269,18 +269,30 @@ void ProgramController::checkText(const QString& name) {
     if (!bench_.bench() || bench_.changing() || !edited_ || busy()) return;
     asked_ = [this, name] { checkText(name); };
     const ProgramRequest wanted = request(name);
-    read(path_.jobPaths(), [this, wanted, basis = basis()](const Matters& matters, std::uint64_t judged) {
-        check(matters, wanted, Asked{stored(wanted), basis, judged, textVersion_, true});
+    read(path_.jobPaths(), [this, wanted, basis = basis()](Matters matters, std::uint64_t judged) {
+        check(std::move(matters), wanted, Asked{stored(wanted), basis, judged, textVersion_, true});
     });
 }
 
-/// The text may call every tool of the job.
-void ProgramController::check(const Matters& matters, ProgramRequest wanted, const Asked& asked) {
-    for (const PathMatter& matter : matters) wanted.tools.push_back(matter.tool);
+/// The text may call every tool of the job, and is to follow its paths.
+void ProgramController::check(Matters matters, ProgramRequest wanted, const Asked& asked) {
+    for (PathMatter& matter : matters) {
+        wanted.tools.push_back(matter.tool);
+        if (asked.basis.paths == path_.version()) matter.evaluated = path_.current(matter.path.id);
+    }
     desk_.tasks.start(
         TaskKind::program, tr("Checking"),
-        [bench = bench_.bench(), text = storedText_.toStdString(), wanted](Progress& progress) {
-            return checkProgram(*bench, text, wanted.name, wanted, progress);
+        [bench = bench_.bench(), text = storedText_.toStdString(), wanted,
+         matters = std::move(matters)](Progress& progress) -> Result<CheckedProgram> {
+            ProgramRequest request = wanted;
+            if (!matters.empty() && isPosted(text)) {
+                Result<EvaluatedPaths> paths = evaluateInOrder(*bench, matters, progress);
+                if (paths)
+                    request.promised = std::make_shared<const std::vector<Path>>(std::move(paths->program.paths));
+                else if (paths.error().code != ErrorCode::pathEmpty) // nothing is promised then
+                    return std::move(paths).error();
+            }
+            return checkProgram(*bench, text, request.name, request, progress);
         },
         [this, asked](Result<CheckedProgram> outcome) { take(asked, std::move(outcome)); });
 }

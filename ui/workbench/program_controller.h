@@ -122,7 +122,7 @@ private:
     /// @param then gets the matters, and `judgedBasis`
     void read(const std::vector<StoredPath>& paths, std::function<void(Matters, std::uint64_t)> then);
     void postPaths(Matters matters, const ProgramRequest& wanted, const Asked& asked);
-    void check(const Matters& matters, ProgramRequest wanted, const Asked& asked);
+    void check(Matters matters, ProgramRequest wanted, const Asked& asked);
     void show(const Shown& shown);
     void change(const Shown& next);
     void keep(const StoredProgram& posted, const CheckedProgram& program);

@@ -58,6 +58,13 @@ private slots:
             QVERIFY(project && project->recovered() && project->readOnly());
             QCOMPARE(nameIn(*project), std::string("unsaved"));
         }
+        { // two at once, and one who goes on with it meanwhile
+            const Result<Project> one = Project::openForReading(file), other = Project::openForReading(file);
+            QVERIFY(one && other && other->recovered());
+            QCOMPARE(nameIn(*other), std::string("unsaved"));
+            QVERIFY(Project::open(file));
+            QCOMPARE(nameIn(*one), std::string("unsaved"));
+        }
         Result<Project> project = Project::open(file);
         QVERIFY(project && project->recovered());
         QCOMPARE(nameIn(*project), std::string("unsaved"));

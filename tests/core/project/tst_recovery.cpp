@@ -197,6 +197,12 @@ private slots:
             QCOMPARE(second.error().subject, file.string());
             QCOMPARE(second.error().detail, "process " + std::to_string(owner));
         }
+        { // who only looks needs not wait for it, and sees what is saved
+            const Result<Project> one = Project::openForReading(file), other = Project::openForReading(file);
+            QVERIFY(one && other && one->readOnly() && !one->recovered());
+            QCOMPARE(nameIn(*one), std::string("saved"));
+            QCOMPARE(nameIn(*other), std::string("saved"));
+        }
         QCOMPARE(::write(toChild[1], &byte, 1), ssize_t{1});
         ::waitpid(owner, nullptr, 0);
         QCOMPARE(nameInFile(file), std::string("saved")); // its lock died with it

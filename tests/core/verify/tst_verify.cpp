@@ -90,6 +90,12 @@ struct Case {
 
 const std::string start = "G21 G90 G17 G54\nT1 M6\nS10000 M3\n";
 
+/// Number of the line that holds some words.
+std::uint32_t lineOf(const std::string& program, const std::string& words) {
+    const auto end = program.begin() + static_cast<std::ptrdiff_t>(program.find(words));
+    return 1U + static_cast<std::uint32_t>(std::count(program.begin(), end, '\n'));
+}
+
 int countOf(const VerifyReport& report, FindingKind kind) {
     return static_cast<int>(std::count_if(report.findings.begin(), report.findings.end(),
                                           [&](const Finding& finding) { return finding.kind == kind; }));
@@ -105,6 +111,16 @@ private slots:
     void gougeIsTheDepthInThePart();
     void removedVolumeIsTheGroove();
     void rapidThroughStockIsFound();
+    void rapidThatGrazesLessThanAVoxelIsFound_data();
+    void rapidThatGrazesLessThanAVoxelIsFound();
+    void aRapidInWhatWasCutTouchesNothing();
+    void blendedCornersGougeByTheFormula_data();
+    void blendedCornersGougeByTheFormula();
+    void mergedLinesGougeByTheFormula_data();
+    void mergedLinesGougeByTheFormula();
+    void theAllowanceIsComparedWithThePath_data();
+    void theAllowanceIsComparedWithThePath();
+    void stockEndsWithinAVoxel();
     void spindleThatStandsStillIsFound();
     void shankInADeepGrooveIsFound();
     void aToolInAFixtureIsFound_data();
@@ -195,14 +211,179 @@ void VerifyTest::rapidThroughStockIsFound() {
     Case job;
     const VerifyReport report = job.judge(start + "G0 Z5\nG0 X-10 Y0\nG0 Z-3\nG0 X10\nG0 Z5\n");
     QVERIFY(!report.passed());
-    QCOMPARE(countOf(report, FindingKind::rapidInStock), 2);
+    QCOMPARE(countOf(report, FindingKind::rapidInStock), 1); // the move down and the one across are one mistake
     QCOMPARE(report.findings.front().line, 6U);
+    QCOMPARE(report.findings.front().count, 2U);
+}
+
+void VerifyTest::rapidThatGrazesLessThanAVoxelIsFound_data() {
+    QTest::addColumn<double>("by");
+    QTest::newRow("passes") << -0.02;
+    QTest::newRow("less than rounding") << 0.005;
+    QTest::newRow("a tenth of a voxel") << 0.025;
+    QTest::newRow("less than to the first scanline") << 0.12;
+    QTest::newRow("more") << 0.3;
+}
+
+/// Along the side of the block, which lies at y = -5 mm, with 0.25 mm voxels.
+void VerifyTest::rapidThatGrazesLessThanAVoxelIsFound() {
+    QFETCH(const double, by);
+    Case job;
+    const std::string y = std::to_string(-15.0 - 3.0 + by);
+    const VerifyReport report = job.judge(start + "G0 Z5\nG0 X-40 Y" + y + "\nG0 Z-10\nG0 X40\nG0 Z5\n");
+    QCOMPARE(countOf(report, FindingKind::rapidInStock), by > 0.01 ? 1 : 0);
+    if (by > 0.01) QCOMPARE(report.findings.front().line, 7U);
+}
+
+/// Up and along in a groove that bends: rapids that touch walls where they were cut touch nothing.
+void VerifyTest::aRapidInWhatWasCutTouchesNothing() {
+    Case job;
+    const VerifyReport report =
+        job.judge(start + "G0 Z5\nG0 X-40.3 Y0.123\nG0 Z-3.21\nG1 X-5.077 F600\nG3 X-1.077 Y4.123 I0 J4\nG1 Y40\n"
+                          "G0 Y4.123\nG0 Z5\nG0 X-20.017 Y0.123\nG0 Z-3.21\nG0 X-40\nG0 Z5\n");
+    QVERIFY2(report.passed(), report.findings.empty() ? "" : idOf(report.findings.front().kind));
+}
+
+void VerifyTest::blendedCornersGougeByTheFormula_data() {
+    QTest::addColumn<QString>("mode");
+    QTest::addColumn<double>("leaves");
+    QTest::newRow("P 0.8") << "G64 P0.8" << 0.8;
+    QTest::newRow("P 1.3") << "G64 P1.3" << 1.3;
+    QTest::newRow("P 1.6") << "G64 P1.6" << 1.6;
+    // Blocks of 16 mm: the parabola begins 8 mm before the corner, and leaves it by half of 8 mm times the sine of 45°.
+    QTest::newRow("no tolerance") << "G64" << 0.5 * 8.0 * std::sqrt(0.5);
+    QTest::newRow("exact") << "G61" << 0.0;
+}
+
+namespace {
+
+/// How near to (0, 0) the parabola comes that leaves the corner at (-3, -3), between ways along the axes, by so much.
+double nearestOfParabola(double leaves) {
+    const double leg = 2.0 * leaves * std::sqrt(2.0);
+    double nearest = 1e9;
+    for (int i = 0; i <= 10000; ++i) {
+        const double t = i / 10000.0;
+        nearest = std::min(nearest, std::hypot(leg * t * t - 3.0, leg * (1.0 - t) * (1.0 - t) - 3.0));
+    }
+    return nearest;
+}
+
+} // namespace
+
+/// A ball of 3 mm radius around the part's upright edge at (0, 0), 3 mm from both sides of it.
+void VerifyTest::blendedCornersGougeByTheFormula() {
+    QFETCH(const QString, mode);
+    QFETCH(const double, leaves);
+    Case job;
+    const std::string text =
+        start + mode.toStdString() + "\nG0 Z5\nG0 X-18 Y3\nG0 Z-28\nG1 Y-13 F600\nG1 X-2\nG61\nG1 Y-40\nG0 Z5\n";
+    const VerifyReport report = job.judge(text);
+    const double gouge = 3.0 - nearestOfParabola(leaves);
+    QCOMPARE(countOf(report, FindingKind::cornerGouge), gouge > 0.02 ? 1 : 0);
+    if (gouge <= 0.02) return;
+    const auto found = std::ranges::find(report.findings, FindingKind::cornerGouge, &Finding::kind);
+    QCOMPARE(found->line, lineOf(text, mode.toStdString()));
+    QVERIFY2(std::abs(found->amount - gouge) < 0.01, qPrintable(QString::number(found->amount)));
+}
+
+void VerifyTest::mergedLinesGougeByTheFormula_data() {
+    QTest::addColumn<QString>("mode");
+    QTest::addColumn<double>("gouge");
+    constexpr double radius = 3.3, degree = pi / 180.0;
+    QTest::newRow("all are one") << "G64 P0.01 Q0.5" << 3.0 - radius * std::cos(30.0 * degree);
+    QTest::newRow("P for both") << "G64 P0.5" << 3.0 - radius * std::cos(30.0 * degree);
+    QTest::newRow("11 are one") << "G64 P0.01 Q0.25" << 3.0 - radius * std::cos(22.0 * degree);
+    QTest::newRow("none") << "G64 P0.01 Q0" << 0.0;
+}
+
+/// 15 chords of 4° around the part's upright edge, 0.3 mm away from it.
+void VerifyTest::mergedLinesGougeByTheFormula() {
+    QFETCH(const QString, mode);
+    QFETCH(const double, gouge);
+    Case job;
+    std::string text = start + "G61\nG0 Z5\n";
+    for (int i = 0; i <= 15; ++i) {
+        const double angle = (195.0 + 4.0 * i) * pi / 180.0;
+        const std::string place =
+            "X" + std::to_string(3.3 * std::cos(angle) - 15.0) + " Y" + std::to_string(3.3 * std::sin(angle) - 10.0);
+        text += (i == 0 ? "G0 " : "G1 F600 ") + place + "\n";
+        if (i == 0) text += "G0 Z-28\n" + mode.toStdString() + "\n";
+    }
+    const VerifyReport report = job.judge(text + "G61\nG1 Y-40\nG0 Z5\n");
+    QCOMPARE(countOf(report, FindingKind::cornerGouge), gouge > 0.02 ? 1 : 0);
+    if (gouge <= 0.02) return;
+    const auto found = std::ranges::find(report.findings, FindingKind::cornerGouge, &Finding::kind);
+    QCOMPARE(found->line, lineOf(text, mode.toStdString()));
+    QVERIFY2(std::abs(found->amount - gouge) < 0.005, qPrintable(QString::number(found->amount)));
+}
+
+void VerifyTest::theAllowanceIsComparedWithThePath_data() {
+    QTest::addColumn<double>("path");
+    QTest::addColumn<double>("program");
+    QTest::addColumn<bool>("found");
+    QTest::newRow("as it is") << 0.0 << 0.0 << false;
+    QTest::newRow("as it is, with allowance") << 0.5 << 0.5 << false;
+    QTest::newRow("within the tolerance") << 0.5 << 0.58 << false;
+    QTest::newRow("too much") << 0.0 << 0.3 << true;
+    QTest::newRow("too much allowance") << 0.5 << 0.8 << true;
+    QTest::newRow("allowance that is gone") << 0.5 << 0.2 << true;
+}
+
+/// Passes over the part's top, which lies 20 mm below program zero.
+void VerifyTest::theAllowanceIsComparedWithThePath() {
+    QFETCH(const double, path);
+    QFETCH(const double, program);
+    QFETCH(const bool, found);
+    Case job;
+    job.request.tool.cutter.fluteLength = 28.0;
+    Path promised;
+    promised.toolId = job.request.tool.id;
+    std::string text = start + "G0 Z5\nG0 X-40 Y-5\nG0 Z" + std::to_string(-20.0 + program) + "\nF600\n";
+    promised.points.push_back({{-25.0, 5.0, 10.0 + path}, MoveKind::rapid});
+    for (const double y : {5.0, 10.0, 15.0}) {
+        const std::string lane = std::to_string(y - 10.0);
+        promised.points.push_back({{-25.0, y, 10.0 + path}});
+        promised.points.push_back({{55.0, y, 10.0 + path}});
+        promised.points.push_back({{-25.0, y, 10.0 + path}});
+        text += "G1 Y" + lane + "\nX40\nX-40\n";
+    }
+    const std::vector<Path> paths{promised};
+    job.request.promised = &paths;
+    const VerifyReport report = job.judge(text + "G0 Z5\n");
+    QCOMPARE(countOf(report, FindingKind::allowanceDiffers), found ? 1 : 0);
+    if (!found) return;
+    const auto finding = std::ranges::find(report.findings, FindingKind::allowanceDiffers, &Finding::kind);
+    QCOMPARE(finding->line, lineOf(text, "G1 Y"));
+    QVERIFY(std::abs(finding->amount - program) < 0.002 && std::abs(finding->limit - path) < 0.002);
+    job.request.excessTolerance = 0.0;
+    QCOMPARE(countOf(job.judge(text + "G0 Z5\n"), FindingKind::allowanceDiffers), 0);
+}
+
+/// A flat cutter takes a strip off the side where the block ends within a voxel.
+void VerifyTest::stockEndsWithinAVoxel() {
+    for (const double margin : {5.0, 5.06, 5.1, 5.14, 5.2}) {
+        Case job;
+        Setup setup = job.request.setup;
+        setup.marginLow = glm::dvec3(margin);
+        setup.marginHigh = {margin, margin, 20.0};
+        setup = placeStock(job.model, setup).value();
+        job.request.setup = setup;
+        job.request.tool.cutter = {CutterType::flat, 6.0, 0.0, 8.0, 6.0, 30.0, {{20.0, 20.0, 15.0}}};
+        const double edge = setup.stock.low.x + 0.25 * std::floor((30.0 + margin) / 0.25); // of a voxel
+        const std::string x = std::to_string(edge + 3.0 - setup.workOffset.x);
+        const VerifyReport report = job.judge(start + "G0 Z5\nG0 X" + x + " Y-40\nG0 Z-3\nG1 Y40 F600\nG0 Z5\n");
+        const double expected = (setup.stock.high.x - edge) * setup.stock.size().y * 3.0;
+        QVERIFY2(std::abs(report.removed - expected) < 2e-3 * expected,
+                 qPrintable(QStringLiteral("%1: %2 of %3").arg(margin).arg(report.removed).arg(expected)));
+    }
 }
 
 void VerifyTest::spindleThatStandsStillIsFound() {
     Case job;
     const VerifyReport report = job.judge("G21 G90 G17\nT1 M6\nG0 Z5\nG0 X-10 Y0\nG1 Z-2 F300\nG1 X10\nG1 Z5\n");
-    QCOMPARE(countOf(report, FindingKind::spindleOff), 2);
+    QCOMPARE(countOf(report, FindingKind::spindleOff), 1); // of a spindle that nobody started
+    QCOMPARE(report.findings.front().line, 5U);
+    QCOMPARE(report.findings.front().count, 2U);
 }
 
 void VerifyTest::shankInADeepGrooveIsFound() {
@@ -445,9 +626,10 @@ void VerifyTest::eachToolMakesItsOwnMoves() {
     flat.number = 2;
     flat.cutter = {CutterType::flat, 4.0, 0.0, 8.0, 4.0, 30.0, {}};
     job.request.tools = {job.request.tool};
-    const Result<VerifyReport> unknown = burin::verify(job.request, progress);
-    QVERIFY(!unknown && unknown.error().code == ErrorCode::nameUnknown);
-    QCOMPARE(unknown.error().place, std::string("T2"));
+    const VerifyReport unknown = job.judge(moves);
+    QCOMPARE(countOf(unknown, FindingKind::toolUnknown), 1);
+    QCOMPARE(unknown.findings.front().line, lineOf(moves, "T2 M6"));
+    QCOMPARE(unknown.findings.front().amount, 2.0);
 
     job.request.tools = {flat, job.request.tool};
     const VerifyReport report = job.judge(moves);

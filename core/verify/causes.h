@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/verify/promised_path.h"
+
+#include <vector>
+
+namespace burin {
+
+/// Findings by what causes them: one of a kind for each cause, at its line, with the worst amount and the number of
+/// lines that it stands for. README.md, "Causes".
+/// @param findings in program order
+std::vector<Finding> byCause(std::vector<Finding> findings, const ParsedProgram& program,
+                             const PathComparison& comparison);
+
+} // namespace burin

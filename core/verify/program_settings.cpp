@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/verify/program_settings.h"
+
+#include "core/nc/control.h"
+
+#include <algorithm>
+
+namespace burin {
+
+namespace {
+
+bool feeds(const NcMotion& motion) noexcept {
+    return motion.kind == NcMotionKind::line || motion.kind == NcMotionKind::arc;
+}
+
+/// Goes along Z to a place of the work offset's frame, rather than of the machine's.
+bool goesAlongZ(const NcMotion& motion) noexcept {
+    return motion.kind != NcMotionKind::dwell && motion.toKnown[2] &&
+           (!motion.fromKnown[2] || motion.to.z != motion.from.z);
+}
+
+/// Goes somewhere in the frame of the work offset in force.
+bool goesInFrame(const NcMotion& motion) noexcept {
+    if (motion.kind == NcMotionKind::dwell) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto at = static_cast<std::size_t>(axis);
+        if (motion.toKnown[at] && (!motion.fromKnown[at] || motion.to[axis] != motion.from[axis])) return true;
+    }
+    return false;
+}
+
+/// Follows the program, setting by setting and move by move.
+class SettingsJudge {
+public:
+    SettingsJudge(const VerifyRequest& request, Findings& findings)
+        : request_(request)
+        , findings_(findings)
+        , lengths_(request.control != nullptr && request.control->readsG(gcode::lengthOffset))
+        , changes_(request.control != nullptr && request.control->readsM(60)) {}
+
+    void run() {
+        const ParsedProgram& program = *request_.program;
+        auto setting = program.settings.begin();
+        for (std::size_t i = 0; i < program.motions.size(); ++i) {
+            for (; setting != program.settings.end() && setting->motions <= i; ++setting) take(*setting);
+            look(program.motions[i]);
+        }
+    }
+
+private:
+    void take(const NcSetting& setting) {
+        switch (setting.kind) {
+        case NcSettingKind::toolSelected:
+            named_ = true;
+            break;
+        case NcSettingKind::toolChange:
+            toolLine_ = setting.line;
+            lengthTold_ = false;
+            judgeTool(setting);
+            break;
+        case NcSettingKind::lengthOffset:
+            lengthLine_ = setting.line;
+            lengthTold_ = false;
+            named_ = named_ || setting.value > 0;
+            break;
+        case NcSettingKind::workOffset:
+            offsetLine_ = setting.line;
+            break;
+        case NcSettingKind::spindle:
+            spindleLine_ = setting.line;
+            break;
+        case NcSettingKind::shift:
+        case NcSettingKind::distance:
+        case NcSettingKind::pathControl:
+            break;
+        }
+    }
+
+    void judgeTool(const NcSetting& setting) {
+        if (request_.tools.empty() || setting.value == 0 ||
+            std::ranges::find(request_.tools, setting.value, &Tool::number) != request_.tools.end())
+            return;
+        const std::vector<NcMotion>& motions = request_.program->motions;
+        const glm::dvec3 place = setting.motions < motions.size() ? motions[setting.motions].to : glm::dvec3(0.0);
+        findings_.add(FindingKind::toolUnknown, setting.line, place, setting.value);
+    }
+
+    void look(const NcMotion& motion) {
+        if (goesInFrame(motion) && motion.workOffset != request_.workOffset)
+            findings_.add(FindingKind::workOffsetOther, offsetLine_, motion.to, motion.workOffset);
+        if (lengths_ && goesAlongZ(motion)) judgeLength(motion);
+        if (!feeds(motion)) return;
+        if (changes_ && motion.tool == 0 && named_ && !loadTold_) {
+            loadTold_ = true;
+            findings_.add(FindingKind::toolNotLoaded, motion.line, motion.to, 0.0);
+        }
+        if (motion.spindle == SpindleState::anticlockwise && motion.spindleOn())
+            findings_.add(FindingKind::spindleReversed, spindleLine_, motion.to, motion.spindleSpeed);
+    }
+
+    /// A length that the program states itself (G43.1) is taken as it is.
+    void judgeLength(const NcMotion& motion) {
+        if (lengthTold_ || motion.tool == 0 || motion.lengthOffset < 0 || motion.lengthOffset == motion.tool) return;
+        lengthTold_ = true;
+        if (motion.lengthOffset > 0 && lengthLine_ >= toolLine_)
+            findings_.add(FindingKind::lengthOffsetOfOther, lengthLine_, motion.to, motion.lengthOffset);
+        else
+            findings_.add(FindingKind::lengthOffsetMissing, motion.line, motion.to, motion.tool);
+    }
+
+    const VerifyRequest& request_;
+    Findings& findings_;
+    bool lengths_;       ///< the control has length offsets by number
+    bool changes_;       ///< the control has M6
+    bool named_ = false; ///< a tool was named, by T or H
+    bool loadTold_ = false, lengthTold_ = false;
+    std::uint32_t toolLine_ = 0, lengthLine_ = 0, offsetLine_ = 1, spindleLine_ = 0; ///< of what is in force
+};
+
+} // namespace
+
+void judgeSettings(const VerifyRequest& request, Findings& findings) {
+    SettingsJudge(request, findings).run();
+}
+
+} // namespace burin
