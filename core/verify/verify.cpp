@@ -167,6 +167,7 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     judgePlunges(replayed, findings);
     report.times = time.motions;
     report.toolChanges = time.toolChanges;
+    report.untimedMoves = time.untimedMoves;
 
     progress.stage(0.4, 0.9);
     const Result<GougeJudgement> gouges = judgeGouges(moves, tools->tools, outlines, request, findings, progress);

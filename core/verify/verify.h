@@ -121,6 +121,7 @@ struct VerifyReport {
     std::vector<MotionLoad> loads;              ///< of what removes something, in program order
     std::vector<LoadStep> loadSteps;            ///< the same over time
     int toolChanges = 0;                        ///< that the time contains, the first tool's included
+    int untimedMoves = 0;                       ///< that it lacks, as their way is not known (MachiningTime)
     RapidMode rapids = RapidMode::synchronised; ///< the way that rapids were judged on
     std::vector<StatedPathMode> pathModes;      ///< what the program itself says of corners, and the time counts
     std::vector<Finding> findings;              ///< the worst of each kind on each line, in program order
