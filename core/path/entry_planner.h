@@ -43,7 +43,8 @@ public:
     bool mayPlunge() const noexcept { return mayPlunge_; }
 
 private:
-    double depthAt(const glm::dvec3& tip) const;
+    /// mm of material above a tip; with `all`, also what only a rim of a fifth of the radius meets.
+    double depthAt(const glm::dvec3& tip, bool all = false) const;
     std::vector<StrokePoint> rampInto(const PathStroke& stroke, double height) const;
     std::vector<StrokePoint> helixInto(const PathStroke& stroke, double depth) const;
     bool clearsShank(const std::vector<StrokePoint>& way) const;
