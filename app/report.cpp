@@ -269,6 +269,9 @@ std::string textOf(const CheckedProgram& program, double gougeTolerance, const M
         text << "\n  load     peak " << formatFixed(load->peak.force, 0) << " N, " << formatFixed(load->peak.power, 0)
              << " W, " << formatFixed(load->peak.torque, 2) << " N m on line " << load->line << " at "
              << formatFixed(load->peak.at, 1) << " s";
+    if (program.slowed > 0)
+        text << "\n  feeds    brought down on " << program.slowed << (program.slowed == 1 ? " move" : " moves")
+             << " to what spindle and tool bear (feed by engagement)";
     for (std::size_t i = 0; i < report.pathModes.size() && i < 5; ++i) {
         const StatedPathMode& mode = report.pathModes[i];
         if (mode.mode == PathMode::machine) continue;
