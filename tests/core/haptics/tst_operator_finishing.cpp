@@ -219,15 +219,17 @@ void OperatorFinishingTest::theToolFollowsTheHandOverSteps() {
 }
 
 /// The upper part of a block alone, by a flat mill: its tips are those of a point over the block grown by the mill. A
-/// fast hand, which rounds its turns, and trembles by a tenth of a millimetre. Once the tool is over the rim it hangs
-/// at the wall, as long as a pass is, when the hand goes back.
+/// fast hand, which rounds its turns, and trembles by two tenths of a millimetre. Once the tool is over the rim it
+/// hangs at the wall, as long as a pass is, when the hand goes back.
 void OperatorFinishingTest::aTurnAtARimPullsNoToolOverIt() {
     constexpr double radius = 5.0, top = 10.0;
     Tool mill = ballTool(2.0 * radius);
     mill.cutter.type = CutterType::flat;
     mill.cutter.cornerRadius = 0.0;
     const Box box{{-15, -8, 0}, {15, 8, top}};
-    Blocks grown(0.0, {{{box.low - glm::dvec3(radius, radius, 0.0)}, {box.high + glm::dvec3(radius, radius, 0.0)}}});
+    constexpr double error = 0.02; // of a field: it has the last place of a pass on the block still
+    const glm::dvec3 further(radius + error, radius + error, 0.0);
+    Blocks grown(0.0, {{box.low - further, box.high + further}});
     grown.answerGradients();
     WorkpieceHeights heights({box.low - glm::dvec3(9.0, 9.0, 0.0), box.high + glm::dvec3(9.0, 9.0, 0.5)}, mill.cutter);
     FinishingRequest request = finishingRequest(box);
@@ -244,7 +246,7 @@ void OperatorFinishingTest::aTurnAtARimPullsNoToolOverIt() {
     int ticks = 0, behind = 0;
     double left = 1e9, right = -1e9;
     for (double time = 0.0; time < motion->duration(); time += 0.001) {
-        const double tremor = 0.1 * std::sin(2.0 * pi * 10.0 * time), other = 0.1 * std::sin(2.0 * pi * 11.3 * time);
+        const double tremor = 0.2 * std::sin(2.0 * pi * 10.0 * time), other = 0.2 * std::sin(2.0 * pi * 11.3 * time);
         const glm::dvec3 hand = motion->at(time).position + glm::dvec3(tremor, other, other);
         tip = proxy.advance(tip, hand, 0.0, 10.0).tip;
         ++ticks;
