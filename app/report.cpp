@@ -254,6 +254,16 @@ std::string textOfEntries(const std::vector<EditReport>& reports) {
     return text.str();
 }
 
+namespace {
+
+std::string untimedText(int moves) {
+    if (moves == 0) return {};
+    return "; without " + std::to_string(moves) + (moves == 1 ? " move" : " moves") +
+           " whose way the program does not state (approach, way home)";
+}
+
+} // namespace
+
 std::string textOf(const CheckedProgram& program, double gougeTolerance, const MachineProfile& machine) {
     const VerifyReport& report = program.report;
     std::ostringstream text;
@@ -266,13 +276,17 @@ std::string textOf(const CheckedProgram& program, double gougeTolerance, const M
          << "  removed  " << formatFixed(report.removed, 1) << " mm^3 in " << formatFixed(report.machiningSeconds, 0)
          << " s, with accelerations, corners, dwells and " << report.toolChanges
          << (report.toolChanges == 1 ? " tool change (" : " tool changes (")
-         << formatFixed(report.secondsWithoutAcceleration, 0) << " s at the programmed feeds alone)\n"
+         << formatFixed(report.secondsWithoutAcceleration, 0) << " s at the programmed feeds alone)"
+         << untimedText(report.untimedMoves) << "\n"
          << "  machine  " << machine.name
          << (isTypicalMachine(machine.id) ? ": typical values, not those of your machine (burin machines copy)" : "");
     if (const MotionLoad* const load = peakLoad(report.loads); load != nullptr && load->peak.force > 0.0)
         text << "\n  load     peak " << formatFixed(load->peak.force, 0) << " N, " << formatFixed(load->peak.power, 0)
              << " W, " << formatFixed(load->peak.torque, 2) << " N m on line " << load->line << " at "
              << formatFixed(load->peak.at, 1) << " s";
+    if (program.slowed > 0)
+        text << "\n  feeds    brought down on " << program.slowed << (program.slowed == 1 ? " move" : " moves")
+             << " to what spindle and tool bear (feed by engagement)";
     for (std::size_t i = 0; i < report.pathModes.size() && i < 5; ++i) {
         const StatedPathMode& mode = report.pathModes[i];
         if (mode.mode == PathMode::machine) continue;

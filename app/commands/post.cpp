@@ -106,6 +106,7 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     const std::string verdict = textOf(*program, arguments.tolerance, bench->machine) + textOfEntries(edited->reports) +
                                 textOfOmissions(edited->reports) + textOfDoubts(doubts);
     answer["overridden"] = program->overridden;
+    answer["slowed_moves"] = program->slowed;
     if (!program->released()) {
         context.answer(answer, verdict);
         context.message(notWritten(arguments.output));

@@ -79,7 +79,21 @@ private:
             gap.clear();
         }
         if (!touchesPart) stretches.clear(); // a pass over floor alone
+        for (std::vector<Touch>& stretch : stretches) endBeforeRims(stretch, y);
         return stretches;
+    }
+
+    /// The tool is wide: what lies at a rim it mills from before it.
+    void endBeforeRims(std::vector<Touch>& stretch, double y) const {
+        const auto isAtRim = [&](const Touch& touch, double side) {
+            return rims_.isTurnAtRim({touch.x, y}, touch.reached, {side, 0.0});
+        };
+        std::size_t first = 0, end = stretch.size();
+        while (first < end && isAtRim(stretch[first], -1.0)) ++first;
+        while (end > first && isAtRim(stretch[end - 1], 1.0)) --end;
+        if (first == end) return; // it is no wider than what it turns in
+        stretch.erase(stretch.begin() + static_cast<std::ptrdiff_t>(end), stretch.end());
+        stretch.erase(stretch.begin(), stretch.begin() + static_cast<std::ptrdiff_t>(first));
     }
 
     void mill(const std::vector<Touch>& stretch, double y) {

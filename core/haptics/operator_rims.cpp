@@ -37,6 +37,13 @@ bool OperatorRims::isWall(glm::dvec2 from, double low, glm::dvec2 to, double hig
     return high - low >= least && high - low > rimSlope * glm::distance(from, to);
 }
 
+bool OperatorRims::isTurnAtRim(const glm::dvec2& place, double reached, const glm::dvec2& direction) const noexcept {
+    if (!std::isfinite(reached)) return false;
+    const glm::dvec2 beside = place + turningRoom * direction;
+    const double height = reachedAt(beside);
+    return height < reached - leastRise && isWall(beside, height, place, reached);
+}
+
 double OperatorRims::pressAt(const glm::dvec2& place, double reached, double press) const noexcept {
     const std::array<glm::dvec2, 4> directions{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
     const auto isNearRim = [&](double depth) {

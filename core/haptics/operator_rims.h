@@ -10,6 +10,8 @@ namespace burin {
 
 /// mm that the hand keeps above a rim, and how far beside where it aims it may come: more than it trembles.
 inline constexpr double overRim = 0.3, swerve = 0.25;
+/// mm between where the hand turns and a rim that it does not go over.
+inline constexpr double turningRoom = 1.0;
 
 /// Where the surface of tips has walls. The part holds the tool at the face that it came along, so a hand that presses
 /// behind a rim leaves the tool at the wall: it stays there while the hand goes on. Slopes lead the tool on.
@@ -27,6 +29,10 @@ public:
     /// `press`, or as much less as a wall downwards is near; at one itself negative.
     /// @param reached mm, where a tip is stopped there
     double pressAt(const glm::dvec2& place, double reached, double press) const noexcept;
+    /// Whether a hand that turns back at a place may pull the tool over a rim: in a direction, a wall downwards is
+    /// nearer than `turningRoom`. A fast hand rounds its turn, so that it comes down while it is still there.
+    /// @param reached mm, where a tip is stopped there. @param direction unit
+    bool isTurnAtRim(const glm::dvec2& place, double reached, const glm::dvec2& direction) const noexcept;
 
 private:
     const ClearanceField& field_;

@@ -43,6 +43,30 @@ std::optional<double> centreOnBisector(std::span<const StrokePoint> points, cons
     return 0.5 * sum / square;
 }
 
+/// Moves a centre along the bisector until the points outside the arc lie as far from it as those inside: what counts
+/// is the farthest. The apex of the arc goes by half of the difference.
+double evenedOut(double part, std::span<const StrokePoint> points, const PlaneOfArc& plane) {
+    constexpr int rounds = 3;
+    const glm::dvec2 from = plane.of(points.front().tip), to = plane.of(points.back().tip), chord = to - from;
+    const glm::dvec2 middle = 0.5 * (from + to), left(-chord.y, chord.x);
+    const double length = glm::length(chord);
+    const double side = glm::dot(left, plane.of(points[points.size() / 2].tip) - middle) < 0.0 ? -1.0 : 1.0;
+    for (int round = 0; round < rounds; ++round) {
+        const glm::dvec2 centre = middle + part * left;
+        const double radius = glm::distance(centre, from);
+        double most = 0.0, least = 0.0; // beyond the arc
+        for (const StrokePoint& point : points) {
+            const double beyond = glm::distance(plane.of(point.tip), centre) - radius;
+            most = std::max(most, beyond);
+            least = std::min(least, beyond);
+        }
+        const double apex = part * length + side * (radius + 0.5 * (most + least));
+        if (!(apex * side > 0.0)) return part;
+        part = (apex - 0.25 * length * length / apex) / (2.0 * length);
+    }
+    return part;
+}
+
 /// How far the polyline and the arc lie apart; nothing where the points don't go round it in order.
 std::optional<Deviation> deviationOf(std::span<const StrokePoint> points, const Arc& arc, const ArcTurn& turn) {
     const PlaneOfArc plane(arc.axis);
@@ -108,9 +132,10 @@ std::optional<FittedArc> fitArc(std::span<const StrokePoint> points, int axis, c
     const glm::dvec3 &first = points.front().tip, &last = points.back().tip;
     const glm::dvec2 from = plane.of(first), to = plane.of(last), chord = to - from;
     if (glm::length(chord) < fewestFigures * rules.figure) return {};
-    const std::optional<double> part = centreOnBisector(points, plane);
-    if (!part) return {};
-    const glm::dvec2 ideal = 0.5 * (from + to) + *part * glm::dvec2(-chord.y, chord.x);
+    const std::optional<double> nearest = centreOnBisector(points, plane);
+    if (!nearest) return {};
+    const double part = evenedOut(*nearest, points, plane);
+    const glm::dvec2 ideal = 0.5 * (from + to) + part * glm::dvec2(-chord.y, chord.x);
     const auto centre = roundedCentre(ideal, from, to, plane.of(rules.programZero), rules);
     if (!centre) return {};
     FittedArc fitted;

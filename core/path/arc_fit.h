@@ -33,8 +33,8 @@ std::optional<glm::dvec2> roundedCentre(const glm::dvec2& centre, const glm::dve
                                         const glm::dvec2& zero, const ArcFitRules& rules);
 
 /// The arc or helix about an axis of the frame from the first point to the last that the points between lie nearest to
-/// (least squares on the bisector of both ends), with its centre on the grid of the control's figures. Nothing where
-/// that breaks a rule.
+/// (its centre on the bisector of both ends, as far outside as inside), with its centre on the grid of the control's
+/// figures. Nothing where that breaks a rule.
 ///
 /// The deviation holds both ways, for the whole polyline and the whole arc: seen from the centre, vertices go round in
 /// order, so that every place of one has a place of the other at its angle. Between two vertices the radius is least at

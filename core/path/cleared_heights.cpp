@@ -127,7 +127,7 @@ double ClearedHeights::risenHeight(const glm::dvec3& tip) const {
 }
 
 double ClearedHeights::restingHeight(double x, double y, std::span<const RevolvedPiece> pieces, double floor,
-                                     double slack) const {
+                                     double slack, double radius) const {
     double resting = floor;
     for (const RevolvedPiece& piece : pieces) {
         if (stock_.high.z - piece.bottom <= resting) continue; // above everything
@@ -140,7 +140,9 @@ double ClearedHeights::restingHeight(double x, double y, std::span<const Revolve
                 if (height(i, j) - piece.bottom <= resting) continue;
                 const double side = stock_.low.x + static_cast<double>(i) * edge_ - x;
                 const double nearX = std::max({side, -side - edge_, 0.0});
-                if (const auto heights = heightsAt(piece, std::max(0.0, std::hypot(nearX, nearY) - slack)))
+                const double distance = std::max(0.0, std::hypot(nearX, nearY) - slack);
+                if (distance > radius) continue;
+                if (const auto heights = heightsAt(piece, distance))
                     resting = std::max(resting, height(i, j) - heights->low);
             }
         }

@@ -6,6 +6,7 @@
 #include "core/geometry/box.h"
 #include "core/geometry/revolved_piece.h"
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,10 @@ public:
 
     /// The lowest tip above (x, y) at which the whole tool is in empty space, mm; very low beside the stock.
     double freeHeight(double x, double y) const { return restingHeight(x, y, pieces_, stock_.low.z - 1e3); }
+    /// The same for flutes, shank and holder no farther than `radius` from the axis, mm.
+    double freeHeightWithin(double radius, double x, double y) const {
+        return restingHeight(x, y, pieces_, stock_.low.z - 1e3, 0.0, radius);
+    }
     /// The same all along a straight way in plan; the squares that the tool passes between two looks are held to be as
     /// near as half of the way between them.
     double freeHeight(const glm::dvec3& from, const glm::dvec3& to) const;
@@ -45,9 +50,10 @@ public:
 
 private:
     void cutAt(const glm::dvec3& tip);
-    /// The lowest tip, not below `floor`, at which the pieces are in empty space, also where it is aside by `slack`.
-    double restingHeight(double x, double y, std::span<const RevolvedPiece> pieces, double floor,
-                         double slack = 0.0) const;
+    /// The lowest tip, not below `floor`, at which the pieces are in empty space, also where it is aside by `slack`;
+    /// what is farther than `radius` from the axis does not count.
+    double restingHeight(double x, double y, std::span<const RevolvedPiece> pieces, double floor, double slack = 0.0,
+                         double radius = std::numeric_limits<double>::infinity()) const;
     /// Indices of the squares that a circle may touch, along one axis.
     struct Range {
         long first, last;

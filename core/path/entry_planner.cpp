@@ -19,6 +19,9 @@ namespace {
 
 /// Material that a tool may meet straight from above: what a trembling hand and the voxels leave, mm.
 constexpr double leastDepth = 0.15;
+/// Of the radius: what stands no farther in is a wall that the flutes skim on their way down, at most 5 % of the tool's
+/// section. More than half of that is what the squares of the height map add to every wall that was cut.
+constexpr double skimmedRim = 0.2;
 constexpr double usualAngle = 3.0 * pi / 180.0; // where neither edit nor material state one
 constexpr double longestLeg = 30.0;             // mm of a ramp
 constexpr int mostTurns = 8;                    // of a ramp
@@ -107,9 +110,12 @@ EntryPlanner::EntryPlanner(const Link& edit, const LinkRoom& room, const PartGua
     , context_(context)
     , watch_(watch) {}
 
-double EntryPlanner::depthAt(const glm::dvec3& tip) const {
+double EntryPlanner::depthAt(const glm::dvec3& tip, bool all) const {
     if (tip.z >= stockTop_) return 0.0;
-    const double known = room_.cleared().freeHeight(tip.x, tip.y) - tip.z; // never too little
+    const ClearedHeights& cleared = room_.cleared();
+    const double free = all ? cleared.freeHeight(tip.x, tip.y)
+                            : cleared.freeHeightWithin((0.5 - 0.5 * skimmedRim) * diameter_, tip.x, tip.y);
+    const double known = free - tip.z; // never too little
     return known <= leastDepth || watch_ == nullptr ? known : std::min(known, watch_->depthAt(tip, known));
 }
 
@@ -140,6 +146,7 @@ std::optional<EntryPlanner::Entry> EntryPlanner::into(const PathStroke& stroke, 
         }
     }
     if (entry.depth <= leastDepth) return std::nullopt;
+    entry.depth = depthAt(stroke.points[entry.point].tip, true);
     const PathStroke begun = from(stroke, entry.point);
     const double height = entry.depth + gap;
     const bool goesOn = entry.point == 0;
@@ -215,7 +222,7 @@ std::vector<StrokePoint> EntryPlanner::helixInto(const PathStroke& stroke, doubl
         std::vector<StrokePoint> way = LeadFinder(shape, guard_, context_).into(stroke);
         if (way.empty()) return way;
         const glm::dvec3& top = way.front().tip;
-        const double bottom = stroke.points.front().tip.z, here = depthAt({top.x, top.y, bottom});
+        const double bottom = stroke.points.front().tip.z, here = depthAt({top.x, top.y, bottom}, true);
         if (bottom + here <= top.z + leastDepth) return way;
         depth = here;
     }

@@ -44,7 +44,8 @@ public:
     bool mayPlunge() const noexcept { return mayPlunge_; }
 
 private:
-    double depthAt(const glm::dvec3& tip) const;
+    /// mm of material above a tip; with `all`, also what only a rim of a fifth of the radius meets.
+    double depthAt(const glm::dvec3& tip, bool all = false) const;
     /// How a ramp leads into the stroke: it turns there and goes on along it, or the stroke is first gone back to its
     /// beginning; where its first move is short, room for turns is taken beyond it, or there is none.
     enum class RampEnd { turns, passes, noRoom };

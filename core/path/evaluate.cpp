@@ -93,6 +93,7 @@ Result<EvaluatedPath> evaluate(const std::string& name, std::vector<RecordedStro
     evaluated.path.toolId = context.tool.id;
     evaluated.path.spindleSpeed = state->spindleSpeed;
     evaluated.path.coolant = state->coolant;
+    evaluated.path.leastFeed = state->leastFeed;
     evaluated.path.points = pointsOf(*state);
     if (evaluated.path.points.empty()) return nothingLeft(name, evaluated.reports);
     progress.report(1.0);

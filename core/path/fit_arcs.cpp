@@ -37,10 +37,10 @@ public:
         std::vector<Primitive> primitives;
         while (first < last && !progress.cancelled()) {
             Primitive best = longest(first, first + 1, last, [&](std::size_t end) { return line(first, end); });
-            const std::size_t nearest = std::max(first + fewestMoves, best.end + 1); // an arc has to get farther
             for (const int axis : axesOfArcs()) {
-                const Primitive arc =
-                    longest(first, nearest, last, [&](std::size_t end) { return arcTo(first, end, axis); });
+                const std::size_t nearest = std::max(first + fewestMoves, best.end + 1); // an arc has to get farther
+                const auto make = [&](std::size_t end) { return arcTo(first, end, axis); };
+                const Primitive arc = longest(first, firstArc(first, nearest, last, make), last, make);
                 if (arc.end > best.end) best = arc;
             }
             first = best.end;
@@ -79,6 +79,19 @@ private:
             end = beyond > last ? std::min(2 * best.end - first, last) : best.end + (beyond - best.end) / 2;
         }
         return best;
+    }
+
+    /// Where to look for the farthest arc from: one to a trembling stroke's next points often passes none of them,
+    /// where one to some points farther on does.
+    template <class Make>
+    std::size_t firstArc(std::size_t first, std::size_t nearest, std::size_t last, const Make& make) const {
+        constexpr std::size_t least = 6; // points that are tried, beside as many as it is far
+        if (nearest > last) return nearest;
+        for (std::size_t end = std::min(last, nearest + least + (nearest - first)); end > nearest; --end) {
+            const Found found = make(end);
+            if (found && isClear(first, *found)) return end;
+        }
+        return nearest;
     }
 
     Found line(std::size_t first, std::size_t end) const {

@@ -204,6 +204,7 @@ Result<Deviation> apply(const LevelFeed& edit, PathUnderEdit& state, const PathC
                                 : edit.largestChip;
     const double high = std::min(limit, teeth * std::max(edit.smallestChip, thickest));
     const double low = std::min(high, teeth * edit.smallestChip);
+    if (statesLimits(context)) state.leastFeed = low;
     std::vector<double> feeds;
     for (const MetStretch& met : record) {
         const PathPoint& point = state.points[met.move];

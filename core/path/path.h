@@ -49,6 +49,9 @@ struct Path {
     std::string toolId;
     double spindleSpeed = 0.0; ///< 1/min
     Coolant coolant = Coolant::off;
+    /// mm/min, down to which feeds may come where the check of a program finds more load than spindle and tool bear; 0:
+    /// they stay as they are.
+    double leastFeed = 0.0;
     std::vector<PathPoint> points;
 };
 

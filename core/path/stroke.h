@@ -57,6 +57,7 @@ struct PathUnderEdit {
     bool linked = false;
     double spindleSpeed = 0.0; ///< 1/min; 0: not decided yet
     Coolant coolant = Coolant::off;
+    double leastFeed = 0.0;                ///< mm/min, as Path::leastFeed
     std::shared_ptr<const HandTrail> hand; ///< that it was made of; nothing: not known
     bool rampsIn = false;                  ///< its links go down ramps, which have a feed of their own
     std::vector<StrokeEntry> entries;      ///< into material, by the edit that is applied now

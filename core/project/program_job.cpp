@@ -7,6 +7,7 @@
 #include "core/cutting/coolant_advice.h"
 #include "core/nc/dialect_library.h"
 #include "core/path/milling_side.h"
+#include "core/project/lower_feeds.h"
 
 #include <algorithm>
 #include <cctype>
@@ -67,6 +68,14 @@ Result<std::string> post(const Bench& bench, const ProgramPaths& paths, const Pr
     const Result<std::shared_ptr<const PostProcessor>> dialect = loadDialect(request.dialect);
     if (!dialect) return dialect.error();
     return writeProgram(*program, bench.machine, **dialect, progress);
+}
+
+Result<CheckedProgram> postAndCheck(const Bench& bench, const ProgramPaths& paths, const ProgramRequest& request,
+                                    Progress& progress) {
+    progress.stage(0.0, 0.1);
+    Result<std::string> text = post(bench, paths, request, progress);
+    if (!text) return std::move(text).error();
+    return checkProgram(bench, std::move(*text), request.name, request, progress);
 }
 
 /// What the program's T numbers mean: one tool for all of them, or several to look up. Errors: argumentInvalid (a
@@ -232,17 +241,19 @@ Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const P
 
 Result<CheckedProgram> makeProgram(const Bench& bench, const ProgramPaths& paths, const ProgramRequest& request,
                                    Progress& progress) {
-    progress.stage(0.0, 0.1);
     ProgramRequest wanted = request;
     wanted.tools = paths.tools;
-    Result<std::string> text = post(bench, paths, wanted, progress);
-    if (!text) return std::move(text).error();
-    Result<CheckedProgram> checked = checkProgram(bench, std::move(*text), request.name, wanted, progress);
+    Result<CheckedProgram> checked = postAndCheck(bench, paths, wanted, progress);
     if (!checked) return checked;
-    Path whole;
-    for (const Path& path : paths.paths)
-        whole.points.insert(whole.points.end(), path.points.begin(), path.points.end());
-    checked->moments = momentsOf(checked->parsed, whole, bench.setup.workOffset);
+    ProgramPaths slower = paths;
+    if (const std::size_t slowed =
+            lowerFeeds(slower.paths, checked->parsed, checked->report.feedLimits, bench.setup.workOffset);
+        slowed > 0) {
+        checked = postAndCheck(bench, slower, wanted, progress);
+        if (!checked) return checked;
+        checked->slowed = slowed;
+    }
+    checked->moments = momentsOf(checked->parsed, wholeOf(paths.paths), bench.setup.workOffset);
     if (checked->passed() || request.overrideReason.empty()) return checked;
     return overrideCheck(std::move(*checked), request.overrideReason, bench.machine);
 }

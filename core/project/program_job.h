@@ -63,6 +63,7 @@ struct CheckedProgram {
     VerifyReport report;
     VolumeSnapshot machined; ///< the workpiece as the program leaves it
     bool overridden = false; ///< refused, and its header says why it is wanted all the same
+    std::size_t slowed = 0;  ///< moves that are fed slower than their path says, for spindle and tool (Path::leastFeed)
 
     /// What the check found, and what the control would reject; warnings are not among them.
     std::size_t errorCount() const noexcept;
@@ -84,9 +85,10 @@ std::vector<std::string> programHeader(const Bench& bench, const std::vector<Too
 /// Whether a text says in its header that Burin posted it: it is then to follow the project's paths.
 bool isPosted(std::string_view text);
 
-/// Posts paths, reads the text back with Burin's own parser and re-simulates it. What is not `released` must not reach
-/// a machine. Errors: those of toProgram, the dialect, parseProgram and verify.
-/// Also argumentInvalid: two tools of one number.
+/// Posts paths, reads the text back with Burin's own parser and re-simulates it. Where that finds moves that are fed
+/// too fast for spindle or tool and their path lets feeds come down (Path::leastFeed), they do, and the program is
+/// posted and judged again. What is not `released` must not reach a machine. Errors: those of toProgram, the dialect,
+/// parseProgram and verify. Also argumentInvalid: two tools of one number.
 Result<CheckedProgram> makeProgram(const Bench& bench, const ProgramPaths& paths, const ProgramRequest& request,
                                    Progress& progress);
 /// The same of one path, with the bench's tool.

@@ -5,7 +5,6 @@
 #include "core/path/hand_stretch.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace burin {
 
@@ -42,19 +41,27 @@ private:
 
 } // namespace
 
-std::vector<Moment> momentsOf(const ParsedProgram& program, const Path& path, const glm::dvec3& zero,
-                              double tolerance) {
-    std::vector<Moment> moments(program.motions.size());
+std::vector<std::optional<std::size_t>> pointsBehind(const ParsedProgram& program, const Path& path,
+                                                     const glm::dvec3& zero, double tolerance) {
+    std::vector<std::optional<std::size_t>> points(program.motions.size());
     Follower follower(path, zero, tolerance);
     std::size_t waiting = 0; // motions from here on belong to the next point that is met
     for (std::size_t i = 0; i < program.motions.size(); ++i) {
         if (program.motions[i].kind == NcMotionKind::dwell) continue;
         const auto point = follower.next(program.motions[i]);
         if (!point) continue;
-        std::fill(moments.begin() + static_cast<std::ptrdiff_t>(waiting),
-                  moments.begin() + static_cast<std::ptrdiff_t>(i + 1), momentOf(path.points[*point]));
+        std::fill(points.begin() + static_cast<std::ptrdiff_t>(waiting),
+                  points.begin() + static_cast<std::ptrdiff_t>(i + 1), point);
         waiting = i + 1;
     }
+    return points;
+}
+
+std::vector<Moment> momentsOf(const ParsedProgram& program, const Path& path, const glm::dvec3& zero,
+                              double tolerance) {
+    std::vector<Moment> moments;
+    for (const std::optional<std::size_t> point : pointsBehind(program, path, zero, tolerance))
+        moments.push_back(point ? momentOf(path.points[*point]) : Moment{});
     return moments;
 }
 

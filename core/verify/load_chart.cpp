@@ -251,7 +251,8 @@ private:
         const Engaged engaged = around(i);
         if (!(engaged.length > 0.0) || !(engaged.volume > 0.0)) return;
         const Turning turning = turningOf(motion, replayed_.tools[move.tool], time);
-        CutLoad load = loadOf(engaged, here, turning, coefficients_[move.tool]);
+        const auto& material = coefficients_[move.tool];
+        CutLoad load = loadOf(engaged, here, turning, material);
         const double all = lengths_.ofMotion(move.motion), share = lengthOf(here) / all;
         const double begin = (path.before + here.step * lengthOf(here)) / all;
         load.at = time.start + time.duration * (begin + 0.5 * share);
@@ -264,7 +265,13 @@ private:
         record_.steps.push_back({static_cast<float>(time.start + time.duration * begin),
                                  static_cast<float>(time.duration * share), static_cast<float>(load.force),
                                  static_cast<float>(load.power), move.motion});
-        if (visit) visit(motion, move.tool, load);
+        if (!visit) return;
+        const std::function<CutLoad(double)> at = [&](double feed) {
+            Turning slower = turning;
+            slower.speed = feed / secondsPerMinute;
+            return loadOf(engaged, here, slower, material);
+        };
+        visit({move.motion, motion, move.tool, load, turning.speed * secondsPerMinute, at});
     }
 
     const ReplayedProgram& replayed_;

@@ -30,8 +30,18 @@ struct LoadRecord {
     std::vector<MotionLoad> motions; ///< of those that remove something, in program order
     std::vector<LoadStep> steps;     ///< over time, where something is removed
 };
-/// Gets the load of every step. @param tool place in ReplayedProgram::tools
-using LoadVisitor = std::function<void(const NcMotion& motion, std::size_t tool, const CutLoad& load)>;
+/// The load of a step; all but for the call.
+struct ToldLoad {
+    std::uint32_t number = 0; ///< of the motion, place in ParsedProgram::motions
+    const NcMotion& motion;
+    std::size_t tool = 0; ///< place in ReplayedProgram::tools
+    const CutLoad& load;
+    double feed = 0.0; ///< mm/min that the tip reaches there, the feed at most
+    /// What the same step asks for at another feed, mm/min, > 0.
+    const std::function<CutLoad(double feed)>& at;
+};
+/// Gets the load of every step.
+using LoadVisitor = std::function<void(const ToldLoad&)>;
 
 /// The load of a program, step by step. A step's engaged surface S and the area A that it shows along the move are
 /// means over a quarter of the tool's radius of path about it, so that they do not follow single voxels; a path that

@@ -16,6 +16,11 @@ constexpr double nearbyAtLeast = 10.0; // mm
 constexpr std::size_t mostOfAKind = 20;
 constexpr double rounding = 1e-5; // of a limit that is just reached
 
+/// A limit of 0 is none.
+bool isWithin(double amount, double limit) {
+    return !(limit > 0.0) || !(amount > limit * (1.0 + rounding));
+}
+
 /// mm: the thickest chip of a turn, which a narrow cut has where it is left or entered (chip thinning).
 double thickestChip(const CutLoad& load, double diameter) {
     const double share = std::clamp(load.width / diameter, 0.0, 1.0);
@@ -75,32 +80,61 @@ LoadJudge::LoadJudge(const MachineProfile& machine, std::span<const Tool> tools,
     for (const Tool& tool : tools) beams_.emplace_back(tool);
 }
 
-void LoadJudge::judge(FindingKind kind, const NcMotion& motion, std::size_t tool, const CutLoad& load, double amount,
-                      double limit, bool warns) {
-    if (!(limit > 0.0) || !(amount > limit * (1.0 + rounding))) return;
-    const Excess excess{{kind, motion.line, load.place, amount, limit, 1}, tools_[tool].cutter.diameter, warns};
-    const auto [entry, isNew] = worst_.try_emplace({kind, motion.line}, excess);
+void LoadJudge::judge(const ToldLoad& told, const Asked& asked) {
+    if (isWithin(asked.amount, asked.limit)) return;
+    const Excess excess{{asked.kind, told.motion.line, told.load.place, asked.amount, asked.limit, 1},
+                        tools_[told.tool].cutter.diameter,
+                        asked.estimated};
+    const auto [entry, isNew] = worst_.try_emplace({asked.kind, told.motion.line}, excess);
     if (!isNew && excess.share() > entry->second.share()) entry->second = excess;
 }
 
-void LoadJudge::look(const NcMotion& motion, std::size_t number, const CutLoad& load) {
+std::array<LoadJudge::Asked, 4> LoadJudge::askedByFeed(const NcMotion& motion, std::size_t number,
+                                                       const CutLoad& load) const {
     const Tool& tool = tools_[number];
-    const auto against = [&](FindingKind kind, double amount, double limit, bool warns) {
-        judge(kind, motion, number, load, amount, limit, warns);
-    };
-    if (motion.spindleOn() && motion.spindleSpeed > 0.0) {
-        against(FindingKind::spindlePower, load.power, machine_->spindlePower, machine_->isEstimate("spindle_power_w"));
-        against(FindingKind::spindleTorque, load.torque, machine_->torqueAt(motion.spindleSpeed),
-                machine_->isEstimate("spindle_torque"));
+    const bool turns = motion.spindleOn() && motion.spindleSpeed > 0.0;
+    return {Asked{FindingKind::spindlePower, load.power, turns ? machine_->spindlePower : 0.0,
+                  machine_->isEstimate("spindle_power_w")},
+            Asked{FindingKind::spindleTorque, load.torque, turns ? machine_->torqueAt(motion.spindleSpeed) : 0.0,
+                  machine_->isEstimate("spindle_torque")},
+            Asked{FindingKind::toolBreakage, beams_[number].stressUnder(load.side, load.height),
+                  tool.strength / breakingReserve, tool.isEstimate("strength_n_per_mm2")},
+            Asked{FindingKind::chipLoad, thickestChip(load, tool.cutter.diameter), tool.maximumChipLoad,
+                  tool.isEstimate("maximum_chip_load_mm")}};
+}
+
+bool LoadJudge::areWithin(const std::array<Asked, 4>& asked) {
+    return std::ranges::all_of(asked, [](const Asked& one) { return isWithin(one.amount, one.limit); });
+}
+
+/// All that comes down with the feed does so all the way, so that halving finds where it is borne.
+void LoadJudge::limitFeed(const ToldLoad& told) {
+    double borne = 0.0, tooFast = told.feed;
+    for (int i = 0; i < 30; ++i) {
+        const double middle = 0.5 * (borne + tooFast);
+        (areWithin(askedByFeed(told.motion, told.tool, told.at(middle))) ? borne : tooFast) = middle;
     }
-    const ToolBeam& beam = beams_[number];
-    against(FindingKind::toolBreakage, beam.stressUnder(load.side, load.height), tool.strength / breakingReserve,
-            tool.isEstimate("strength_n_per_mm2"));
-    against(FindingKind::toolBending, beam.bendingUnder(load.side, load.height), bending_, true);
-    against(FindingKind::chipLoad, thickestChip(load, tool.cutter.diameter), tool.maximumChipLoad,
-            tool.isEstimate("maximum_chip_load_mm"));
-    against(FindingKind::depthOfCut, load.depth, tool.maximumDepthOfCut, tool.isEstimate("maximum_depth_of_cut_mm"));
-    against(FindingKind::widthOfCut, load.width, tool.maximumWidthOfCut, tool.isEstimate("maximum_width_of_cut_mm"));
+    const auto [entry, isNew] = feeds_.try_emplace(told.number, borne);
+    if (!isNew) entry->second = std::min(entry->second, borne);
+}
+
+void LoadJudge::look(const ToldLoad& told) {
+    const Tool& tool = tools_[told.tool];
+    const CutLoad& load = told.load;
+    const std::array<Asked, 4> byFeed = askedByFeed(told.motion, told.tool, load);
+    for (const Asked& asked : byFeed) judge(told, asked);
+    if (!areWithin(byFeed)) limitFeed(told);
+    judge(told, {FindingKind::toolBending, beams_[told.tool].bendingUnder(load.side, load.height), bending_, true});
+    judge(told,
+          {FindingKind::depthOfCut, load.depth, tool.maximumDepthOfCut, tool.isEstimate("maximum_depth_of_cut_mm")});
+    judge(told,
+          {FindingKind::widthOfCut, load.width, tool.maximumWidthOfCut, tool.isEstimate("maximum_width_of_cut_mm")});
+}
+
+std::vector<FeedLimit> LoadJudge::feedLimits() const {
+    std::vector<FeedLimit> limits;
+    for (const auto& [motion, feed] : feeds_) limits.push_back({motion, feed});
+    return limits;
 }
 
 /// The worst first, each with those of its kind near by.

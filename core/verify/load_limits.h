@@ -5,8 +5,9 @@
 #include "core/cutting/cutting_force.h"
 #include "core/cutting/tool_beam.h"
 #include "core/verify/findings.h"
-#include "core/verify/load.h"
+#include "core/verify/load_chart.h"
 
+#include <array>
 #include <map>
 #include <span>
 #include <vector>
@@ -21,22 +22,32 @@ public:
     /// All outlive the judge. @param bending mm that a tool may give way by
     LoadJudge(const MachineProfile& machine, std::span<const Tool> tools, double bending);
 
-    /// @param tool place in the tools
-    void look(const NcMotion& motion, std::size_t tool, const CutLoad& load);
+    void look(const ToldLoad& told);
     /// Beyond a stated limit: a finding. Beyond an estimated one, or bending: a warning. One of a kind within a
     /// tool's diameter (10 mm of a smaller one), with its worst line; `Finding::count` tells how many lines it
     /// stands for; at most 20 of a kind, the worst first, the last of which counts those left out.
     void conclude(Findings& findings, std::vector<Finding>& warnings) const;
+    /// Of the motions that ask for more than is stated or estimated, in program order: the greatest feed at which each
+    /// asks for no more power, torque, bending stress and chip than that.
+    std::vector<FeedLimit> feedLimits() const;
 
 private:
+    /// What comes down with the feed, beside its limit; a limit of 0 is none.
+    struct Asked {
+        FindingKind kind = FindingKind::spindlePower;
+        double amount = 0.0, limit = 0.0;
+        bool estimated = false;
+    };
+    std::array<Asked, 4> askedByFeed(const NcMotion& motion, std::size_t tool, const CutLoad& load) const;
+    static bool areWithin(const std::array<Asked, 4>& asked);
     struct Excess {
         Finding finding;
         double diameter = 0.0; ///< mm, of the tool
         bool warns = false;
         double share() const noexcept { return finding.amount / finding.limit; }
     };
-    void judge(FindingKind kind, const NcMotion& motion, std::size_t tool, const CutLoad& load, double amount,
-               double limit, bool warns);
+    void judge(const ToldLoad& told, const Asked& asked);
+    void limitFeed(const ToldLoad& told);
     static std::vector<Excess> gathered(std::vector<Excess> all);
 
     const MachineProfile* machine_;
@@ -44,6 +55,7 @@ private:
     double bending_;
     std::vector<ToolBeam> beams_;                                   ///< by tool
     std::map<std::pair<FindingKind, std::uint32_t>, Excess> worst_; ///< by kind and line
+    std::map<std::uint32_t, double> feeds_;                         ///< mm/min, by motion
 };
 
 /// The tangential force that tool and spindle bear at most, and which of their limits that is.

@@ -98,6 +98,7 @@ private:
             atRest_ = true;
             time_.withoutAcceleration += motion.seconds;
         } else if (!known) {
+            ++time_.untimedMoves;
             atRest_ = true;
         } else if (motion.rapid() && machine_.rapids == RapidMode::independent) {
             addIndependent(i);

@@ -31,6 +31,9 @@ struct MachiningTime {
     double seconds = 0.0;             ///< in all, tool changes and dwells included
     double withoutAcceleration = 0.0; ///< s: at the programmed feeds and the machine's rapids, with nothing but them
     int toolChanges = 0;              ///< the first tool's included
+    /// Moves that are not in it, as the program does not say where they begin or end: the first ones, and those in the
+    /// machine's frame (G28, G30, G53).
+    int untimedMoves = 0;
 };
 
 /// Plans every motion as a control with unlimited look-ahead would: trapezoids of speed along each block, S-curves

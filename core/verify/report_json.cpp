@@ -154,6 +154,7 @@ std::string toJson(const VerifyReport& report) {
                 {"samples_exact", report.exactSamples},
                 {"machining_s", report.machiningSeconds},
                 {"machining_without_acceleration_s", report.secondsWithoutAcceleration},
+                {"moves_without_time", report.untimedMoves},
                 {"machining_contains", {"accelerations", "corners", "dwells", "tool_changes"}},
                 {"tool_changes", report.toolChanges},
                 {"rapids", idOf(report.rapids)},

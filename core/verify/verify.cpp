@@ -106,13 +106,11 @@ void take(const GougeJudgement& gouges, VerifyReport& report) {
 void judgeLoads(const ReplayedProgram& replayed, const VerifyRequest& request, const PropertyList& properties,
                 PropertyIndex material, Findings& findings, VerifyReport& report) {
     LoadJudge judge(request.machine, replayed.tools, request.gougeTolerance);
-    LoadRecord record =
-        recordLoads(replayed, properties, material, [&](const NcMotion& motion, std::size_t tool, const CutLoad& load) {
-            judge.look(motion, tool, load);
-        });
+    LoadRecord record = recordLoads(replayed, properties, material, [&](const ToldLoad& told) { judge.look(told); });
     report.loads = std::move(record.motions);
     report.loadSteps = std::move(record.steps);
     judge.conclude(findings, report.warnings);
+    report.feedLimits = judge.feedLimits();
 }
 
 /// mm of material that a tool which does not cut at its centre may meet straight from above: crumbs.
@@ -199,6 +197,7 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     judgePlunges(replayed, findings);
     report.times = time.motions;
     report.toolChanges = time.toolChanges;
+    report.untimedMoves = time.untimedMoves;
 
     progress.stage(0.4, 0.9);
     const Result<GougeJudgement> gouges = judgeGouges(moves, tools->tools, outlines, request, findings, progress);

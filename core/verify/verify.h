@@ -124,6 +124,13 @@ struct DeviationSample {
     bool reachable = true; ///< the tool could touch the part here without entering it or going below it
 };
 
+/// A motion that asks for more than spindle or tool bear, of what comes down with the feed: power, torque, bending
+/// stress and chip.
+struct FeedLimit {
+    std::uint32_t motion = 0; ///< place in ParsedProgram::motions
+    double feed = 0.0;        ///< mm/min: the greatest at which it does not; 0: it does at any
+};
+
 /// What re-simulating a program on its setup found.
 struct VerifyReport {
     double gougeMax = 0.0;     ///< mm, >= 0: the exact judgement where there is one, the mesh's elsewhere
@@ -142,11 +149,13 @@ struct VerifyReport {
     std::vector<MotionLoad> loads;              ///< of what removes something, in program order
     std::vector<LoadStep> loadSteps;            ///< the same over time
     int toolChanges = 0;                        ///< that the time contains, the first tool's included
+    int untimedMoves = 0;                       ///< that it lacks, as their way is not known (MachiningTime)
     RapidMode rapids = RapidMode::synchronised; ///< the way that rapids were judged on
     std::vector<StatedPathMode> pathModes;      ///< what the program itself says of corners, and the time counts
     std::vector<Finding> findings;              ///< one of a kind for each cause, in program order
     std::vector<Finding> warnings;              ///< of loads beyond estimated limits, and of bending; the worst first
-    std::vector<NearPass> nearPasses;           ///< one a place, the nearest first
+    std::vector<FeedLimit> feedLimits; ///< of motions that are fed too fast for spindle or tool, in program order
+    std::vector<NearPass> nearPasses;  ///< one a place, the nearest first
     std::vector<DeviationSample> deviations;
 
     /// True when nothing was found; a gouge within the tolerance is not a finding.

@@ -73,6 +73,7 @@ private slots:
     void theTextOpensNextToTheView();
     void findingsStandBesideTheText();
     void theRestIsExportedFromTheSelectedLine();
+    void aRefusedRestIsExportedWithAReason();
     void aMachineIsCopiedChangedUsedAndDeleted();
     void aMachineThatIsGoneHasAStandIn();
     void aPostOutlastsAChangeOfTheMachine();
@@ -144,6 +145,61 @@ void TestWindowProgram::theRestIsExportedFromTheSelectedLine() {
     text->setTextCursor(QTextCursor(text->document()->findBlockByNumber(text->document()->blockCount() - 2)));
     driver.key(Qt::Key_F8);
     QVERIFY(driver.waitFor([&] { return driver.message().contains("the line of the last cut"); }));
+}
+
+/// As a refused program is, and only then: a rest whose later line goes through the part.
+void TestWindowProgram::aRefusedRestIsExportedWithAReason() {
+    WindowDriver driver;
+    QPlainTextEdit* text = textToEdit(driver);
+    QVERIFY(text != nullptr);
+    Workbench& bench = driver.window().workbench();
+    const NcMotion cut = *longestCut(bench.program.program()->parsed);
+    const auto line = [&](std::uint32_t number) {
+        return QTextCursor(text->document()->findBlockByNumber(static_cast<int>(number) - 1));
+    };
+    text->setTextCursor(line(cut.line + 1));
+    QTest::keyClicks(text, "G1 Z-50 F100");
+    QTest::keyClick(text, Qt::Key_Return);
+    QVERIFY(driver.waitFor([&] { return bench.program.edited() && driver.visible("checkTextButton") != nullptr; }));
+    QVERIFY(driver.clickOn("checkTextButton"));
+    QVERIFY(driver.settle());
+    QVERIFY(driver.waitFor([&] { return bench.program.refused(); }));
+
+    const QString file = driver.folder().filePath("rest.ngc");
+    bool locked = false, asked = false;
+    const auto openDialog = [&](const QString& reason) {
+        driver.whenDialogStands([&, reason](QWidget& dialog) {
+            locked = !dialog.findChild<QPushButton*>("exportRestartButton")->isEnabled();
+            driver.shoot("48-refused-restart");
+            driver.whenDialogStands([&, reason](QWidget& question) {
+                asked = question.objectName() == "reasonDialog";
+                QTest::keyClicks(question.findChild<QLineEdit*>("reasonField"), reason);
+                if (reason.isEmpty()) {
+                    QTest::keyClick(&question, Qt::Key_Escape);
+                    return;
+                }
+                driver.whenDialogStands([&](QWidget&) { chooseFile(driver, file); });
+                QTest::keyClick(question.findChild<QLineEdit*>("reasonField"), Qt::Key_Return);
+            });
+            QTest::mouseClick(dialog.findChild<QPushButton*>("overrideRestartButton"), Qt::LeftButton);
+            if (reason.isEmpty()) QTest::keyClick(&dialog, Qt::Key_Escape);
+        });
+        text->setTextCursor(line(cut.line));
+        text->setFocus();
+        driver.key(Qt::Key_F8);
+    };
+    openDialog({}); // without a reason nothing is written
+    QVERIFY(driver.waitFor([&] { return asked && QApplication::activeModalWidget() == nullptr; }));
+    QVERIFY(locked && !QFile::exists(file));
+    openDialog("the part is scrap, it shows the clamps");
+    QVERIFY(driver.waitFor([&] { return driver.message().contains("rest.ngc"); }));
+    QFile written(file);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    const QString rest = QString::fromUtf8(written.readAll());
+    QVERIFY2(rest.contains("REFUSED BY THE CHECK AND EXPORTED ALL THE SAME"), qPrintable(rest.left(800)));
+    QVERIFY(rest.contains("(Reason: the part is scrap, it shows the clamps)"));
+    QVERIFY(rest.contains(QString("RESTART at line %1").arg(cut.line)) && rest.contains("Z-50"));
+    QVERIFY(bench.program.refused()); // the program itself stays as it is
 }
 
 /// By mouse and keys, with an undo; the verdict of a program is that of the machine as it was.

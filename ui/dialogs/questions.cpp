@@ -64,13 +64,18 @@ bool confirm(QWidget* parent, const QString& question, const QString& consequenc
     return box.clickedButton() == yes;
 }
 
-QString askReason(QWidget* parent, const QString& question, const QString& consequence, const QString& label) {
+QString askOverride(QWidget* parent, int findings) {
     constexpr int width = 420, longest = 200; // pixels; characters: a few lines of a header
+    const QString consequence =
+        findings == 1 ? Questions::tr("Its check found 1 problem that can damage a tool, the part or the machine.")
+                      : Questions::tr("Its check found %n problems that can damage a tool, the part or the machine.",
+                                      nullptr, findings);
+    const QString label = Questions::tr("Your reason. It goes into the program's header together with the findings.");
     QDialog dialog(parent);
     dialog.setObjectName(QStringLiteral("reasonDialog"));
     dialog.setWindowTitle(Questions::tr("Burin"));
     auto* column = new QVBoxLayout(&dialog);
-    auto* heading = new QLabel(question, &dialog);
+    auto* heading = new QLabel(Questions::tr("Export a program that was refused?"), &dialog);
     heading->setProperty("look", "title");
     column->addWidget(heading);
     for (const QString& text : {consequence, label}) {

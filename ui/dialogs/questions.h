@@ -17,9 +17,10 @@ UnsavedAnswer askUnsaved(QWidget* parent, const QString& project);
 /// Asks before something goes that no undo brings back. Dialog "confirmDialog" with "confirmButton", "cancelButton".
 bool confirm(QWidget* parent, const QString& question, const QString& consequence, const QString& confirmText);
 
-/// Asks for a reason in words. Dialog "reasonDialog" with "reasonField", "confirmButton" (only with a reason),
-/// "cancelButton". @return trimmed; empty: cancelled
-QString askReason(QWidget* parent, const QString& question, const QString& consequence, const QString& label);
+/// Asks for a reason in words why a program that its check refused is wanted all the same. Dialog "reasonDialog" with
+/// "reasonField", "confirmButton" (only with a reason), "cancelButton". @param findings of the check, > 0
+/// @return trimmed; empty: cancelled
+QString askOverride(QWidget* parent, int findings);
 
 /// Dialog "aboutDialog". @param version of the program
 void showAbout(QWidget* parent, const QString& version);

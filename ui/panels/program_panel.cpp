@@ -46,14 +46,19 @@ void showChoices(ChoiceBox& box, const std::vector<NamedChoice>& choices, const 
 QString timeContents(const VerifyReport& report) {
     const QString atFeeds = durationText(report.secondsWithoutAcceleration);
     const auto count = static_cast<int>(report.toolChanges);
-    return count == 1
-               ? ProgramPanel::tr(
-                     "With accelerations, corners, dwells and 1 tool change; %1 at the programmed feeds alone")
-                     .arg(atFeeds)
-               : ProgramPanel::tr("With accelerations, corners, dwells and %n tool changes; %1 at the programmed feeds "
-                                  "alone",
-                                  nullptr, count)
-                     .arg(atFeeds);
+    const QString contents =
+        count == 1
+            ? ProgramPanel::tr(
+                  "With accelerations, corners, dwells and 1 tool change; %1 at the programmed feeds alone")
+                  .arg(atFeeds)
+            : ProgramPanel::tr("With accelerations, corners, dwells and %n tool changes; %1 at the programmed feeds "
+                               "alone",
+                               nullptr, count)
+                  .arg(atFeeds);
+    if (report.untimedMoves == 0) return contents;
+    return contents + QLatin1Char('\n') +
+           ProgramPanel::tr("Without moves whose way the program does not state (approach, way home): %n", nullptr,
+                            report.untimedMoves);
 }
 
 } // namespace

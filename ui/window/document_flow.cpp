@@ -247,12 +247,13 @@ void DocumentFlow::restartProgram(int line) {
 }
 
 void DocumentFlow::exportRestart(const RestartedProgram& rest) {
-    if (!askRestart(&window_, rest, settings_.preferences().unit)) return;
+    const RestartAnswer answer = askRestart(&window_, rest, settings_.preferences().unit);
+    if (!answer.write) return;
     const int line = static_cast<int>(rest.from);
     const QString file = askProgramToExport(&window_, folder(), restartName(programName(workbench_), line));
     if (file.isEmpty()) return;
     keepFolder(file);
-    workbench_.program.exportRestart(pathOf(file), rest);
+    workbench_.program.exportRestart(pathOf(file), rest, answer.overrideReason);
 }
 
 void DocumentFlow::settle(std::function<void(bool)> then) {

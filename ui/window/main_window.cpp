@@ -325,12 +325,7 @@ void MainWindow::showMachines() {
 
 void MainWindow::overrideCheck() {
     if (!workbench_.program.refused()) return;
-    const auto count = static_cast<int>(workbench_.program.program()->errorCount());
-    const QString reason = askReason(
-        this, tr("Export a program that was refused?"),
-        count == 1 ? tr("Its check found 1 problem that can damage a tool, the part or the machine.")
-                   : tr("Its check found %n problems that can damage a tool, the part or the machine.", nullptr, count),
-        tr("Your reason. It goes into the program's header together with the findings."));
+    const QString reason = askOverride(this, static_cast<int>(workbench_.program.program()->errorCount()));
     if (!reason.isEmpty()) workbench_.program.overrideCheck(programName(workbench_), reason);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/restart_dialog.h"
 
+#include "ui/dialogs/questions.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/quantity.h"
@@ -77,10 +78,10 @@ QString findingsOf(const CheckedProgram& program, LengthUnit unit) {
 QString verdictOf(const CheckedProgram& program) {
     if (program.released()) return RestartDialog::tr("Passed its check on the stock that is left.");
     const auto count = static_cast<int>(program.errorCount());
-    return count == 1 ? RestartDialog::tr("Did not pass its check on the stock that is left (1 finding). It can't be "
-                                          "exported; choose an earlier line.")
-                      : RestartDialog::tr("Did not pass its check on the stock that is left (%n findings). It can't be "
-                                          "exported; choose an earlier line.",
+    return count == 1 ? RestartDialog::tr("Did not pass its check on the stock that is left (1 finding). Choose an "
+                                          "earlier line, or override the check with a reason.")
+                      : RestartDialog::tr("Did not pass its check on the stock that is left (%n findings). Choose an "
+                                          "earlier line, or override the check with a reason.",
                                           nullptr, count);
 }
 
@@ -94,7 +95,7 @@ QLabel* makeLines(const QString& text, const char* name, QWidget* parent) {
 
 } // namespace
 
-bool askRestart(QWidget* parent, const RestartedProgram& rest, LengthUnit unit) {
+RestartAnswer askRestart(QWidget* parent, const RestartedProgram& rest, LengthUnit unit) {
     QDialog dialog(parent);
     dialog.setObjectName(QStringLiteral("restartDialog"));
     dialog.setWindowTitle(RestartDialog::tr("Restart"));
@@ -123,7 +124,12 @@ bool askRestart(QWidget* parent, const RestartedProgram& rest, LengthUnit unit) 
         makeButton(RestartDialog::tr("Cancel"), QStringLiteral("cancel"), QStringLiteral("cancelButton"), &dialog);
     QPushButton* write =
         makePrimaryButton(RestartDialog::tr("Export…"), QStringLiteral("exportRestartButton"), &dialog);
+    auto* override = makeButton(RestartDialog::tr("Override the check…"), QStringLiteral("warning"),
+                                QStringLiteral("overrideRestartButton"), &dialog);
+    override->setToolTip(RestartDialog::tr("Write the rest all the same; its header shows your reason"));
+    override->setVisible(!released);
     row->addWidget(cancel);
+    row->addWidget(override);
     row->addWidget(write);
     column->addLayout(row);
     cancel->setToolTip(RestartDialog::tr("Write nothing; the program stays as it is (Esc)"));
@@ -131,11 +137,17 @@ bool askRestart(QWidget* parent, const RestartedProgram& rest, LengthUnit unit) 
         write, released ? QString() : verdictOf(rest.program),
         RestartDialog::tr("Write the rest as a program of its own; the program of the project stays as it is"));
     QObject::connect(write, &QPushButton::clicked, &dialog, &QDialog::accept);
+    RestartAnswer answer;
+    QObject::connect(override, &QPushButton::clicked, &dialog, [&] {
+        answer.overrideReason = askOverride(&dialog, static_cast<int>(rest.program.errorCount()));
+        if (!answer.overrideReason.isEmpty()) dialog.accept();
+    });
     QObject::connect(cancel, &QPushButton::clicked, &dialog, &QDialog::reject);
     write->setDefault(released);
     (released ? write : cancel)->setFocus();
     dialog.resize(restartDialogSize);
-    return dialog.exec() == QDialog::Accepted;
+    answer.write = dialog.exec() == QDialog::Accepted;
+    return answer;
 }
 
 } // namespace burin

@@ -396,10 +396,21 @@ void ProgramController::restart(std::uint32_t line, const QString& name) {
     emit changed();
 }
 
-void ProgramController::exportRestart(const std::filesystem::path& file, const RestartedProgram& rest) {
-    if (!rest.program.released()) return;
+void ProgramController::exportRestart(const std::filesystem::path& file, const RestartedProgram& rest,
+                                      const QString& reason) {
+    std::string text = rest.program.text;
+    if (!rest.program.released()) {
+        if (reason.isEmpty() || !bench_.bench()) return;
+        Result<CheckedProgram> wanted =
+            burin::overrideCheck(rest.program, reason.toStdString(), bench_.bench()->machine);
+        if (!wanted) {
+            emit failed(wanted.error());
+            return;
+        }
+        text = std::move(wanted->text);
+    }
     desk_.project.ask(
-        [file, text = rest.program.text](Project& project) -> Result<void> {
+        [file, text = std::move(text)](Project& project) -> Result<void> {
             const std::array<std::filesystem::path, 1> inputs{project.file()};
             if (Result<void> free = checkOutput("file", file, inputs); !free) return free;
             return writeFileAtomically(file, text);

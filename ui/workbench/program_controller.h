@@ -63,8 +63,9 @@ public:
     /// Makes the rest of the program from a line of its text on, and checks it on the stock that is left then; ends
     /// with `restarted` or `failed`. The program itself stays as it is. @param name of the rest
     void restart(std::uint32_t line, const QString& name);
-    /// Writes the rest of a program. @param rest passed its check
-    void exportRestart(const std::filesystem::path& file, const RestartedProgram& rest);
+    /// Writes the rest of a program. @param reason why, though its check refused it: it and what was found stand in its
+    /// header then; without one nothing that was refused is written.
+    void exportRestart(const std::filesystem::path& file, const RestartedProgram& rest, const QString& reason = {});
 
     /// @return whether there was something to keep
     bool keepDraft(); ///< of what the user wrote and nobody checked: now, not in a moment

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/units.h"
 #include "tests/core/haptics/operator_plan_bench.h"
 #include "tests/core/haptics/tip_proxy.h"
 
@@ -21,6 +22,7 @@ private slots:
     void finishingWithoutRoughingGoesNoDeeperThanTheFlutes();
     void theToolFollowsTheHandOverSteps_data();
     void theToolFollowsTheHandOverSteps();
+    void aTurnAtARimPullsNoToolOverIt();
     void finishingIsEnteredDownARamp();
     void finishingSinksIntoAFullPocketInRamps();
     void finishingTakesAWallInSteps();
@@ -214,6 +216,47 @@ void OperatorFinishingTest::theToolFollowsTheHandOverSteps() {
     // By what it presses, and by a sample's width where it slides up a wall.
     QVERIFY2(farthest < request.press + 0.5,
              qPrintable(QString("%1 at %2 %3 %4").arg(farthest).arg(where.x).arg(where.y).arg(where.z)));
+}
+
+/// The upper part of a block alone, by a flat mill: its tips are those of a point over the block grown by the mill. A
+/// fast hand, which rounds its turns, and trembles by two tenths of a millimetre. Once the tool is over the rim it
+/// hangs at the wall, as long as a pass is, when the hand goes back.
+void OperatorFinishingTest::aTurnAtARimPullsNoToolOverIt() {
+    constexpr double radius = 5.0, top = 10.0;
+    Tool mill = ballTool(2.0 * radius);
+    mill.cutter.type = CutterType::flat;
+    mill.cutter.cornerRadius = 0.0;
+    const Box box{{-15, -8, 0}, {15, 8, top}};
+    constexpr double error = 0.02; // of a field: it has the last place of a pass on the block still
+    const glm::dvec3 further(radius + error, radius + error, 0.0);
+    Blocks grown(0.0, {{box.low - further, box.high + further}});
+    grown.answerGradients();
+    WorkpieceHeights heights({box.low - glm::dvec3(9.0, 9.0, 0.0), box.high + glm::dvec3(9.0, 9.0, 0.5)}, mill.cutter);
+    FinishingRequest request = finishingRequest(box);
+    request.stepOver = 1.0;
+    request.floor = 8.0;
+    request.floorMargin = 0.0;
+    request.speeds = fastestHand;
+    const auto points = planFinishing(grown, mill, request, heights);
+    QVERIFY(points && points->size() > 1000);
+    const auto motion = IntentMotion::make(*points, MotionLimits{});
+    QVERIFY(motion);
+    TipProxy proxy(grown);
+    glm::dvec3 tip = points->front().tip;
+    int ticks = 0, behind = 0;
+    double left = 1e9, right = -1e9;
+    for (double time = 0.0; time < motion->duration(); time += 0.001) {
+        const double tremor = 0.2 * std::sin(2.0 * pi * 10.0 * time), other = 0.2 * std::sin(2.0 * pi * 11.3 * time);
+        const glm::dvec3 hand = motion->at(time).position + glm::dvec3(tremor, other, other);
+        tip = proxy.advance(tip, hand, 0.0, 10.0).tip;
+        ++ticks;
+        behind += glm::distance(glm::dvec2(tip), glm::dvec2(hand)) > 1.0 ? 1 : 0;
+        if (tip.z > top + 0.5) continue; // it travels
+        left = std::min(left, tip.x);
+        right = std::max(right, tip.x);
+    }
+    QVERIFY2(behind < 0.01 * ticks, qPrintable(QString("%1 of %2 ticks").arg(behind).arg(ticks)));
+    QVERIFY(left - radius < box.low.x && right + radius > box.high.x); // nothing of the top is left out
 }
 
 /// A plate with stock on it: no pass meets it from above.

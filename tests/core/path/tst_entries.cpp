@@ -162,6 +162,22 @@ private slots:
         QCOMPARE(reportOf(*path, "link").entries.size(), std::size_t{1});
     }
 
+    /// Beside what was milled before: a sliver at the tool's rim is no material to get into.
+    void aSkimmedWallIsNoPlunge() {
+        for (const auto& [aside, enters] : {std::pair{0.12, false}, std::pair{1.0, true}}) {
+            std::vector<Tick> ticks = along({{-8, 0, -4}, {8, 0, -4}}, 40.0);
+            append(ticks, along({{8, 0, 8}, {0, aside, 8}}, 400.0, false));
+            append(ticks, along({{-0.05, aside, -4}, {0.05, aside, -4}}, 40.0)); // too short for a ramp
+            const Tool tool = stubbyTool(CutterType::flat);
+            const std::vector<Edit> edits{{DropAirCuts{}}, {Simplify{}}, {rampingLink()}};
+            const auto path = run({takeOf(ticks)}, edits, blockContext(tool));
+            QVERIFY(path);
+            const EditReport& link = reportOf(*path, "link");
+            QCOMPARE(link.entries.size(), enters ? std::size_t{2} : std::size_t{1}); // the slot's own is the first
+            if (!enters) QVERIFY(deepestPlunge(path->path.points, tool.cutter, 1.05 * std::tan(0.06)) < plungeBlur);
+        }
+    }
+
     /// In a hole hardly wider than the tool neither ramp nor helix has room.
     void aToolThatMayPlungesWhereNothingElseFits() {
         const MeshDistance part(holeMesh(2.1));

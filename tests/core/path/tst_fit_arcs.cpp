@@ -126,6 +126,27 @@ private slots:
         QVERIFY(arcs->reports.front().largestDeviation <= rules.tolerance);
     }
 
+    /// Rows as a hand leaves them: level, with waves of a few millimetres, and a micrometre of no kind.
+    void rowsOfAHandTakeFewerBlocks() {
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> micrometres(-0.001, 0.001);
+        std::vector<Tick> ticks;
+        for (double x = -60.0; x < 60.0; x += 0.25)
+            ticks.push_back({{x, 0.05 * std::sin(x / 1.16) + 0.04 * std::sin(x / 0.65 + 1.0) + micrometres(random),
+                              -3.0 + micrometres(random)}});
+        const PathContext context = freeContext();
+        const FitArcs rules;
+        const auto arcs = run({takeOf(ticks)}, {{rules}}, context);
+        const auto lines = run({takeOf(ticks)}, {{Simplify{rules.tolerance}}}, context);
+        QVERIFY(arcs && lines);
+        const double blocks = static_cast<double>(arcs->path.points.size() - 1);
+        const double share = static_cast<double>(lines->path.points.size() - 1) / blocks;
+        QVERIFY2(share >= 2.05, qPrintable(QString("%1 times fewer, %2").arg(share).arg(blocks)));
+        const std::vector<glm::dvec3> fitted = placesAlong(arcs->path.points, 0.01), source = tipsOf(ticks);
+        QVERIFY(farthestFrom(source, fitted) <= rules.tolerance + 1e-5);
+        QVERIFY(farthestFrom(fitted, source) <= rules.tolerance + 1e-9);
+    }
+
     void randomStrokesStayWithinTheTolerance() {
         const PathContext context = freeContext();
         QVERIFY(rc::check("both ways, and every arc by the rules", [&] {

@@ -101,6 +101,7 @@ private slots:
     void anArcIsNoFasterThanItsCurvatureAllows();
     void rapidsOfIndependentAxesTakeTheLongest();
     void dwellsAndToolChangesCount();
+    void movesOfWhichTheWayIsNotKnownAreCounted();
     void nothingIsFasterThanWithoutAcceleration();
     void feedsMayBeTimesOrTurns();
     void theProgramSaysHowCornersAreTaken();
@@ -220,6 +221,15 @@ void MachineTimeTest::dwellsAndToolChangesCount() {
     QVERIFY(near(time.seconds, 2.0 * 7.0 + 1.5 + 3.0 * move));
     for (std::size_t i = 1; i < time.motions.size(); ++i)
         QVERIFY(time.motions[i].start >= time.motions[i - 1].start + time.motions[i - 1].duration - 1e-12);
+}
+
+/// The first move comes from nowhere; the way home goes where the machine's own zero is.
+void MachineTimeTest::movesOfWhichTheWayIsNotKnownAreCounted() {
+    const MachiningTime away = machiningTime(read(begin + "G1 X10 F600\n"), mill());
+    QCOMPARE(away.untimedMoves, 1);
+    const MachiningTime home = machiningTime(read(begin + "G1 X10 F600\nG53 G0 Z0\nG53 G0 X0 Y0\n"), mill());
+    QCOMPARE(home.untimedMoves, 3);
+    QCOMPARE(home.seconds, away.seconds);
 }
 
 void MachineTimeTest::nothingIsFasterThanWithoutAcceleration() {

@@ -145,6 +145,7 @@ private slots:
     void aPlungeAndABallPushAlongTheAxis();
     void eachLimitIsFoundAtItsLine_data();
     void eachLimitIsFoundAtItsLine();
+    void theFeedThatIsBorneIsThatOfTheClosedFormula();
     void estimatedLimitsWarn();
     void manyLinesMakeOneFinding();
     void noCutIsWiderThanTheTool();
@@ -877,6 +878,26 @@ void VerifyTest::eachLimitIsFoundAtItsLine() {
         QVERIFY2(std::abs(found.front().amount / expected - 1.0) < 0.03,
                  qPrintable(QString::number(found.front().amount)));
     }
+}
+
+/// Of a slot: P = (K(2 fz / pi) D ap v / edge speed + Kte z ap / 2) times the edge's speed; at 400 mm/min here.
+void VerifyTest::theFeedThatIsBorneIsThatOfTheClosedFormula() {
+    constexpr double depth = 8.0, turns = 3800.0 / 60.0, borne = 400.0 / 60.0, edgeSpeed = pi * 10.0 * turns;
+    const double edge = 3.0 * 0.5 * depth * kte; // N
+    const double chip = 2.0 / pi * borne / (turns * 3.0);
+    const double force = kc11 * std::pow(chip, -mc) * 10.0 * depth * borne / edgeSpeed + edge;
+    const std::string moves = "G0 X-85 Y-20 Z5\nG0 Z-2\nG1 X85 F200\nG0 Z5\nG0 X-85 Y5\nG0 Z-8\nG1 X-10 F1200\n"
+                              "G0 Z5\n";
+    Slotting job;
+    QVERIFY(job.judge(moves).feedLimits.empty());
+    job.request.machine.spindlePower = force * edgeSpeed / 1000.0;
+    const VerifyReport report = job.judge(moves);
+    QCOMPARE(report.feedLimits.size(), std::size_t(1));
+    QCOMPARE(report.feedLimits.front().motion, report.loads.back().motion);
+    QVERIFY2(std::abs(report.feedLimits.front().feed / 400.0 - 1.0) < 0.03,
+             qPrintable(QString::number(report.feedLimits.front().feed)));
+    job.request.machine.spindlePower = 0.9 * edge * edgeSpeed / 1000.0; // less than the edge alone asks for
+    QVERIFY(job.judge(moves).feedLimits.back().feed < 1.0);
 }
 
 void VerifyTest::estimatedLimitsWarn() {
