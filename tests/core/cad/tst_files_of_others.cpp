@@ -39,6 +39,7 @@ private slots:
         QTest::newRow("BREP with DRAW's flag") << "b01-drawable-flag-behind-root.brep" << 1000.0;
         QTest::newRow("IGES, Ctrl-Z at its end") << "i01-ctrl-z-at-end.igs" << 1000.0;
         QTest::newRow("IGES behind a comment") << "i07-comment-first.igs" << 1000.0;
+        QTest::newRow("IGES, each face by itself") << "loose-faces-box.igs" << 24000.0;
         QTest::newRow("STEP behind a comment") << "t10f-blank-and-comment-first.stp" << 1000.0;
         QTest::newRow("STEP, name in Latin-1") << "t06b-name-latin1.stp" << 1000.0;
         QTest::newRow("STL without endsolid") << "s15-no-endsolid.stl" << 1000.0;
@@ -90,6 +91,13 @@ private slots:
         QVERIFY(plate && warns(*plate, "no volume"));
         const Result<Model> speck = import(given("s14b-20-micrometre.stl"));
         QVERIFY(speck && warns(*speck, "unit") && !warns(*speck, "no volume"));
+    }
+
+    /// The file holds a box and one face more.
+    void facesOutsideOfASolidAreCounted() {
+        const Result<Model> model = import(given("loose-faces-box.igs"));
+        QVERIFY(model && model->bodies.size() == 1);
+        QVERIFY(warns(*model, "1 face outside"));
     }
 
     void whatCannotBeReadIsNamed() {
