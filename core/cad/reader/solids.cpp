@@ -150,7 +150,9 @@ Result<std::vector<NamedSolid>> makeSolids(CadFile& file) {
         openEdges = 0;
         if (addSewn(file, loose, solids, openEdges)) loose.clear();
     }
-    if (solids.empty()) return Error{ErrorCode::modelHasNoSolid, {}, contents(file, openEdges), {}};
+    if (solids.empty()) return Error{ErrorCode::modelHasNoSolid, {}, contents(file, openEdges), file.missingFiles};
+    if (!file.missingFiles.empty())
+        note(file, ImportNote::Kind::warning, fill(import_notes::partsMissing, {file.missingFiles}));
     if (const int faces = countFaces(loose); faces > 0)
         note(file, ImportNote::Kind::warning, counted(faces, import_notes::faceLeftOut, import_notes::facesLeftOut));
     if (looseEdges > 0) note(file, ImportNote::Kind::warning, import_notes::curvesLeftOut.text);
