@@ -20,6 +20,7 @@
 #include <TopoDS_Wire.hxx>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <unordered_map>
@@ -177,8 +178,21 @@ std::vector<std::size_t> ShapeMesh::facesAtOpenEdges() const {
     return numbers;
 }
 
+bool ShapeMesh::isFolded(const FaceMesh& mesh) {
+    if (mesh.parameters.size() != mesh.nodes.size()) return false; // filled from its border
+    constexpr double rounding = 1e-6;                              // of the area in parameters
+    double forward = 0.0, backward = 0.0;
+    for (const auto& triangle : mesh.triangles) {
+        const glm::dvec2 &a = mesh.parameters[triangle[0]], &b = mesh.parameters[triangle[1]],
+                         &c = mesh.parameters[triangle[2]];
+        const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+        (area > 0.0 ? forward : backward) += std::abs(area);
+    }
+    return std::min(forward, backward) > rounding * std::max(forward, backward);
+}
+
 bool ShapeMesh::isTorn(const Face& face) const {
-    if (face.mesh.triangles.empty()) return true;
+    if (face.mesh.triangles.empty() || isFolded(face.mesh)) return true;
     // A seam is met twice, and its two sides cancel out as its triangles do.
     std::map<std::uint64_t, int> expected;
     for (TopExp_Explorer edges(face.shape, TopAbs_EDGE); edges.More(); edges.Next()) {
