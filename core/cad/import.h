@@ -27,8 +27,9 @@ struct ImportOptions {
 
 /// Reads STEP, IGES, BREP or STL (the contents decide, not the suffix) in a child process with time and memory limits:
 /// heals, sews, meshes, measures. A file that hangs or kills OpenCASCADE costs an error, not the caller.
-/// Thread: any. Errors: fileNotFound, fileNotReadable, fileEmpty, fileFormatUnknown, fileDamaged, modelHasNoSolid,
-/// modelTooLarge, meshIncomplete, importTimedOut, importOutOfMemory, importCrashed, cancelled.
+/// Thread: any. Errors: fileNotFound, fileNotReadable, fileEmpty, fileFormatUnknown, fileDamaged, modelHasNoSolid
+/// (detail: the files of an assembly that are not beside it), modelTooLarge, meshIncomplete, importTimedOut,
+/// importOutOfMemory, importCrashed, cancelled.
 Result<Model> importModel(const std::filesystem::path& file, const ImportOptions& options, Progress& progress);
 
 /// Exact distances from points to a B-rep (`Model::brep`), mm, negative inside: OpenCASCADE's extrema, in child

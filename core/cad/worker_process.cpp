@@ -98,18 +98,20 @@ private:
     posix_spawnattr_t attributes_{};
 };
 
-void limit(pid_t process, __rlimit_resource resource, rlim_t amount) {
-    const rlimit limits{amount, amount};
+void limit(pid_t process, __rlimit_resource resource, rlim_t soft, rlim_t hard) {
+    const rlimit limits{soft, hard};
     ::prlimit(process, resource, &limits, nullptr);
 }
 
 /// Set from outside, so that they hold for whatever program is started. The system's own limit of processor time counts
 /// whole seconds: it is there for a caller that is stopped or killed.
 void setLimits(pid_t process, const ImportLimits& limits) {
-    limit(process, RLIMIT_CORE, 0);
-    limit(process, RLIMIT_CPU, static_cast<rlim_t>(std::ceil(std::max(limits.seconds, 0.0))) + 1);
+    limit(process, RLIMIT_CORE, 0, 0);
+    // At the soft limit SIGXCPU ends it, which says why; SIGKILL at the hard one would say nothing.
+    const auto seconds = static_cast<rlim_t>(std::ceil(std::max(limits.seconds, 0.0))) + 1;
+    limit(process, RLIMIT_CPU, seconds, seconds + 1);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // their shadow memory alone is terabytes
-    limit(process, RLIMIT_AS, limits.memoryBytes);
+    limit(process, RLIMIT_AS, limits.memoryBytes, limits.memoryBytes);
 #endif
 }
 

@@ -91,6 +91,11 @@ QString Messages::sentence(const Error& error) {
         return tr("The CAD reader failed on \"%1\" (%2); export the model again, if possible as STEP.")
             .arg(file, detail);
     case ErrorCode::modelHasNoSolid:
+        if (!error.detail.empty())
+            return tr("The parts of \"%1\" are in other files that are not beside it (%2); copy these into its folder, "
+                      "or "
+                      "export the assembly as one file.")
+                .arg(file, detail);
         return tr("\"%1\" contains no solid, but: %2; export a closed solid.").arg(file, place);
     case ErrorCode::modelNotWatertight:
         return tr("The surface of \"%1\" is open (%2); close it in your CAD program and export it again.")

@@ -5,6 +5,7 @@
 #include "core/base/numbers.h"
 #include "core/cad/import_notes.h"
 #include "core/cad/reader/document_shapes.h"
+#include "core/cad/reader/external_files.h"
 #include "core/cad/reader/file_format.h"
 
 #include <BRepTools.hxx>
@@ -128,11 +129,17 @@ Result<CadFile> readStepFile(const std::string& file, std::string_view content, 
     if (reader.ReadFile(file.c_str()) != IFSelect_RetDone) return damaged("");
     CadFile read;
     read.format = stepProtocol(content);
+    const ExternalFiles others = externalFilesOf(reader.Reader(), file);
+    if (others.circular) return damaged("it refers to itself");
+    if (!others.outside.empty())
+        return Error{ErrorCode::modelHasNoSolid, {}, "parts in other folders", joined(others.outside)};
+    read.missingFiles = joined(others.missing);
     stateStepUnit(read, reader.ChangeReader());
     Handle(TDocStd_Document) document = newDocument();
     const Handle(ReaderProgress) progress = new ReaderProgress(report, 0.1, 0.4);
     const bool tessellated = content.find("TESSELLATED_") != std::string_view::npos;
-    const Error noSolid{ErrorCode::modelHasNoSolid, {}, tessellated ? "a tessellation alone" : "no shape", {}};
+    const Error noSolid{
+        ErrorCode::modelHasNoSolid, {}, tessellated ? "a tessellation alone" : "no shape", read.missingFiles};
     if (reader.NbRootsForTransfer() == 0) return noSolid;
     if (!reader.Transfer(document, progress->Start())) return tessellated ? noSolid : damaged("");
     read.shapes = documentShapes(document);
@@ -166,7 +173,7 @@ Result<CadFile> readBrepFile(const std::string& content, bool binary) {
         BRepTools::Read(shape, stream, builder);
     }
     if (shape.IsNull() || stream.fail()) return damaged("");
-    CadFile read{"BREP", "mm", 1.0, {}, {}};
+    CadFile read{"BREP", "mm", 1.0, {}, {}, {}};
     read.notes.push_back({ImportNote::Kind::unit, import_notes::brepWithoutUnit.text});
     read.shapes = explodedShapes(shape, {}, std::nullopt);
     return read;

@@ -27,9 +27,11 @@ struct CadFile {
     double unitScale = 1.0; ///< mm per unit
     std::vector<NamedShape> shapes;
     std::vector<ImportNote> notes;
+    std::string missingFiles; ///< names of files that hold parts of this one and are not beside it; empty: none
 };
 
-/// @param content of the file. Errors, with an empty subject: fileDamaged, modelHasNoSolid.
+/// @param content of the file. Parts that it leaves to other files are read where these lie in its folder. Errors, with
+/// an empty subject: fileDamaged, modelHasNoSolid (detail: files of an assembly that can't be read).
 Result<CadFile> readStepFile(const std::string& file, std::string_view content, const ReportFraction& report);
 Result<CadFile> readIgesFile(const std::string& file, const ReportFraction& report);
 Result<CadFile> readBrepFile(const std::string& content, bool binary);

@@ -20,7 +20,9 @@
 #include <TopoDS_Wire.hxx>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <unordered_map>
 
 namespace burin {
@@ -139,26 +141,88 @@ std::vector<std::size_t> ShapeMesh::emptyFaces() const {
 }
 
 template <class Visit>
-void ShapeMesh::visitEdges(Visit visit) const {
-    for (std::size_t face = 0; face < faces_.size(); ++face) {
-        const FaceMesh& mesh = faces_[face].mesh;
-        for (const auto& triangle : mesh.triangles)
-            for (std::size_t i = 0; i < 3; ++i) {
-                const std::uint32_t from = mesh.nodes[triangle[i]], to = mesh.nodes[triangle[(i + 1) % 3]];
-                if (from != to) visit(face, edgeKey(from, to), from < to ? 1 : -1);
-            }
+void ShapeMesh::visitEdges(const FaceMesh& mesh, Visit visit) {
+    for (const auto& triangle : mesh.triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t from = mesh.nodes[triangle[i]], to = mesh.nodes[triangle[(i + 1) % 3]];
+            if (from != to) visit(edgeKey(from, to), from < to ? 1 : -1);
+        }
+}
+
+std::vector<ShapeMesh::Border> ShapeMesh::bordersOf(const FaceMesh& mesh) {
+    std::vector<Border> uses;
+    uses.reserve(3 * mesh.triangles.size());
+    visitEdges(mesh, [&](std::uint64_t edge, int direction) { uses.push_back({edge, direction}); });
+    std::sort(uses.begin(), uses.end(), [](const Border& a, const Border& b) { return a.edge < b.edge; });
+    std::vector<Border> borders;
+    for (std::size_t i = 0; i < uses.size();) {
+        Border sum{uses[i].edge, 0};
+        for (; i < uses.size() && uses[i].edge == sum.edge; ++i) sum.balance += uses[i].balance;
+        if (sum.balance != 0) borders.push_back(sum);
     }
+    return borders;
 }
 
 std::vector<std::size_t> ShapeMesh::facesAtOpenEdges() const {
-    std::unordered_map<std::uint64_t, int> balance; // uses in one direction less those in the other
-    visitEdges([&](std::size_t, std::uint64_t edge, int direction) { balance[edge] += direction; });
-    std::vector<bool> open(faces_.size(), false);
-    visitEdges([&](std::size_t face, std::uint64_t edge, int) { open[face] = open[face] || balance[edge] != 0; });
+    std::vector<std::vector<Border>> borders;
+    std::unordered_map<std::uint64_t, int> balance; // of all faces
+    for (const Face& face : faces_) {
+        borders.push_back(bordersOf(face.mesh));
+        for (const Border& border : borders.back()) balance[border.edge] += border.balance;
+    }
     std::vector<std::size_t> numbers;
-    for (std::size_t face = 0; face < open.size(); ++face)
-        if (open[face]) numbers.push_back(face);
+    for (std::size_t face = 0; face < faces_.size(); ++face)
+        if (std::any_of(borders[face].begin(), borders[face].end(),
+                        [&](const Border& border) { return balance[border.edge] != 0; }))
+            numbers.push_back(face);
     return numbers;
+}
+
+bool ShapeMesh::isFolded(const FaceMesh& mesh) {
+    if (mesh.parameters.size() != mesh.nodes.size()) return false; // filled from its border
+    constexpr double rounding = 1e-6;                              // of the area in parameters
+    double forward = 0.0, backward = 0.0;
+    for (const auto& triangle : mesh.triangles) {
+        const glm::dvec2 &a = mesh.parameters[triangle[0]], &b = mesh.parameters[triangle[1]],
+                         &c = mesh.parameters[triangle[2]];
+        const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+        (area > 0.0 ? forward : backward) += std::abs(area);
+    }
+    return std::min(forward, backward) > rounding * std::max(forward, backward);
+}
+
+bool ShapeMesh::isTorn(const Face& face) const {
+    if (face.mesh.triangles.empty() || isFolded(face.mesh)) return true;
+    // A seam is met twice, and its two sides cancel out as its triangles do.
+    std::map<std::uint64_t, int> expected;
+    for (TopExp_Explorer edges(face.shape, TopAbs_EDGE); edges.More(); edges.Next()) {
+        const std::vector<std::uint32_t>& points = edgePoints_[index(edges_.FindIndex(edges.Current()))];
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+            if (points[i] == points[i + 1]) continue;
+            const int along = points[i] < points[i + 1] ? 1 : -1;
+            switch (edges.Current().Orientation()) {
+            case TopAbs_FORWARD:
+                expected[edgeKey(points[i], points[i + 1])] += along;
+                break;
+            case TopAbs_REVERSED:
+                expected[edgeKey(points[i], points[i + 1])] -= along;
+                break;
+            default: // runs within the face
+                break;
+            }
+        }
+    }
+    std::erase_if(expected, [](const auto& entry) { return entry.second == 0; });
+    const std::vector<Border> borders = bordersOf(face.mesh);
+    return !std::equal(borders.begin(), borders.end(), expected.begin(), expected.end(),
+                       [](const Border& a, const auto& b) { return a.edge == b.first && a.balance == b.second; });
+}
+
+std::vector<std::size_t> ShapeMesh::tornFaces() const {
+    std::vector<std::size_t> torn;
+    for (std::size_t face = 0; face < faces_.size(); ++face)
+        if (isTorn(faces_[face])) torn.push_back(face);
+    return torn;
 }
 
 void ShapeMesh::splitChord(FaceMesh& mesh, std::uint32_t from, std::uint32_t to, std::uint32_t middle) {
@@ -178,8 +242,15 @@ void ShapeMesh::splitChord(FaceMesh& mesh, std::uint32_t from, std::uint32_t to,
 }
 
 void ShapeMesh::partSharedChords() {
+    // Points inside of a face have no other face to share a chord with.
+    std::vector<bool> onEdge(points_.size(), false);
+    for (const std::vector<std::uint32_t>& along : edgePoints_)
+        for (const std::uint32_t point : along) onEdge[point] = true;
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> users; // faces, once for each triangle at the edge
-    visitEdges([&](std::size_t face, std::uint64_t edge, int) { users[edge].push_back(face); });
+    for (std::size_t face = 0; face < faces_.size(); ++face)
+        visitEdges(faces_[face].mesh, [&](std::uint64_t edge, int) {
+            if (onEdge[edge >> 32] && onEdge[static_cast<std::uint32_t>(edge)]) users[edge].push_back(face);
+        });
     for (auto& [edge, faces] : users) {
         if (faces.size() <= 2) continue;
         const auto from = static_cast<std::uint32_t>(edge >> 32), to = static_cast<std::uint32_t>(edge);

@@ -27,6 +27,11 @@ public:
     std::vector<std::size_t> emptyFaces() const;
     /// Numbers of the faces with a triangle at an open edge.
     std::vector<std::size_t> facesAtOpenEdges() const;
+    /// Numbers of the faces whose triangles end elsewhere than at the edges of the face, or are folded over in its
+    /// parameters: those of the others cover their face once, without a hole. A face at an open edge that isn't among
+    /// them lies at a gap of the shape itself. Call before refining.
+    std::vector<std::size_t> tornFaces() const;
+    const TopoDS_Face& face(std::size_t number) const { return faces_[number].shape; }
     /// Triangulates a plane face anew from its boundary alone. False when it is not plane or its boundary is broken:
     /// then nothing has changed.
     bool fillPlaneFace(std::size_t face);
@@ -46,8 +51,18 @@ private:
         FaceMesh mesh;
     };
 
+    /// An edge of triangles, and how often it is used from its lower vertex to its higher less the other way round.
+    struct Border {
+        std::uint64_t edge = 0;
+        int balance = 0;
+    };
+
     template <class Visit>
-    void visitEdges(Visit visit) const;
+    static void visitEdges(const FaceMesh& mesh, Visit visit);
+    /// Where the triangles of one face end, in the order of the edges' keys.
+    static std::vector<Border> bordersOf(const FaceMesh& mesh);
+    bool isTorn(const Face& face) const;
+    static bool isFolded(const FaceMesh& mesh);
     void addFace(const TopoDS_Face& face);
     static void splitChord(FaceMesh& face, std::uint32_t from, std::uint32_t to, std::uint32_t middle);
     std::uint32_t vertexOf(const TopoDS_Shape& vertex);

@@ -15,6 +15,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
+#include <span>
 #include <string_view>
 
 namespace burin {
@@ -48,9 +49,9 @@ void note(CadFile& file, ImportNote::Kind kind, std::string text) {
 }
 
 /// The closed shells among loose faces, as solids.
-std::vector<TopoDS_Solid> sewn(const TopoDS_Shape& loose, int& openEdges) {
+std::vector<TopoDS_Solid> sewn(std::span<const NamedShape> loose, int& openEdges) {
     BRepBuilderAPI_Sewing sewing(sewingTolerance);
-    sewing.Add(loose);
+    for (const NamedShape& entry : loose) sewing.Add(entry.shape);
     sewing.Perform();
     openEdges += sewing.NbFreeEdges();
     std::vector<TopoDS_Solid> solids;
@@ -85,6 +86,34 @@ void addHealed(CadFile& file, const NamedShape& from, std::vector<NamedSolid>& s
     }
 }
 
+int countFaces(std::span<const NamedShape> entries) {
+    int faces = 0;
+    for (const NamedShape& entry : entries) faces += count(entry.shape, TopAbs_FACE);
+    return faces;
+}
+
+/// The solids that entries of loose faces make together; false when they make none. A name or colour of several entries
+/// says nothing about their solid unless it is one and the same.
+bool addSewn(CadFile& file, std::span<const NamedShape> loose, std::vector<NamedSolid>& solids, int& openEdges) {
+    const std::vector<TopoDS_Solid> closed = sewn(loose, openEdges);
+    NamedShape entry = loose.front();
+    for (const NamedShape& other : loose) {
+        if (other.name != entry.name) entry.name.clear();
+        if (other.colour != entry.colour) entry.colour.reset();
+    }
+    int left = countFaces(loose);
+    for (const TopoDS_Solid& solid : closed) {
+        const int faces = count(solid, TopAbs_FACE);
+        left -= faces;
+        note(file, ImportNote::Kind::healing, counted(faces, import_notes::faceSewn, import_notes::facesSewn));
+        entry.shape = solid;
+        addHealed(file, entry, solids);
+    }
+    if (!closed.empty() && left > 0)
+        note(file, ImportNote::Kind::warning, counted(left, import_notes::faceLeftOut, import_notes::facesLeftOut));
+    return !closed.empty();
+}
+
 /// What a file without a solid holds instead.
 std::string contents(const CadFile& file, int openEdges) {
     int faces = 0, edges = 0;
@@ -106,26 +135,26 @@ TopoDS_Shape healed(const TopoDS_Shape& shape) {
 
 Result<std::vector<NamedSolid>> makeSolids(CadFile& file) {
     std::vector<NamedSolid> solids;
-    int looseFaces = 0, looseEdges = 0, openEdges = 0;
+    std::vector<NamedShape> loose; // that make no solid by themselves
+    int looseEdges = 0, openEdges = 0;
     for (const NamedShape& entry : file.shapes) {
-        if (count(entry.shape, TopAbs_SOLID) > 0) {
+        if (count(entry.shape, TopAbs_SOLID) > 0)
             addHealed(file, entry, solids);
-            continue;
-        }
-        const int faces = count(entry.shape, TopAbs_FACE);
-        if (faces == 0) ++looseEdges;
-        const std::vector<TopoDS_Solid> closed = sewn(entry.shape, openEdges);
-        for (const TopoDS_Solid& solid : closed) {
-            note(file, ImportNote::Kind::healing,
-                 counted(count(solid, TopAbs_FACE), import_notes::faceSewn, import_notes::facesSewn));
-            addHealed(file, {solid, entry.name, entry.colour}, solids);
-        }
-        if (closed.empty()) looseFaces += faces;
+        else if (count(entry.shape, TopAbs_FACE) == 0)
+            ++looseEdges;
+        else if (!addSewn(file, {&entry, 1}, solids, openEdges))
+            loose.push_back(entry);
     }
-    if (solids.empty()) return Error{ErrorCode::modelHasNoSolid, {}, contents(file, openEdges), {}};
-    if (looseFaces > 0)
-        note(file, ImportNote::Kind::warning,
-             counted(looseFaces, import_notes::faceLeftOut, import_notes::facesLeftOut));
+    // Many IGES files give each face an entry of its own.
+    if (loose.size() > 1) {
+        openEdges = 0;
+        if (addSewn(file, loose, solids, openEdges)) loose.clear();
+    }
+    if (solids.empty()) return Error{ErrorCode::modelHasNoSolid, {}, contents(file, openEdges), file.missingFiles};
+    if (!file.missingFiles.empty())
+        note(file, ImportNote::Kind::warning, fill(import_notes::partsMissing, {file.missingFiles}));
+    if (const int faces = countFaces(loose); faces > 0)
+        note(file, ImportNote::Kind::warning, counted(faces, import_notes::faceLeftOut, import_notes::facesLeftOut));
     if (looseEdges > 0) note(file, ImportNote::Kind::warning, import_notes::curvesLeftOut.text);
     return solids;
 }

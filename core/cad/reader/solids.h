@@ -16,7 +16,8 @@ struct NamedSolid {
 };
 
 /// The solids of a file: as they are where they are valid, healed where not, sewn from loose faces where there is no
-/// solid. What was done is added to `file.notes`. Error, with an empty subject: modelHasNoSolid.
+/// solid. What was done is added to `file.notes`. Error, with an empty subject: modelHasNoSolid (detail:
+/// `file.missingFiles`).
 Result<std::vector<NamedSolid>> makeSolids(CadFile& file);
 
 /// OpenCASCADE's general repair of a shape (ShapeFix).

@@ -39,6 +39,7 @@ private slots:
         QTest::newRow("BREP with DRAW's flag") << "b01-drawable-flag-behind-root.brep" << 1000.0;
         QTest::newRow("IGES, Ctrl-Z at its end") << "i01-ctrl-z-at-end.igs" << 1000.0;
         QTest::newRow("IGES behind a comment") << "i07-comment-first.igs" << 1000.0;
+        QTest::newRow("IGES, each face by itself") << "loose-faces-box.igs" << 24000.0;
         QTest::newRow("STEP behind a comment") << "t10f-blank-and-comment-first.stp" << 1000.0;
         QTest::newRow("STEP, name in Latin-1") << "t06b-name-latin1.stp" << 1000.0;
         QTest::newRow("STL without endsolid") << "s15-no-endsolid.stl" << 1000.0;
@@ -90,6 +91,50 @@ private slots:
         QVERIFY(plate && warns(*plate, "no volume"));
         const Result<Model> speck = import(given("s14b-20-micrometre.stl"));
         QVERIFY(speck && warns(*speck, "unit") && !warns(*speck, "no volume"));
+    }
+
+    /// The file holds a box and one face more.
+    void facesOutsideOfASolidAreCounted() {
+        const Result<Model> model = import(given("loose-faces-box.igs"));
+        QVERIFY(model && model->bodies.size() == 1);
+        QVERIFY(warns(*model, "1 face outside"));
+    }
+
+    /// An assembly of a plate of 6000 mm³ and a block of 1000 mm³, each in a file of its own.
+    void anAssemblyReadsTheFilesBesideIt() {
+        const Result<Model> whole = import(given("external/assembly.stp"));
+        QVERIFY2(whole, whole ? "" : describe(whole.error()).c_str());
+        QVERIFY(std::abs(whole->volume() - 7000.0) < 1e-6 && !hasNote(*whole, ImportNote::Kind::warning));
+
+        const auto copied = [&](const char* name) {
+            return write(name, std::move(readFile(given("external") / name)).value());
+        };
+        const std::filesystem::path assembly = copied("assembly.stp");
+        const Result<Model> alone = import(assembly);
+        QVERIFY(!alone && alone.error().code == ErrorCode::modelHasNoSolid);
+        QCOMPARE(alone.error().detail, std::string("part-block.stp, part-plate.stp"));
+
+        copied("part-plate.stp");
+        const Result<Model> half = import(assembly);
+        QVERIFY2(half, half ? "" : describe(half.error()).c_str());
+        QVERIFY(std::abs(half->volume() - 6000.0) < 1e-6);
+        QVERIFY(warns(*half, "part-block.stp") && !warns(*half, "part-plate.stp"));
+    }
+
+    void anAssemblyReadsNothingElsewhere() {
+        const std::string assembly = std::move(readFile(given("external/assembly.stp"))).value();
+        const auto refersTo = [&](std::string text, const std::string& name) {
+            const std::string plate = "part-plate.stp";
+            for (std::size_t at = 0; (at = text.find(plate, at)) != std::string::npos; at += name.size())
+                text.replace(at, plate.size(), name);
+            return text;
+        };
+        const std::string there = (given("external") / "part-plate.stp").string();
+        const Result<Model> elsewhere = import(write("elsewhere.stp", refersTo(assembly, there)));
+        QVERIFY(!elsewhere && elsewhere.error().code == ErrorCode::modelHasNoSolid);
+        QCOMPARE(elsewhere.error().detail, there);
+        const Result<Model> circle = import(write("circle.stp", refersTo(assembly, "circle.stp")));
+        QVERIFY(!circle && circle.error().code == ErrorCode::fileDamaged);
     }
 
     void whatCannotBeReadIsNamed() {

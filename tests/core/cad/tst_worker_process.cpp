@@ -4,11 +4,13 @@
 
 #include "core/base/file.h"
 #include "core/cad/worker_message.h"
+#include "core/cad/worker_process.h"
 
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <poll.h>
 #include <thread>
 
 using namespace burin;
@@ -61,6 +63,20 @@ private slots:
         QVERIFY2(error.code == ErrorCode::importTimedOut, describe(error).c_str());
         QCOMPARE(error.place, std::string("0.3 s"));
         QVERIFY(error.detail.empty());
+    }
+    /// The system counts by itself, and on a busy machine it may be the first to find the time used up.
+    void theSystemsOwnLimitIsATimeOutToo() {
+        ImportOptions options = scripted("while :; do :; done");
+        options.limits.seconds = 0.3;
+        Result<WorkerProcess> worker = WorkerProcess::start(ReadRequest{}, options, "a part");
+        QVERIFY(worker);
+        pollfd end{worker->output(), POLLIN, 0};
+        constexpr int longest = 60'000; // ms; it takes two seconds of a processor
+        QCOMPARE(::poll(&end, 1, longest), 1);
+        QTRY_VERIFY((worker->advance(), worker->finished()));
+        const WorkerAnswer answer = worker->takeAnswer();
+        const auto* error = std::get_if<Error>(&answer);
+        QVERIFY2(error && error->code == ErrorCode::importTimedOut, error ? describe(*error).c_str() : "an answer");
     }
     void programThatClosedItsOutputTimesOutToo() {
         ImportOptions options = scripted("exec >&-; sleep 1000");

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cad/reader/solid_mesh.h"
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace burin;
+
+Q_DECLARE_METATYPE(TopoDS_Shape)
+
+namespace {
+
+constexpr double chord = 0.05; // mm
+const double pi = std::acos(-1.0);
+
+SolidMesh meshed(const TopoDS_Shape& shape) {
+    return meshSolid(TopoDS::Solid(TopExp_Explorer(shape, TopAbs_SOLID).Current()), chord, [](double) {});
+}
+
+/// A box of 10 mm without its first face.
+TopoDS_Solid openBox() {
+    BRep_Builder builder;
+    TopoDS_Shell shell;
+    builder.MakeShell(shell);
+    TopExp_Explorer faces(BRepPrimAPI_MakeBox(10.0, 10.0, 10.0).Shape(), TopAbs_FACE);
+    for (faces.Next(); faces.More(); faces.Next()) builder.Add(shell, faces.Current());
+    TopoDS_Solid solid;
+    builder.MakeSolid(solid);
+    builder.Add(solid, shell);
+    return solid;
+}
+
+} // namespace
+
+class TestSolidMesh : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// Seams, poles and an apex are no holes, and each face is covered once.
+    void soundSolidsAreMeshedOnce_data() {
+        QTest::addColumn<TopoDS_Shape>("solid");
+        QTest::addColumn<double>("volume"); // mm³
+        QTest::addColumn<double>("area");   // mm²
+        QTest::newRow("box") << TopoDS_Shape(BRepPrimAPI_MakeBox(10.0, 10.0, 10.0).Shape()) << 1000.0 << 600.0;
+        QTest::newRow("cone with an apex")
+            << TopoDS_Shape(BRepPrimAPI_MakeCone(3.0, 0.0, 4.0).Shape()) << 12.0 * pi << 24.0 * pi;
+        QTest::newRow("sphere") << TopoDS_Shape(BRepPrimAPI_MakeSphere(3.0).Shape()) << 36.0 * pi << 36.0 * pi;
+        QTest::newRow("torus") << TopoDS_Shape(BRepPrimAPI_MakeTorus(5.0, 2.0).Shape()) << 40.0 * pi * pi
+                               << 40.0 * pi * pi;
+    }
+    void soundSolidsAreMeshedOnce() {
+        QFETCH(TopoDS_Shape, solid);
+        QFETCH(double, volume);
+        QFETCH(double, area);
+        const SolidMesh mesh = meshed(solid);
+        QCOMPARE(mesh.attempts, std::size_t{1});
+        QCOMPARE(mesh.openEdges, std::size_t{0});
+        QVERIFY(mesh.torn.IsNull());
+        QVERIFY(std::abs(signedVolume(mesh.mesh) - volume) <= chord * area);
+        QVERIFY(std::abs(surfaceArea(mesh.mesh) / area - 1.0) < 0.02);
+    }
+
+    /// No mesh closes what the shape leaves open, and a large one takes many seconds each time.
+    void aGapOfTheShapeIsMeshedOnce() {
+        const SolidMesh mesh = meshed(openBox());
+        QCOMPARE(mesh.openEdges, std::size_t{4});
+        QCOMPARE(mesh.attempts, std::size_t{1});
+        QVERIFY(mesh.torn.IsNull());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSolidMesh)
+#include "tst_solid_mesh.moc"

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cad/reader/file_format.h"
+#include "core/cad/reader/stl_file.h"
+#include "core/cad/reader/stl_model.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+namespace {
+
+using namespace burin;
+
+bool isSound(const TriangleMesh& mesh) {
+    for (const glm::dvec3& vertex : mesh.vertices)
+        if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.z)) return false;
+    for (const auto& triangle : mesh.triangles)
+        for (const std::uint32_t corner : triangle)
+            if (corner >= mesh.vertices.size()) return false;
+    return true;
+}
+
+} // namespace
+
+/// Whatever calls itself an STL file: its triangles name vertices that are there and finite, and there are no more of
+/// them than the file has room for (a text facet takes more than the 50 bytes of a binary one).
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
+    const std::string_view content(reinterpret_cast<const char*>(bytes), count);
+    const auto format = detectFormat(content);
+    if (!format || (*format != FileFormat::stlText && *format != FileFormat::stlBinary)) return 0;
+    const auto model = readStlModel(content, *format == FileFormat::stlBinary, 1.0);
+    if (!model) return 0;
+    std::size_t triangles = 0;
+    for (const Body& body : model->bodies) {
+        if (body.mesh.empty() || !isSound(body.mesh)) std::abort();
+        triangles += body.mesh.triangles.size();
+    }
+    if (triangles == 0 || triangles * 50 > count) std::abort();
+    return 0;
+}
