@@ -570,6 +570,10 @@
         <source>&quot;%1&quot; is new already</source>
         <translation>„%1“ ist schon neu</translation>
     </message>
+    <message>
+        <source>The tool can&apos;t reach anything to mill. Use a smaller or longer tool, or accept it with --override.</source>
+        <translation>Das Werkzeug erreicht nichts, was zu fräsen wäre. Ein kleineres oder längeres Werkzeug verwenden oder es mit --override hinnehmen.</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -1512,10 +1516,6 @@
         <translation>Programm exportieren</translation>
     </message>
     <message>
-        <source>Programs (*.ngc *.nc);;All files (*)</source>
-        <translation>Programme (*.ngc *.nc);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Import a fixture</source>
         <translation>Vorrichtung importieren</translation>
     </message>
@@ -1526,6 +1526,10 @@
     <message>
         <source>Machines (*.json)</source>
         <translation>Maschinen (*.json)</translation>
+    </message>
+    <message>
+        <source>Programs (*.ngc *.nc *.tap);;All files (*)</source>
+        <translation>Programme (*.ngc *.nc *.tap);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -1593,6 +1597,46 @@
     <message>
         <source>begin beside the material, or use a centre-cutting tool</source>
         <translation>neben dem Material beginnen oder ein Werkzeug nehmen, das über die Mitte schneidet</translation>
+    </message>
+    <message>
+        <source>add the tool to the project with this number, or correct the number</source>
+        <translation>das Werkzeug mit dieser Nummer in das Projekt aufnehmen oder die Nummer berichtigen</translation>
+    </message>
+    <message>
+        <source>load the tool with M6 before this move</source>
+        <translation>das Werkzeug vor dieser Bewegung mit M6 einwechseln</translation>
+    </message>
+    <message>
+        <source>state G43 and the tool&apos;s H number after the tool change</source>
+        <translation>nach dem Werkzeugwechsel G43 und die H-Nummer des Werkzeugs angeben</translation>
+    </message>
+    <message>
+        <source>state the H number of the tool in the spindle</source>
+        <translation>die H-Nummer des Werkzeugs in der Spindel angeben</translation>
+    </message>
+    <message>
+        <source>state the work offset in which the project&apos;s zero is stored</source>
+        <translation>die Nullpunktverschiebung angeben, in der der Nullpunkt des Projekts steht</translation>
+    </message>
+    <message>
+        <source>state M3: the tool is right-handed</source>
+        <translation>M3 angeben: das Werkzeug ist rechtsschneidend</translation>
+    </message>
+    <message>
+        <source>state a small tolerance with G64 P, or G61</source>
+        <translation>mit G64 P eine kleine Toleranz angeben oder G61</translation>
+    </message>
+    <message>
+        <source>correct the shift or the coordinates, or post the path again</source>
+        <translation>die Verschiebung oder die Koordinaten berichtigen oder die Bahn neu ausgeben</translation>
+    </message>
+    <message>
+        <source>choose smaller voxels</source>
+        <translation>kleinere Voxel wählen</translation>
+    </message>
+    <message>
+        <source>use a smaller or longer tool, or clamp the part another way up</source>
+        <translation>ein kleineres oder längeres Werkzeug verwenden oder das Teil anders aufspannen</translation>
     </message>
 </context>
 <context>
@@ -1770,6 +1814,10 @@
     <message>
         <source>%1 has no volume, so nothing of it can be protected.</source>
         <translation>%1 hat kein Volumen, also kann nichts davon geschützt werden.</translation>
+    </message>
+    <message>
+        <source>Parts are missing, since they are in other files: %1. Copy these into the folder of the model and import it again.</source>
+        <translation>Teile fehlen, weil sie in anderen Dateien stehen: %1. Kopieren Sie diese in den Ordner des Modells und importieren Sie es erneut.</translation>
     </message>
 </context>
 <context>
@@ -2028,6 +2076,10 @@
     <message>
         <source>Reading &quot;%1&quot; took more than %2 of processor time and was stopped; simplify the model or allow more time.</source>
         <translation>Das Lesen von „%1“ brauchte mehr als %2 Rechenzeit und wurde abgebrochen; vereinfachen Sie das Modell oder lassen Sie mehr Zeit zu.</translation>
+    </message>
+    <message>
+        <source>The parts of &quot;%1&quot; are in other files that are not beside it (%2); copy these into its folder, or export the assembly as one file.</source>
+        <translation>Die Teile von „%1“ stehen in anderen Dateien, die nicht daneben liegen (%2); kopieren Sie diese in seinen Ordner, oder exportieren Sie die Baugruppe als eine Datei.</translation>
     </message>
 </context>
 <context>
@@ -2317,6 +2369,53 @@
     <message>
         <source>Plunge of %1: the tool does not cut at its centre</source>
         <translation>Eintauchen um %1: Das Werkzeug schneidet nicht über die Mitte</translation>
+    </message>
+    <message>
+        <source>T%1 is not in the project; nothing after it was checked</source>
+        <translation>T%1 ist nicht im Projekt; was folgt, wurde nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Feed move before the tool is loaded</source>
+        <translation>Vorschubbewegung, bevor das Werkzeug eingewechselt ist</translation>
+    </message>
+    <message>
+        <source>The length offset of T%1 is not in force</source>
+        <translation>Die Längenkorrektur von T%1 ist nicht wirksam</translation>
+    </message>
+    <message>
+        <source>H%1 is the length offset of another tool</source>
+        <translation>H%1 ist die Längenkorrektur eines anderen Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Not the project&apos;s work offset</source>
+        <translation>Nicht die Nullpunktverschiebung des Projekts</translation>
+    </message>
+    <message>
+        <source>Spindle turns anticlockwise; the tool is right-handed</source>
+        <translation>Die Spindel dreht linksherum; das Werkzeug ist rechtsschneidend</translation>
+    </message>
+    <message>
+        <source>Blended corners gouge by %1</source>
+        <translation>Verschliffene Ecken verletzen das Teil um %1</translation>
+    </message>
+    <message>
+        <source>Blended corners leave %1 of stock</source>
+        <translation>Verschliffene Ecken lassen %1 Aufmaß stehen</translation>
+    </message>
+    <message>
+        <source>Leaves %1 on the part, the path leaves %2</source>
+        <translation>Lässt %1 auf dem Teil, die Bahn lässt %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bodies are too small for the voxels and not protected</source>
+        <translation>
+            <numerusform>%n Körper ist zu klein für die Voxel und nicht geschützt</numerusform>
+            <numerusform>%n Körper sind zu klein für die Voxel und nicht geschützt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No tool of the program reaches the part</source>
+        <translation>Kein Werkzeug des Programms erreicht das Teil</translation>
     </message>
 </context>
 <context>
@@ -2652,6 +2751,25 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Override the check</source>
         <translation>Prüfung übergehen</translation>
     </message>
+    <message>
+        <source>Its check found 1 problem that can damage a tool, the part or the machine.</source>
+        <translation>Die Prüfung fand 1 Fehler, der Werkzeug, Teil oder Maschine beschädigen kann.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Its check found %n problems that can damage a tool, the part or the machine.</source>
+        <translation>
+            <numerusform>Die Prüfung fand %n Fehler, der Werkzeug, Teil oder Maschine beschädigen kann.</numerusform>
+            <numerusform>Die Prüfung fand %n Fehler, die Werkzeug, Teil oder Maschine beschädigen können.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Your reason. It goes into the program&apos;s header together with the findings.</source>
+        <translation>Ihr Grund. Er steht mit den Befunden im Kopf des Programms.</translation>
+    </message>
+    <message>
+        <source>Export a program that was refused?</source>
+        <translation>Ein abgelehntes Programm exportieren?</translation>
+    </message>
 </context>
 <context>
     <name>Resource</name>
@@ -2782,17 +2900,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Hat die Prüfung auf dem verbliebenen Rohteil bestanden.</translation>
     </message>
     <message>
-        <source>Did not pass its check on the stock that is left (1 finding). It can&apos;t be exported; choose an earlier line.</source>
-        <translation>Hat die Prüfung auf dem verbliebenen Rohteil nicht bestanden (1 Befund). Der Rest kann nicht exportiert werden; wählen Sie eine frühere Zeile.</translation>
-    </message>
-    <message numerus="yes">
-        <source>Did not pass its check on the stock that is left (%n findings). It can&apos;t be exported; choose an earlier line.</source>
-        <translation>
-            <numerusform>Hat die Prüfung auf dem verbliebenen Rohteil nicht bestanden (%n Befund). Der Rest kann nicht exportiert werden; wählen Sie eine frühere Zeile.</numerusform>
-            <numerusform>Hat die Prüfung auf dem verbliebenen Rohteil nicht bestanden (%n Befunde). Der Rest kann nicht exportiert werden; wählen Sie eine frühere Zeile.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Restart</source>
         <translation>Wiederanlauf</translation>
     </message>
@@ -2823,6 +2930,29 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The tool comes down from above to X %1, Y %2, Z %3.</source>
         <translation>Das Werkzeug kommt von oben herab auf X %1, Y %2, Z %3.</translation>
+    </message>
+    <message>
+        <source>Program: %1</source>
+        <translation>Programm: %1</translation>
+    </message>
+    <message>
+        <source>Did not pass its check on the stock that is left (1 finding). Choose an earlier line, or override the check with a reason.</source>
+        <translation>Hat die Prüfung auf dem verbliebenen Rohteil nicht bestanden (1 Befund). Wählen Sie eine frühere Zeile, oder übergehen Sie die Prüfung mit einem Grund.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Did not pass its check on the stock that is left (%n findings). Choose an earlier line, or override the check with a reason.</source>
+        <translation>
+            <numerusform>Hat die Prüfung auf dem verbliebenen Rohteil nicht bestanden (%n Befund). Wählen Sie eine frühere Zeile, oder übergehen Sie die Prüfung mit einem Grund.</numerusform>
+            <numerusform>Hat die Prüfung auf dem verbliebenen Rohteil nicht bestanden (%n Befunde). Wählen Sie eine frühere Zeile, oder übergehen Sie die Prüfung mit einem Grund.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Override the check…</source>
+        <translation>Prüfung übergehen…</translation>
+    </message>
+    <message>
+        <source>Write the rest all the same; its header shows your reason</source>
+        <translation>Den Rest trotzdem schreiben; sein Kopf zeigt Ihren Grund</translation>
     </message>
 </context>
 <context>
@@ -4447,25 +4577,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Der Akku von „%1“ hat noch %2; laden Sie ihn bald.</translation>
     </message>
     <message>
-        <source>Export a program that was refused?</source>
-        <translation>Ein abgelehntes Programm exportieren?</translation>
-    </message>
-    <message>
-        <source>Its check found 1 problem that can damage a tool, the part or the machine.</source>
-        <translation>Die Prüfung fand 1 Fehler, der Werkzeug, Teil oder Maschine beschädigen kann.</translation>
-    </message>
-    <message numerus="yes">
-        <source>Its check found %n problems that can damage a tool, the part or the machine.</source>
-        <translation>
-            <numerusform>Die Prüfung fand %n Fehler, der Werkzeug, Teil oder Maschine beschädigen kann.</numerusform>
-            <numerusform>Die Prüfung fand %n Fehler, die Werkzeug, Teil oder Maschine beschädigen können.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Your reason. It goes into the program&apos;s header together with the findings.</source>
-        <translation>Ihr Grund. Er steht mit den Befunden im Kopf des Programms.</translation>
-    </message>
-    <message>
         <source>Burin ended before this work was saved; everything that was entered and recorded is restored.</source>
         <translation>Burin endete, bevor diese Arbeit gespeichert war; alles, was eingegeben und aufgezeichnet wurde, ist wiederhergestellt.</translation>
     </message>
@@ -5565,6 +5676,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>line %1</source>
         <translation>Zeile %1</translation>
     </message>
+    <message>
+        <source>program</source>
+        <translation>Programm</translation>
+    </message>
 </context>
 <context>
     <name>burin::ProgramPanel</name>
@@ -5784,6 +5899,13 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>
             <numerusform>Mit Beschleunigungen, Ecken, Verweilzeiten und %n Werkzeugwechsel; %1 allein mit den programmierten Vorschüben</numerusform>
             <numerusform>Mit Beschleunigungen, Ecken, Verweilzeiten und %n Werkzeugwechseln; %1 allein mit den programmierten Vorschüben</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Without moves whose way the program does not state (approach, way home): %n</source>
+        <translation>
+            <numerusform>Ohne Bewegungen, deren Weg das Programm nicht angibt (Anfahrt, Fahrt zur Parkposition): %n</numerusform>
+            <numerusform>Ohne Bewegungen, deren Weg das Programm nicht angibt (Anfahrt, Fahrt zur Parkposition): %n</numerusform>
         </translation>
     </message>
 </context>
