@@ -162,10 +162,9 @@ std::string unprotected(const EmbeddedSetup& embedded) {
     const auto bodies =
         std::ranges::count(embedded.findings, EmbeddingFinding::Kind::tooSmall, &EmbeddingFinding::kind);
     if (bodies == 0) return {};
-    return QCoreApplication::translate("Command",
-                                       "%n bodies are too small for the voxels and would not be protected. Choose "
-                                       "smaller voxels, or go on all the same with --override.",
-                                       nullptr, static_cast<int>(bodies))
+    return QCoreApplication::translate("Command", "Bodies too small for the voxels to be protected: %1. Choose smaller "
+                                                  "voxels, or go on all the same with --override.")
+        .arg(bodies)
         .toStdString();
 }
 

@@ -135,6 +135,12 @@ public:
     }
 
 private:
+    /// Comes down to its path, or leaves it: on the way it is to be nowhere.
+    static bool isAlongAxis(const ToolMove& move) noexcept {
+        constexpr double steepest = 0.1; // sideways over along
+        const glm::dvec3 way = move.to - move.begin();
+        return std::hypot(way.x, way.y) < steepest * std::abs(way.z);
+    }
     /// @return whether the tip is off the paths
     bool look(const ToolMove& move, const glm::dvec3& tip) {
         const SegmentCells& paths = paths_[move.tool];
@@ -142,7 +148,7 @@ private:
         if (!nearest) return true;
         const double away = glm::distance(*nearest, tip);
         const double tolerance = request_.excessTolerance;
-        if (tolerance > 0.0 && away > tolerance) {
+        if (tolerance > 0.0 && away > tolerance && !isAlongAxis(move)) {
             ClearanceAsker& part = *parts_[move.tool];
             const ToolClearance promised = part.ask(*nearest, pathNearPart, pathAnswers);
             if (promised.clearance < pathNearPart) {

@@ -76,8 +76,8 @@ void TestSeveralTools::theProgramIsVerifiedWithEachOfItsTools() {
     strange.write(text.toUtf8());
     strange.close();
     const ProgramRun refused = runBurin({"verify", strange.fileName(), "--project", project_});
-    QCOMPARE(refused.status, 2);
-    QVERIFY2(refused.messages.contains("77") && refused.messages.count('\n') == 1, refused.messages.constData());
+    QCOMPARE(refused.status, 1);
+    QVERIFY2(refused.output.contains("tool_unknown 77"), refused.output.constData());
     // Nor is one that is alone: which of the project's tools should it be?
     text.replace(QRegularExpression("^T\\d+ M6", QRegularExpression::MultilineOption), "T77 M6");
     QFile alone(inFolder("alone.ngc"));
@@ -85,8 +85,9 @@ void TestSeveralTools::theProgramIsVerifiedWithEachOfItsTools() {
     alone.write(text.toUtf8());
     alone.close();
     const ProgramRun unknown = runBurin({"verify", alone.fileName(), "--project", project_});
-    QVERIFY2(unknown.status == 2 && unknown.messages.contains("77"), unknown.messages.constData());
-    QVERIFY(runBurin({"verify", alone.fileName(), "--project", project_, "--tool", "ball-3"}).status != 2);
+    QVERIFY2(unknown.status == 1 && unknown.output.contains("tool_unknown 77"), unknown.output.constData());
+    const ProgramRun meant = runBurin({"verify", alone.fileName(), "--project", project_, "--tool", "ball-3"});
+    QVERIFY(!meant.output.contains("tool_unknown"));
 }
 
 void TestSeveralTools::inchesSayTheSame() {
