@@ -574,6 +574,10 @@
         <source>The tool can&apos;t reach anything to mill. Use a smaller or longer tool, or accept it with --override.</source>
         <translation>Das Werkzeug erreicht nichts, was zu fräsen wäre. Ein kleineres oder längeres Werkzeug verwenden oder es mit --override hinnehmen.</translation>
     </message>
+    <message>
+        <source>Bodies too small for the voxels to be protected: %1. Choose smaller voxels, or go on all the same with --override.</source>
+        <translation>Körper, die zu klein sind, um mit diesen Voxeln geschützt zu werden: %1. Wählen Sie kleinere Voxel, oder fahren Sie mit --override trotzdem fort.</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -2406,16 +2410,13 @@
         <source>Leaves %1 on the part, the path leaves %2</source>
         <translation>Lässt %1 auf dem Teil, die Bahn lässt %2</translation>
     </message>
-    <message numerus="yes">
-        <source>%n bodies are too small for the voxels and not protected</source>
-        <translation>
-            <numerusform>%n Körper ist zu klein für die Voxel und nicht geschützt</numerusform>
-            <numerusform>%n Körper sind zu klein für die Voxel und nicht geschützt</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No tool of the program reaches the part</source>
         <translation>Kein Werkzeug des Programms erreicht das Teil</translation>
+    </message>
+    <message>
+        <source>Bodies too small for the voxels, not protected: %1</source>
+        <translation>Körper, die für die Voxel zu klein und nicht geschützt sind: %1</translation>
     </message>
 </context>
 <context>
