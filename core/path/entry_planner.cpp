@@ -164,8 +164,27 @@ std::optional<EntryPlanner::Entry> EntryPlanner::into(const PathStroke& stroke, 
         return entry;
     }
     entry.way.clear();
+    if (const std::optional<std::size_t> free = freePoint(stroke, std::max(entry.point, first) + 1)) {
+        entry.point = *free;
+        entry.depth = 0.0;
+        return entry;
+    }
     entry.point = first;
     return entry;
+}
+
+/// The first point, from one on, over which nothing stands, and from which the stroke can be gone back along without a
+/// plunge.
+std::optional<std::size_t> EntryPlanner::freePoint(const PathStroke& stroke, std::size_t from) const {
+    const std::vector<StrokePoint>& points = stroke.points;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        if (plunges(points[i].tip, points[i - 1].tip)) return std::nullopt;
+        if (i < from || depthAt(points[i].tip) > leastDepth) continue;
+        PathStroke place = stroke;
+        place.points = {points[i]};
+        if (accessOf(place, guard_, safeHeight_).found) return i;
+    }
+    return std::nullopt;
 }
 
 /// To and fro along the stroke's beginning, as often as the slope asks for.

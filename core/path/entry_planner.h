@@ -29,7 +29,7 @@ public:
         EntryForm form = EntryForm::plunge;
         std::size_t point = 0;        ///< of the stroke, where it ends
         std::vector<StrokePoint> way; ///< from above the material to that point; none for a plunge
-        double depth = 0.0;           ///< mm of material above that point
+        double depth = 0.0;           ///< mm of material above that point; 0: nothing stands there
         bool stepsBack = false;       ///< the tool turns at the stroke's beginning, and there is no room to
     };
     /// @param first the earliest point of the stroke that can be reached from above
@@ -51,6 +51,7 @@ private:
     enum class RampEnd { turns, passes, noRoom };
     std::vector<StrokePoint> rampInto(const PathStroke& stroke, double height, RampEnd end) const;
     std::vector<StrokePoint> helixInto(const PathStroke& stroke, double depth) const;
+    std::optional<std::size_t> freePoint(const PathStroke& stroke, std::size_t from) const;
     bool clearsShank(const std::vector<StrokePoint>& way) const;
 
     bool on_, mayPlunge_;

@@ -48,7 +48,8 @@ std::optional<Linker::Piece> Linker::begin(const PathStroke& stroke, const Strok
     depart();
     enterFromAbove(piece);
     if (stepsBack(piece)) begunLonger(piece);
-    if (piece.entry && piece.entry->way.empty() && !planner_.mayPlunge()) return std::nullopt;
+    const bool plunges = piece.entry && piece.entry->way.empty() && piece.entry->depth > 0.0;
+    if (plunges && !planner_.mayPlunge()) return std::nullopt;
     return piece;
 }
 
@@ -232,7 +233,8 @@ void Linker::enter(const Piece& piece) {
         clear(point.tip, point.arc);
         make({point.tip, MoveKind::plunge, 0.0, stroke.take, entry.sample, point.arc});
     }
-    if (piece.entry) entries.push_back({piece.entry->form, stroke.take, entry.sample, entry.tip, piece.entry->depth});
+    if (piece.entry && piece.entry->depth > 0.0)
+        entries.push_back({piece.entry->form, stroke.take, entry.sample, entry.tip, piece.entry->depth});
     for (std::size_t i = piece.access.entry; i > 0; --i) cut(stroke, i - 1, turnedBack(stroke.points[i].arc));
     if (piece.access.entry > 0) turn(stroke, 0, 1);
 }

@@ -263,6 +263,38 @@ private slots:
         }
     }
 
+    /// Where nothing else fits, a stroke is entered where an earlier one has cleared the way, and gone back along.
+    void aStrokeIsEnteredWhereNothingStands() {
+        const MeshDistance part(meshOf({{{-10, 2.1, -16}, {0, 10, -1}}, {{-10, -10, -16}, {0, -2.1, -1}}}));
+        Tool tool = stubbyTool(CutterType::flat);
+        tool.cutter.shankDiameter = 3.8;
+        std::vector<Tick> ticks = along({{4, -8, -5}, {4, 8, -5}}, 40.0);
+        append(ticks, along({{4, 8, 8}, {-8, 0, 8}}, 400.0, false));
+        append(ticks, along({{-8, 0, -5}, {4, 0, -5}, {8, 0, -5}}, 40.0));
+        Link link = rampingLink();
+        link.rampAngle = 0.001; // ramps would be far too long
+        PathContext context = contextOf(part, tool, block);
+        context.lendStock = lendBlock;
+        const auto path = run({takeOf(ticks)}, {{DropAirCuts{}}, {Simplify{}}, {link}}, context);
+        QVERIFY2(path, path ? "" : path.error().detail.c_str());
+        const auto& entries = reportOf(*path, "link").entries;
+        QCOMPARE(entries.size(), std::size_t{1}); // of the first stroke
+        QVERIFY2(std::abs(entries.front().tip.x - 4.0) < 0.5,
+                 qPrintable(QString("%1 at %2").arg(idOf(entries.front().form)).arg(entries.front().tip.x)));
+        double farthest = 1e9;
+        int descents = 0;
+        for (std::size_t i = 1; i < path->path.points.size(); ++i) {
+            const PathPoint &from = path->path.points[i - 1], &to = path->path.points[i];
+            farthest = std::min(farthest, to.tip.x);
+            if (std::abs(to.tip.y) > 1.0 || to.tip.z > from.tip.z - 1e-9 || to.tip.z >= 0.0) continue;
+            QVERIFY2(std::abs(to.tip.x - 4.0) < 0.5,
+                     qPrintable(QString::number(to.tip.x))); // down into the cleared slot
+            ++descents;
+        }
+        QVERIFY(descents > 0);
+        QVERIFY2(std::abs(farthest + 8.0) < 0.01, qPrintable(QString::number(farthest))); // all of the stroke
+    }
+
     void noStrokeIsPlungedIntoUnsaid() {
         double forms[3] = {};
         QVERIFY(rc::check("where no plunge is reported no move goes down steeply into material", [&] {
