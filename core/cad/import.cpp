@@ -64,8 +64,12 @@ Result<Model> importModel(const fs::path& file, const ImportOptions& options, Pr
     if (Result<void> valid = checkFile(file); !valid) return std::move(valid).error();
     std::error_code ignored;
     const fs::path whole = fs::absolute(file, ignored).lexically_normal();
-    auto answers = runWorkers({ReadRequest{whole.string(), options.meshChord, options.stlUnit}}, options,
-                              whole.string(), progress);
+    ReadRequest request{whole.string(), options.meshChord, options.stlUnit};
+    auto answers = runWorkers({request}, options, whole.string(), progress);
+    if (!answers && answers.error().code == ErrorCode::importCrashed) {
+        request.careful = true;
+        answers = runWorkers({request}, options, whole.string(), progress);
+    }
     if (!answers) return std::move(answers).error();
     auto* model = std::get_if<Model>(&answers->front());
     if (!model) return Error{ErrorCode::importCrashed, whole.string(), {}, "it answered something else"};

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t requestMark = 0x51525542; // "BURQ"
 constexpr std::uint32_t frameMark = 0x46525542;   // "BURF"
-constexpr std::uint32_t messageVersion = 2;
+constexpr std::uint32_t messageVersion = 3;
 
 enum class FrameKind : std::uint32_t { progress, error, model, distances, edges };
 
@@ -231,6 +231,7 @@ std::string encodeRequest(const WorkerRequest& request) {
         to.text(read->file);
         to.value(read->meshChord);
         to.value(read->stlUnit);
+        to.value(static_cast<std::uint8_t>(read->careful));
     } else if (const auto* distance = std::get_if<DistanceRequest>(&request)) {
         to.text(distance->brep);
         to.list(distance->points);
@@ -252,6 +253,7 @@ std::optional<WorkerRequest> decodeRequest(std::string_view bytes) {
         read.file = from.text();
         read.meshChord = from.value<double>();
         read.stlUnit = from.value<double>();
+        read.careful = from.value<std::uint8_t>() != 0;
         request = std::move(read);
     } else if (kind == 1) {
         DistanceRequest distance;

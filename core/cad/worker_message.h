@@ -25,6 +25,7 @@ struct ReadRequest {
     std::string file;         ///< absolute path
     double meshChord = 0.005; ///< mm
     double stlUnit = 1.0;     ///< mm per unit of an STL file
+    bool careful = false;     ///< without the faster of the two meshers: a process that used it crashed
 };
 
 /// Measure these points.

@@ -63,7 +63,7 @@ void noteMesh(Model& model, const Body& body, const SolidMesh& mesh) {
              fill(import_notes::meshVolumeDiffers, {title, formatFixed(meshed, 2), formatFixed(body.volume, 2)}));
 }
 
-Result<Body> makeBody(Model& model, const NamedSolid& solid, double chord, const ReportFraction& report) {
+Result<Body> makeBody(Model& model, const NamedSolid& solid, double chord, bool careful, const ReportFraction& report) {
     Body body;
     body.name =
         solid.name.empty() ? fill(import_notes::unnamedBody, {std::to_string(model.bodies.size() + 1)}) : solid.name;
@@ -72,7 +72,7 @@ Result<Body> makeBody(Model& model, const NamedSolid& solid, double chord, const
     body.volume = exactVolume(solid.solid);
     body.area = exactArea(solid.solid);
     body.faceCount = countFaces(solid.solid);
-    SolidMesh mesh = meshSolid(solid.solid, chord, report);
+    SolidMesh mesh = meshSolid(solid.solid, chord, report, careful);
     if (mesh.facesWithoutTriangles > 0)
         return Error{ErrorCode::meshIncomplete,
                      {},
@@ -89,7 +89,7 @@ Result<Body> makeBody(Model& model, const NamedSolid& solid, double chord, const
     return body;
 }
 
-Result<Model> makeModel(CadFile file, double chord, const ReportFraction& report) {
+Result<Model> makeModel(CadFile file, double chord, bool careful, const ReportFraction& report) {
     Result<std::vector<NamedSolid>> solids = makeSolids(file);
     if (!solids) return std::move(solids).error();
     Model model;
@@ -106,7 +106,7 @@ Result<Model> makeModel(CadFile file, double chord, const ReportFraction& report
     const auto count = static_cast<double>(solids->size());
     for (std::size_t i = 0; i < solids->size(); ++i) {
         const auto part = [&](double fraction) { report(0.5 + 0.5 * (static_cast<double>(i) + fraction) / count); };
-        Result<Body> body = makeBody(model, (*solids)[i], chord, part);
+        Result<Body> body = makeBody(model, (*solids)[i], chord, careful, part);
         if (!body) return std::move(body).error();
         model.bodies.push_back(std::move(*body));
     }
@@ -135,7 +135,7 @@ Result<Model> readAnyModel(const ReadRequest& request, const ReportFraction& rep
     Result<CadFile> file = readCadFile(request.file, *format, *content, report);
     if (!file) return std::move(file).error();
     *content = std::string();
-    return makeModel(std::move(*file), request.meshChord, report);
+    return makeModel(std::move(*file), request.meshChord, request.careful, report);
 }
 
 /// Whether this process came near its limit of memory. OpenCASCADE's mesher swallows a refused allocation and leaves

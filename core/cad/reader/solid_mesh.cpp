@@ -101,7 +101,7 @@ bool promises(const Attempt& attempt, const TopoDS_Compound& torn, double chord)
 
 } // namespace
 
-SolidMesh meshSolid(const TopoDS_Solid& solid, double chord, const ReportFraction& report) {
+SolidMesh meshSolid(const TopoDS_Solid& solid, double chord, const ReportFraction& report, bool careful) {
     constexpr auto delabella = IMeshTools_MeshAlgoType_Delabella;
     constexpr std::size_t usual = 5; // the others are for faces that get no mesh at all
     // The first is the fastest: its algorithm takes a third of the time, and with less than the chord along edges
@@ -117,12 +117,13 @@ SolidMesh meshSolid(const TopoDS_Solid& solid, double chord, const ReportFractio
     std::size_t made = 0;
     for (std::size_t i = 0; i < attempts.size(); ++i) {
         if (i >= usual && best.facesWithoutTriangles == 0) break;
-        if (i > 0 && i < usual && !promises(attempts[i], best.torn, chord)) continue;
+        if (careful && attempts[i].algorithm == delabella) continue;
+        if (made > 0 && i < usual && !promises(attempts[i], best.torn, chord)) continue;
         const TopoDS_Shape shape = attempts[i].divides ? withoutSeams(solid) : TopoDS_Shape(solid);
         runMesher(shape, attempts[i].part * chord, attempts[i].angle, attempts[i].algorithm, report);
         SolidMesh result = collect(shape, chord);
         ++made;
-        if (i == 0 || isBetter(result, best)) best = std::move(result);
+        if (made == 1 || isBetter(result, best)) best = std::move(result);
         if (best.torn.IsNull()) break;
     }
     best.attempts = made;

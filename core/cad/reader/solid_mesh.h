@@ -25,7 +25,7 @@ struct SolidMesh {
 /// Meshes a solid with a chord of at most `chord` mm. OpenCASCADE's mesher may leave faces of a valid solid empty; its
 /// status is not trusted but the result looked at, and what is missing is filled or tried again with a finer chord. An
 /// open edge where the faces themselves don't meet is left: no chord closes it. The solid carries a triangulation
-/// afterwards.
-SolidMesh meshSolid(const TopoDS_Solid& solid, double chord, const ReportFraction& report);
+/// afterwards. @param careful without the faster of the two algorithms
+SolidMesh meshSolid(const TopoDS_Solid& solid, double chord, const ReportFraction& report, bool careful = false);
 
 } // namespace burin

@@ -112,6 +112,18 @@ private slots:
         QVERIFY2(error.code == ErrorCode::importCrashed, describe(error).c_str());
         QVERIFY2(error.detail.find(detail.toStdString()) != std::string::npos, error.detail.c_str());
     }
+    /// The faster mesher may crash on a face; the file is read again without it.
+    void aCrashIsTriedAgain() {
+        const fs::path crashed = fs::path(folder_.path().toStdString()) / "crashed";
+        ImportOptions again = scripted("[ -e " + crashed.string() + " ] && exec " + options().worker.string() +
+                                       "\ntouch " + crashed.string() + "; kill -SEGV $$");
+        Progress progress;
+        const Result<Model> model = importModel(modelFile("cube.brep"), again, progress);
+        QVERIFY2(model, model ? "" : describe(model.error()).c_str());
+        QVERIFY(fs::exists(crashed));
+        QCOMPARE(model->bodies.size(), std::size_t{1});
+        QVERIFY(countOpenEdges(model->bodies.front().mesh) == 0);
+    }
     void missingProgramIsSaid() {
         ImportOptions options;
         options.worker = "/nonexistent/burin-import";
