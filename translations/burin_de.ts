@@ -5909,6 +5909,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
             <numerusform>Ohne Bewegungen, deren Weg das Programm nicht angibt (Anfahrt, Fahrt zur Parkposition): %n</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Excess tolerance</source>
+        <translation>Aufmaßtoleranz</translation>
+    </message>
+    <message>
+        <source>Most by which the stock left on the part may differ from what the paths leave, and by which blended corners may leave more; 0: not judged</source>
+        <translation>So weit darf das verbleibende Aufmaß von dem abweichen, was die Bahnen stehen lassen, und so viel dürfen verschliffene Ecken mehr stehen lassen; 0: wird nicht beurteilt</translation>
+    </message>
 </context>
 <context>
     <name>burin::ProgramScenePresenter</name>

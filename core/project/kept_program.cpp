@@ -21,7 +21,7 @@ namespace {
 using nlohmann::json;
 
 /// To be counted up with every change that lets parser, lint or check judge a program otherwise than before.
-constexpr int rulesOfJudgement = 1;
+constexpr int rulesOfJudgement = 2;
 
 /// What is compared as one: each part with its length, so that none runs into the next.
 class Parts {
@@ -89,6 +89,7 @@ std::shared_ptr<const CheckedProgram> programOf(const Project& project, const Ke
     program->parsed = std::move(*parsed);
     program->tools = std::move(*tools);
     program->gougeTolerance = kept.gougeTolerance;
+    program->excessTolerance = kept.excessTolerance;
     program->lint = lint(kept.text, {&control, &*machine});
     program->report = std::move(*report);
     program->overridden = kept.overridden;
@@ -103,6 +104,7 @@ std::string toJson(const KeptProgram& program) {
                       {"machine", program.machine},
                       {"units", idOf(program.units)},
                       {"gouge_tolerance_mm", program.gougeTolerance},
+                      {"excess_tolerance_mm", program.excessTolerance},
                       {"overridden", program.overridden},
                       {"by_hand", program.byHand},
                       {"tools", program.tools},
@@ -119,6 +121,7 @@ std::optional<KeptProgram> keptProgramFromJson(std::string_view text) try {
     record.at("dialect").get_to(program.dialect);
     record.at("machine").get_to(program.machine);
     record.at("gouge_tolerance_mm").get_to(program.gougeTolerance);
+    program.excessTolerance = record.value("excess_tolerance_mm", program.excessTolerance); // older ones lack it
     record.at("overridden").get_to(program.overridden);
     record.at("by_hand").get_to(program.byHand);
     record.at("tools").get_to(program.tools);
@@ -155,6 +158,7 @@ std::uint64_t judgedChecksum(std::uint64_t basis, const KeptProgram& program) {
     parts.add(program.dialect);
     parts.add(program.machine);
     parts.add(json(program.gougeTolerance).dump());
+    parts.add(json(program.excessTolerance).dump());
     parts.add(program.overridden ? "overridden" : "");
     for (const std::string& tool : program.tools) parts.add(tool);
     parts.add(program.report);
@@ -189,6 +193,7 @@ KeptProgram keptOf(const CheckedProgram& program, const std::string& machine, Nc
     kept.machine = machine;
     kept.units = units;
     kept.gougeTolerance = program.gougeTolerance;
+    kept.excessTolerance = program.excessTolerance;
     kept.overridden = program.overridden;
     for (const Tool& tool : program.tools) kept.tools.push_back(tool.id);
     kept.report = toJson(program.report);

@@ -19,6 +19,7 @@ struct KeptProgram {
     std::string text, dialect, machine; ///< ids of those that it was judged for
     NcUnits units = NcUnits::millimetre;
     double gougeTolerance = 0.0;       ///< mm, that it was judged by
+    double excessTolerance = 0.1;      ///< the same, as VerifyRequest::excessTolerance
     bool overridden = false;           ///< its header says why it is wanted all the same
     bool byHand = false;               ///< the user wrote in its text
     std::vector<std::string> tools;    ///< ids of those that it may call

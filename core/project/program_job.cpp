@@ -318,6 +318,7 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     checked.text = std::move(text);
     checked.dialect = request.dialect;
     checked.gougeTolerance = request.gougeTolerance;
+    checked.excessTolerance = request.excessTolerance;
     checked.parsed = std::move(*parsed);
     checked.report = std::move(*report);
     return checked;

@@ -54,12 +54,13 @@ struct ProgramRequest {
 /// A program that was posted, read back from its text and judged.
 struct CheckedProgram {
     std::string text;
-    std::string dialect;         ///< that it is read in
-    ParsedProgram parsed;        ///< what the text says
-    std::vector<Tool> tools;     ///< that it may call by their numbers; one: whatever number it calls
-    double gougeTolerance = 0.0; ///< mm, that it was judged by
-    std::vector<LintMark> lint;  ///< what the control may not take
-    std::vector<Moment> moments; ///< of the hand, behind each motion; empty where the text was not posted from a path
+    std::string dialect;          ///< that it is read in
+    ParsedProgram parsed;         ///< what the text says
+    std::vector<Tool> tools;      ///< that it may call by their numbers; one: whatever number it calls
+    double gougeTolerance = 0.0;  ///< mm, that it was judged by
+    double excessTolerance = 0.0; ///< the same, as ProgramRequest has it
+    std::vector<LintMark> lint;   ///< what the control may not take
+    std::vector<Moment> moments;  ///< of the hand, behind each motion; empty where the text was not posted from a path
     VerifyReport report;
     VolumeSnapshot machined; ///< the workpiece as the program leaves it
     bool overridden = false; ///< refused, and its header says why it is wanted all the same

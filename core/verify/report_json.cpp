@@ -213,6 +213,7 @@ std::optional<VerifyReport> reportFromJson(std::string_view text) try {
     for (const json& entry : record.value("load_warnings", json::array())) // since loads are judged
         report.warnings.push_back(findingFrom(entry));
     report.toolChanges = record.value("tool_changes", 0);
+    report.untimedMoves = record.value("moves_without_time", 0);
     for (const json& entry : record.at("warnings")) report.nearPasses.push_back(nearPassFrom(entry));
     if (record.at("passed").get<bool>() != report.passed()) return std::nullopt;
     return report;

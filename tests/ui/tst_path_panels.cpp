@@ -307,7 +307,8 @@ private slots:
     void theVerdictDecidesOnExport() {
         ProgramPanel panel;
         QSignalSpy post(&panel, &ProgramPanel::postRequested), exported(&panel, &ProgramPanel::exportRequested),
-            tolerance(&panel, &ProgramPanel::gougeToleranceEdited);
+            tolerance(&panel, &ProgramPanel::gougeToleranceEdited),
+            excess(&panel, &ProgramPanel::excessToleranceEdited);
         panel.setState(examples::program());
         show(panel);
         click(panel, "postButton");
@@ -320,6 +321,8 @@ private slots:
         QVERIFY(child<ValueRow>(panel, "machiningTime").toolTip().contains(QStringLiteral("tool change")));
         type(panel, "gougeToleranceField", "0,01");
         QCOMPARE(tolerance[0][0].toDouble(), 0.01);
+        type(panel, "excessToleranceField", "0");
+        QCOMPARE(excess[0][0].toDouble(), 0.0);
         const auto refuses = [&](ProgramState state) {
             panel.setState(state);
             click(panel, "exportButton");

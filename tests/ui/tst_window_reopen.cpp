@@ -231,6 +231,10 @@ void TestWindowReopen::whatChangesAfterOpeningMakesTheVerdictOutOfDate() {
     QVERIFY(told(driver, Notice::Kind::warning));
     QVERIFY(driver.enter("gougeToleranceField", QStringLiteral("0.02")));
     QVERIFY(told(driver, Notice::Kind::passed));
+    QVERIFY(driver.enter("excessToleranceField", QStringLiteral("0.3")));
+    QVERIFY(told(driver, Notice::Kind::warning));
+    QVERIFY(driver.enter("excessToleranceField", QStringLiteral("0.1")));
+    QVERIFY(told(driver, Notice::Kind::passed));
     // A second stroke belongs into the program and is not in it.
     QVERIFY(recordLine(driver, {-15, 8}, {15, 8}) && driver.settle());
     QVERIFY(driver.step(JobStep::program));

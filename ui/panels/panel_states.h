@@ -210,6 +210,7 @@ struct ProgramState {
     std::vector<LintMark> lint;                 ///< of the program that the report is about
     bool released = false;                      ///< it passed, or its header says why it is wanted all the same
     double gougeTolerance = 0.02;               ///< mm, for the next check
+    double excessTolerance = 0.1;               ///< mm, the same; 0: not judged
     double judgedTolerance = 0.02;              ///< mm, that the report was judged by
     bool outdated = false;
     bool busy = false;

@@ -27,6 +27,7 @@ namespace burin {
 namespace {
 
 constexpr double smallestTolerance = 0.001, largestTolerance = 1.0; // mm
+constexpr double largestExcessTolerance = 10.0;                     // mm
 constexpr int pathRows = 2, rowGap = 4;                             // that are seen at once; pixels
 
 /// Fills a choice anew only where its names changed: one that is open stays open.
@@ -99,7 +100,7 @@ private:
     QLabel* machineNote_;
     QWidget* paths_; ///< the rows of the list
     std::vector<NamedSwitch*> pathSwitches_;
-    LengthField* tolerance_;
+    LengthField *tolerance_, *excessTolerance_;
     NoticePlace* notices_;
     Notice *verdict_, *notice_;
     QWidget* figures_;
@@ -123,6 +124,14 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     tolerance_->limit(smallestTolerance, largestTolerance);
     column_->addWidget(new FieldRow(ProgramPanel::tr("Gouge tolerance"), tolerance_,
                                     ProgramPanel::tr("Deepest gouge that passes the check"), panel));
+    excessTolerance_ = new LengthField(panel);
+    excessTolerance_->setObjectName(QStringLiteral("excessToleranceField"));
+    excessTolerance_->limit(0.0, largestExcessTolerance);
+    column_->addWidget(
+        new FieldRow(ProgramPanel::tr("Excess tolerance"), excessTolerance_,
+                     ProgramPanel::tr("Most by which the stock left on the part may differ from what the paths leave, "
+                                      "and by which blended corners may leave more; 0: not judged"),
+                     panel));
     addNotices();
     editor = new ProgramEditor(panel);
     takeEditor();
@@ -137,6 +146,7 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     connect(post_, &QPushButton::clicked, panel, &ProgramPanel::postRequested);
     connect(export_, &QPushButton::clicked, panel, &ProgramPanel::exportRequested);
     connect(tolerance_, &LengthField::valueEdited, panel, &ProgramPanel::gougeToleranceEdited);
+    connect(excessTolerance_, &LengthField::valueEdited, panel, &ProgramPanel::excessToleranceEdited);
     connect(editor, &ProgramEditor::textCheckRequested, panel, &ProgramPanel::textCheckRequested);
     connect(editor, &ProgramEditor::textEdited, panel, &ProgramPanel::textEdited);
     connect(override_, &QPushButton::clicked, panel, &ProgramPanel::overrideRequested);
@@ -385,6 +395,7 @@ void ProgramPanel::Fields::refresh() {
     units_->setCurrentIndex(static_cast<int>(state.units));
     refreshPaths();
     tolerance_->showValue(state.gougeTolerance);
+    excessTolerance_->showValue(state.excessTolerance);
     editor->setState(state);
     refreshVerdict();
     refreshFigures();

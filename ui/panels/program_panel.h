@@ -38,6 +38,7 @@ signals:
     void machinesRequested();             ///< to look at them and to change them
     void overrideRequested();             ///< the program is wanted although its check refuses it
     void gougeToleranceEdited(double millimetres);
+    void excessToleranceEdited(double millimetres);
     void machineChosen(const std::string& id);
     void dialectChosen(const std::string& id);
     void unitsChosen(burin::NcUnits units);

@@ -129,6 +129,7 @@ ProgramPresenter::ProgramPresenter(Workbench& workbench, ProgramPanel& panel, QO
     connect(&panel, &ProgramPanel::textCheckRequested, this,
             [this] { workbench_.program.checkText(programName(workbench_)); });
     connect(&panel, &ProgramPanel::gougeToleranceEdited, &workbench.program, &ProgramController::setGougeTolerance);
+    connect(&panel, &ProgramPanel::excessToleranceEdited, &workbench.program, &ProgramController::setExcessTolerance);
 }
 
 void ProgramPresenter::setUnit(LengthUnit unit) {
@@ -171,6 +172,7 @@ void ProgramPresenter::present() {
         state.judgedTolerance = program.program()->gougeTolerance;
     }
     state.gougeTolerance = program.gougeTolerance();
+    state.excessTolerance = program.excessTolerance();
     state.outdated = program.outdated();
     state.busy = program.busy();
     if (program.problem()) state.problem = Messages::sentence(*program.problem());

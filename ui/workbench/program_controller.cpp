@@ -102,6 +102,7 @@ void ProgramController::takeKept(const ReopenedProgram& kept) {
     lint_ = program_->lint;
     byHand_ = kept.kept.byHand;
     gougeTolerance_ = kept.kept.gougeTolerance;
+    excessTolerance_ = kept.kept.excessTolerance;
     leftOut_ = std::set<std::int64_t>(kept.kept.leftOut.begin(), kept.kept.leftOut.end());
     judged_ = kept.basis;
     basis_ = basis();
@@ -114,7 +115,8 @@ bool ProgramController::outdated() const {
     if (!reopened_) return basis_ != basis();
     const KeptProgram& kept = reopened_->kept;
     return !reopened_->upToDate || kept.machine != target_.machine().id || kept.dialect != target_.dialect() ||
-           kept.units != target_.target().units || kept.gougeTolerance != gougeTolerance_ || basis_.leftOut != leftOut_;
+           kept.units != target_.target().units || kept.gougeTolerance != gougeTolerance_ ||
+           kept.excessTolerance != excessTolerance_ || basis_.leftOut != leftOut_;
 }
 
 void ProgramController::judgeReopened() {
@@ -134,8 +136,14 @@ void ProgramController::setGougeTolerance(double millimetres) {
     emit changed();
 }
 
+void ProgramController::setExcessTolerance(double millimetres) {
+    if (millimetres == excessTolerance_) return;
+    excessTolerance_ = millimetres;
+    emit changed();
+}
+
 ProgramController::Basis ProgramController::basis() const {
-    return {path_.version(), target_.dialect(), target_.target().units, gougeTolerance_, leftOut_};
+    return {path_.version(), target_.dialect(), target_.target().units, gougeTolerance_, excessTolerance_, leftOut_};
 }
 
 /// The bench is about to change: what is made for it as it was is abandoned, and asked for again when it has changed.
@@ -162,6 +170,7 @@ ProgramRequest ProgramController::request(const QString& name) const {
     request.dialect = target_.dialect();
     request.units = target_.target().units;
     request.gougeTolerance = gougeTolerance_;
+    request.excessTolerance = excessTolerance_;
     return request;
 }
 

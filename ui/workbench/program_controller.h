@@ -35,6 +35,8 @@ public:
     /// What the control may not take of the text as it is.
     const std::vector<LintMark>& lint() const noexcept { return lint_; }
     double gougeTolerance() const noexcept { return gougeTolerance_; } ///< mm
+    /// mm, as VerifyRequest::excessTolerance; 0: what is left is not judged.
+    double excessTolerance() const noexcept { return excessTolerance_; }
     const std::optional<Error>& problem() const noexcept { return problem_; }
     /// There is none, or something that it was made of is not as it was.
     bool outdated() const;
@@ -57,6 +59,7 @@ public:
     /// What is typed while it is checked stays, unchecked; what the check gave is dropped then. So it is with `post`.
     void checkText(const QString& name); ///< @param name of the program
     void setGougeTolerance(double millimetres);
+    void setExcessTolerance(double millimetres);
     void exportTo(const std::filesystem::path& file);
     /// There is a program whose rest can be made: one that was checked and that nobody changed since.
     bool restartable() const { return program_ && !edited_ && bench_.bench() && !bench_.changing() && !busy(); }
@@ -87,7 +90,7 @@ private:
         quint64 paths = 0; ///< version of paths and bench
         std::string dialect;
         NcUnits units = NcUnits::millimetre;
-        double gougeTolerance = 0.0; ///< mm
+        double gougeTolerance = 0.0, excessTolerance = 0.0; ///< mm
         std::set<std::int64_t> leftOut;
         bool operator==(const Basis&) const = default;
     };
@@ -153,7 +156,7 @@ private:
     quint64 textVersion_ = 0;
     std::set<std::int64_t> leftOut_;
     QTimer draftDue_; ///< the project follows the typing a moment later
-    double gougeTolerance_ = 0.02;
+    double gougeTolerance_ = 0.02, excessTolerance_ = 0.1;
     std::optional<Error> problem_;
 };
 

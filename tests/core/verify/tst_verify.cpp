@@ -1012,8 +1012,10 @@ void VerifyTest::aReportKeepsItsLoadFindings() {
     VerifyReport report;
     report.findings = {{FindingKind::spindlePower, 7, {1.0, 2.0, 3.0}, 918.0, 900.0, 12}};
     report.warnings = {{FindingKind::toolBending, 9, glm::dvec3(0.0), 0.05, 0.02, 1}};
+    report.untimedMoves = 3;
     const std::optional<VerifyReport> read = reportFromJson(toJson(report));
     QVERIFY(read.has_value());
+    QCOMPARE(read->untimedMoves, 3);
     QVERIFY(read->findings.front().kind == FindingKind::spindlePower);
     QCOMPARE(read->findings.front().limit, 900.0);
     QCOMPARE(read->findings.front().count, 12U);
