@@ -270,7 +270,7 @@ private slots:
         tool.cutter.shankDiameter = 3.8;
         std::vector<Tick> ticks = along({{4, -8, -5}, {4, 8, -5}}, 40.0);
         append(ticks, along({{4, 8, 8}, {-8, 0, 8}}, 400.0, false));
-        append(ticks, along({{-8, 0, -5}, {4, 0, -5}, {8, 0, -5}}, 40.0));
+        append(ticks, along({{-8, 0, -5}, {4, 0, -5}, {8, 1, -5}}, 40.0));
         Link link = rampingLink();
         link.rampAngle = 0.001; // ramps would be far too long
         PathContext context = contextOf(part, tool, block);
