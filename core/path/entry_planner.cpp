@@ -152,14 +152,16 @@ std::optional<EntryPlanner::Entry> EntryPlanner::into(const PathStroke& stroke, 
     const bool goesOn = entry.point == 0;
     const auto beyond = [&] { return rampInto(begun, height, goesOn ? RampEnd::turns : RampEnd::passes); };
     const auto helix = [&] { return helixInto(begun, entry.depth); };
+    const std::size_t next = goesOn ? std::min<std::size_t>(1, stroke.points.size() - 1) : entry.point - 1;
+    const auto beside = [&] { return rampBeside(begun, stroke.points[next].tip); };
     const auto within = [&] { return rampInto(begun, height, RampEnd::noRoom); };
     const std::pair<EntryForm, std::function<std::vector<StrokePoint>()>> ways[] = {
-        {EntryForm::ramp, beyond}, {EntryForm::helix, helix}, {EntryForm::ramp, within}};
+        {EntryForm::ramp, beyond}, {EntryForm::helix, helix}, {EntryForm::ramp, beside}, {EntryForm::ramp, within}};
     for (const auto& [form, find] : ways) {
         entry.way = find();
         if (entry.way.empty() || !clearsShank(entry.way)) continue;
         entry.form = form;
-        entry.stepsBack = goesOn && &find == &ways[2].second && turnBeyond(begun.points[0].tip, begun.points[1].tip);
+        entry.stepsBack = goesOn && &find == &ways[3].second && turnBeyond(begun.points[0].tip, begun.points[1].tip);
         for (StrokePoint& point : entry.way) point.sample = stroke.points[entry.point].sample;
         return entry;
     }
@@ -231,6 +233,26 @@ std::vector<StrokePoint> EntryPlanner::rampInto(const PathStroke& stroke, double
     way.back().tip = stroke.points.front().tip;
     const LeadFinder finder({}, guard_, context_);
     return finder.isClear(way, stroke.required) ? way : std::vector<StrokePoint>();
+}
+
+/// To and fro on a level line from the stroke's beginning, in whichever direction there is room: along a wall that
+/// keeps a helix away.
+std::vector<StrokePoint> EntryPlanner::rampBeside(const PathStroke& stroke, const glm::dvec3& next) const {
+    constexpr int directions = 16;
+    constexpr double look = 0.25; // mm
+    for (const double length : {diameter_, 0.5 * diameter_})
+        for (int i = 0; i < directions; ++i) {
+            const double angle = 2.0 * pi * i / directions;
+            PathStroke line = stroke;
+            line.points = {stroke.points.front(), stroke.points.front()};
+            line.points.back().tip += length * glm::dvec3(std::cos(angle), std::sin(angle), 0.0);
+            if (isBackStep(line.points.back().tip, line.points.front().tip, next)) continue;
+            double depth = 0.0;
+            for (const StrokeStep& step : stepsOf(line, look)) depth = std::max(depth, depthAt(step.tip, true));
+            std::vector<StrokePoint> way = rampInto(line, depth + gap, RampEnd::passes);
+            if (!way.empty() && clearsShank(way)) return way;
+        }
+    return {};
 }
 
 /// It begins beside the stroke, where more material may stand than over the stroke's beginning.

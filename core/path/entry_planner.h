@@ -50,6 +50,7 @@ private:
     /// beginning; where its first move is short, room for turns is taken beyond it, or there is none.
     enum class RampEnd { turns, passes, noRoom };
     std::vector<StrokePoint> rampInto(const PathStroke& stroke, double height, RampEnd end) const;
+    std::vector<StrokePoint> rampBeside(const PathStroke& stroke, const glm::dvec3& next) const;
     std::vector<StrokePoint> helixInto(const PathStroke& stroke, double depth) const;
     std::optional<std::size_t> freePoint(const PathStroke& stroke, std::size_t from) const;
     bool clearsShank(const std::vector<StrokePoint>& way) const;

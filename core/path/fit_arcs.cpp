@@ -159,8 +159,10 @@ glm::dvec3 headingOf(const glm::dvec3& from, const StrokePoint& to, bool atEnd) 
     return atEnd ? to.tip - placeOn(arc, turn, 1.0 - share) : placeOn(arc, turn, share) - from;
 }
 
-/// Whether the tool is sent forth and back where two moves meet, arcs among them.
+/// Whether the tool is nearly sent forth and back where two moves meet, arcs among them: the first chord of a small arc
+/// has turned on by some degrees.
 bool stepsBack(const glm::dvec3& from, const StrokePoint& at, const StrokePoint& to) {
+    constexpr double nearlyBack = backStepTurn - 15.0 * pi / 180.0;
     const auto lengthOfMove = [](const glm::dvec3& start, const StrokePoint& end) {
         if (!end.arc) return glm::distance(start, end.tip);
         const Arc arc{start, end.tip, end.arc->centre, end.arc->axis, end.arc->clockwise};
@@ -168,7 +170,7 @@ bool stepsBack(const glm::dvec3& from, const StrokePoint& at, const StrokePoint&
     };
     if (std::min(lengthOfMove(from, at), lengthOfMove(at.tip, to)) >= longestBackStep) return false;
     const glm::dvec3 in = headingOf(from, at, true), out = headingOf(at.tip, to, false);
-    return glm::dot(in, out) < std::cos(backStepTurn) * glm::length(in) * glm::length(out);
+    return glm::dot(in, out) < std::cos(nearlyBack) * glm::length(in) * glm::length(out);
 }
 
 /// An arc that was fitted where the tool is sent forth and back becomes lines again, of which linking can leave points

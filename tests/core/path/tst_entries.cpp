@@ -295,6 +295,25 @@ private slots:
         QVERIFY2(std::abs(farthest + 8.0) < 0.01, qPrintable(QString::number(farthest))); // all of the stroke
     }
 
+    /// What is left at a wall, gone down at as a hand does: there is no level line to ramp on, nor room for a helix.
+    void alongAWallAStrokeIsRampedInto() {
+        const MeshDistance part(meshOf({{{-10, -10, -16}, {-8, 10, -1}}, {{-3.5, -10, -16}, {10, 10, -1}}}));
+        Tool tool = stubbyTool(CutterType::flat);
+        tool.cutter.shankDiameter = 3.8;
+        PathContext context = contextOf(part, tool, block);
+        context.lendStock = lendBlock;
+        const std::vector<Tick> ticks = along({{-6, 0, 1}, {-5.6, 0, -3}}, 40.0);
+        const auto path = run({takeOf(ticks)}, {{Simplify{}}, {rampingLink()}}, context);
+        QVERIFY2(path, path ? "" : path.error().detail.c_str());
+        const EditReport& link = reportOf(*path, "link");
+        QCOMPARE(link.entries.size(), std::size_t{1});
+        QVERIFY(link.entries.front().form == EntryForm::ramp);
+        const double plunge = deepestPlunge(path->path.points, tool.cutter, 1.05 * std::tan(0.06));
+        QVERIFY2(plunge < plungeBlur, qPrintable(QString::number(plunge)));
+        for (const PathPoint& point : path->path.points)
+            if (point.tip.z < -1.0) QVERIFY(point.tip.x > -6.0 - 1e-6 && point.tip.x < -5.5 + 1e-6);
+    }
+
     void noStrokeIsPlungedIntoUnsaid() {
         double forms[3] = {};
         QVERIFY(rc::check("where no plunge is reported no move goes down steeply into material", [&] {
