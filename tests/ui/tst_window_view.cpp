@@ -133,6 +133,7 @@ void TestWindowView::thePartAndThePlaceOfAPressAreSeenThroughTheStock() {
     QTest::mouseRelease(&viewport, Qt::LeftButton, Qt::NoModifier, viewport.project(place).toPoint());
     const QPoint foot = (viewport.project({part.high.x - 9.0, part.low.y, part.low.z}) * ratio).toPoint();
     QVERIFY(apart(cutting.pixelColor(foot), bare.pixelColor(foot)) < 12);
+    QVERIFY(driver.waitFor([&] { return bench.bench.strokes().count() == 1; }, 5000)); // else Esc ends the stroke
     driver.key(Qt::Key_Escape);
     QVERIFY(driver.waitFor([&] { return !bench.session.running(); }, 5000));
 }
