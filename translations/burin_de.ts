@@ -1611,26 +1611,6 @@
         <translation>das Werkzeug vor dieser Bewegung mit M6 einwechseln</translation>
     </message>
     <message>
-        <source>state G43 and the tool&apos;s H number after the tool change</source>
-        <translation>nach dem Werkzeugwechsel G43 und die H-Nummer des Werkzeugs angeben</translation>
-    </message>
-    <message>
-        <source>state the H number of the tool in the spindle</source>
-        <translation>die H-Nummer des Werkzeugs in der Spindel angeben</translation>
-    </message>
-    <message>
-        <source>state the work offset in which the project&apos;s zero is stored</source>
-        <translation>die Nullpunktverschiebung angeben, in der der Nullpunkt des Projekts steht</translation>
-    </message>
-    <message>
-        <source>state M3: the tool is right-handed</source>
-        <translation>M3 angeben: das Werkzeug ist rechtsschneidend</translation>
-    </message>
-    <message>
-        <source>state a small tolerance with G64 P, or G61</source>
-        <translation>mit G64 P eine kleine Toleranz angeben oder G61</translation>
-    </message>
-    <message>
         <source>correct the shift or the coordinates, or post the path again</source>
         <translation>die Verschiebung oder die Koordinaten berichtigen oder die Bahn neu ausgeben</translation>
     </message>
@@ -1639,8 +1619,24 @@
         <translation>kleinere Voxel wählen</translation>
     </message>
     <message>
-        <source>use a smaller or longer tool, or clamp the part another way up</source>
-        <translation>ein kleineres oder längeres Werkzeug verwenden oder das Teil anders aufspannen</translation>
+        <source>add G43 with the tool&apos;s H number after the tool change</source>
+        <translation>nach dem Werkzeugwechsel G43 mit der H-Nummer des Werkzeugs hinzufügen</translation>
+    </message>
+    <message>
+        <source>use the H number of the tool in the spindle</source>
+        <translation>die H-Nummer des Werkzeugs in der Spindel verwenden</translation>
+    </message>
+    <message>
+        <source>use the work offset in which the project&apos;s zero is stored</source>
+        <translation>die Nullpunktverschiebung verwenden, in der der Nullpunkt des Projekts steht</translation>
+    </message>
+    <message>
+        <source>use M3: the tool is right-handed</source>
+        <translation>M3 verwenden: das Werkzeug ist rechtsschneidend</translation>
+    </message>
+    <message>
+        <source>use G64 with a small P, or G61</source>
+        <translation>G64 mit einem kleinen P oder G61 verwenden</translation>
     </message>
 </context>
 <context>
@@ -1820,8 +1816,8 @@
         <translation>%1 hat kein Volumen, also kann nichts davon geschützt werden.</translation>
     </message>
     <message>
-        <source>Parts are missing, since they are in other files: %1. Copy these into the folder of the model and import it again.</source>
-        <translation>Teile fehlen, weil sie in anderen Dateien stehen: %1. Kopieren Sie diese in den Ordner des Modells und importieren Sie es erneut.</translation>
+        <source>Parts are missing because they are in other files: %1. Copy those files into the folder of the model and import it again.</source>
+        <translation>Teile fehlen, weil sie in anderen Dateien stehen: %1. Diese Dateien in den Ordner des Modells kopieren und es erneut importieren.</translation>
     </message>
 </context>
 <context>
@@ -2409,10 +2405,6 @@
     <message>
         <source>Leaves %1 on the part, the path leaves %2</source>
         <translation>Lässt %1 auf dem Teil, die Bahn lässt %2</translation>
-    </message>
-    <message>
-        <source>No tool of the program reaches the part</source>
-        <translation>Kein Werkzeug des Programms erreicht das Teil</translation>
     </message>
     <message>
         <source>Bodies too small for the voxels, not protected: %1</source>
@@ -5914,8 +5906,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Aufmaßtoleranz</translation>
     </message>
     <message>
-        <source>Most by which the stock left on the part may differ from what the paths leave, and by which blended corners may leave more; 0: not judged</source>
-        <translation>So weit darf das verbleibende Aufmaß von dem abweichen, was die Bahnen stehen lassen, und so viel dürfen verschliffene Ecken mehr stehen lassen; 0: wird nicht beurteilt</translation>
+        <source>Largest difference allowed between the stock left on the part and what the paths leave, and largest excess at blended corners; 0: not judged</source>
+        <translation>Größter zulässiger Unterschied zwischen dem verbleibenden Aufmaß und dem, was die Bahnen stehen lassen, und größtes Aufmaß an verschliffenen Ecken; 0: wird nicht beurteilt</translation>
     </message>
 </context>
 <context>

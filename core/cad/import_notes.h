@@ -50,8 +50,8 @@ inline constexpr TextId endMissing =
     BURIN_TEXT("ImportNote", "The file ends without \"endsolid\"; what was read of it is whole.");
 inline constexpr TextId noVolume = BURIN_TEXT("ImportNote", "%1 has no volume, so nothing of it can be protected.");
 inline constexpr TextId partsMissing =
-    BURIN_TEXT("ImportNote", "Parts are missing, since they are in other files: %1. Copy these into the folder of the "
-                             "model and import it again.");
+    BURIN_TEXT("ImportNote", "Parts are missing because they are in other files: %1. Copy those files into the folder "
+                             "of the model and import it again.");
 
 inline constexpr std::array all{unitConverted, unitsMixed,        brepWithoutUnit, stlWithoutUnit,  sizeDoubtful,
                                 repaired,      notRepaired,       solidOpen,       insideOut,       faceSewn,

@@ -10,9 +10,9 @@
 #include "core/path/turn_room.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
-#include <utility>
 
 namespace burin {
 namespace {
@@ -155,13 +155,20 @@ std::optional<EntryPlanner::Entry> EntryPlanner::into(const PathStroke& stroke, 
     const std::size_t next = goesOn ? std::min<std::size_t>(1, stroke.points.size() - 1) : entry.point - 1;
     const auto beside = [&] { return rampBeside(begun, stroke.points[next].tip); };
     const auto within = [&] { return rampInto(begun, height, RampEnd::noRoom); };
-    const std::pair<EntryForm, std::function<std::vector<StrokePoint>()>> ways[] = {
-        {EntryForm::ramp, beyond}, {EntryForm::helix, helix}, {EntryForm::ramp, beside}, {EntryForm::ramp, within}};
-    for (const auto& [form, find] : ways) {
-        entry.way = find();
+    struct Way {
+        EntryForm form;
+        bool hasRoom; ///< to turn into the stroke
+        std::function<std::vector<StrokePoint>()> find;
+    };
+    const std::array<Way, 4> ways{{{EntryForm::ramp, true, beyond},
+                                   {EntryForm::helix, true, helix},
+                                   {EntryForm::ramp, true, beside},
+                                   {EntryForm::ramp, false, within}}};
+    for (const Way& way : ways) {
+        entry.way = way.find();
         if (entry.way.empty() || !clearsShank(entry.way)) continue;
-        entry.form = form;
-        entry.stepsBack = goesOn && &find == &ways[3].second && turnBeyond(begun.points[0].tip, begun.points[1].tip);
+        entry.form = way.form;
+        entry.stepsBack = goesOn && !way.hasRoom && turnBeyond(begun.points[0].tip, begun.points[1].tip);
         for (StrokePoint& point : entry.way) point.sample = stroke.points[entry.point].sample;
         return entry;
     }

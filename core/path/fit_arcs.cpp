@@ -5,6 +5,7 @@
 #include "core/path/back_steps.h"
 #include "core/path/part_guard.h"
 #include "core/path/polyline.h"
+#include "core/path/stroke_steps.h"
 
 #include <algorithm>
 #include <array>
@@ -163,12 +164,7 @@ glm::dvec3 headingOf(const glm::dvec3& from, const StrokePoint& to, bool atEnd) 
 /// has turned on by some degrees.
 bool stepsBack(const glm::dvec3& from, const StrokePoint& at, const StrokePoint& to) {
     constexpr double nearlyBack = backStepTurn - 15.0 * pi / 180.0;
-    const auto lengthOfMove = [](const glm::dvec3& start, const StrokePoint& end) {
-        if (!end.arc) return glm::distance(start, end.tip);
-        const Arc arc{start, end.tip, end.arc->centre, end.arc->axis, end.arc->clockwise};
-        return lengthOf(arc, turnOf(arc));
-    };
-    if (std::min(lengthOfMove(from, at), lengthOfMove(at.tip, to)) >= longestBackStep) return false;
+    if (std::min(lengthTo(at, from), lengthTo(to, at.tip)) >= longestBackStep) return false;
     const glm::dvec3 in = headingOf(from, at, true), out = headingOf(at.tip, to, false);
     return glm::dot(in, out) < std::cos(nearlyBack) * glm::length(in) * glm::length(out);
 }

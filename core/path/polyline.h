@@ -10,6 +10,8 @@
 
 namespace burin {
 
+/// The place on a straight segment that is nearest to a point, mm.
+glm::dvec3 nearestOnSegment(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& to) noexcept;
 /// Distance from a point to a straight segment, mm.
 double distanceToSegment(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& to) noexcept;
 

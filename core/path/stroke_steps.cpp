@@ -10,15 +10,16 @@
 namespace burin {
 namespace {
 
+Arc arcTo(const StrokePoint& point, const glm::dvec3& from) {
+    return {from, point.tip, point.arc->centre, point.arc->axis, point.arc->clockwise};
+}
+
 Arc arcTo(const PathStroke& stroke, std::size_t move) {
-    const PathArc& arc = *stroke.points[move].arc;
-    return {stroke.points[move - 1].tip, stroke.points[move].tip, arc.centre, arc.axis, arc.clockwise};
+    return arcTo(stroke.points[move], stroke.points[move - 1].tip);
 }
 
 double moveLength(const PathStroke& stroke, std::size_t move) {
-    if (!stroke.points[move].arc) return glm::distance(stroke.points[move - 1].tip, stroke.points[move].tip);
-    const Arc arc = arcTo(stroke, move);
-    return lengthOf(arc, turnOf(arc));
+    return lengthTo(stroke.points[move], stroke.points[move - 1].tip);
 }
 
 glm::dvec3 tipAt(const PathStroke& stroke, const StrokePosition& position) {
@@ -60,6 +61,12 @@ PathStroke between(const PathStroke& stroke, const StrokePosition& from, const S
         if (i == to.move) part.points.back().tip = tipAt(stroke, to);
     }
     return part;
+}
+
+double lengthTo(const StrokePoint& point, const glm::dvec3& from) {
+    if (!point.arc) return glm::distance(from, point.tip);
+    const Arc arc = arcTo(point, from);
+    return lengthOf(arc, turnOf(arc));
 }
 
 double lengthOf(const PathStroke& stroke) {

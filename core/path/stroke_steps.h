@@ -29,6 +29,8 @@ std::vector<StrokeStep> stepsOf(const PathStroke& stroke, double longest);
 /// The stroke from one position on it to a later one, on its very lines and arcs.
 PathStroke between(const PathStroke& stroke, const StrokePosition& from, const StrokePosition& to);
 
+/// mm, of the move that ends in a point, along its line or arc.
+double lengthTo(const StrokePoint& point, const glm::dvec3& from);
 /// mm, along lines and arcs.
 double lengthOf(const PathStroke& stroke);
 

@@ -3,7 +3,7 @@
 #include "core/verify/causes.h"
 
 #include <algorithm>
-#include <limits>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -64,6 +64,9 @@ class Causes {
 public:
     Causes(const ParsedProgram& program, const PathComparison& comparison)
         : program_(program), comparison_(comparison), regions_(regionsOf(program)) {
+        for (const NcSetting& setting : program.settings)
+            if (setting.kind == NcSettingKind::spindle || setting.kind == NcSettingKind::toolChange)
+                switches_.push_back(setting);
         findMoved();
     }
 
@@ -127,7 +130,7 @@ private:
     std::optional<std::uint32_t> leftPathOn(std::size_t motion) const {
         if (comparison_.ends.empty()) return std::nullopt;
         const auto moved = moved_.find(program_.motions[motion].tool);
-        if (moved != moved_.end() && motion >= moved->second) return whereLeft(moved->second);
+        if (moved != moved_.end() && motion >= moved->second.first) return moved->second.line;
         std::optional<std::size_t> first;
         for (std::size_t i = motion + 1; i-- > 0;) {
             const PathSide side = comparison_.ends[i];
@@ -161,7 +164,8 @@ private:
                 count.first = i;
         }
         for (const auto& [tool, count] : counts)
-            if (count.off >= many && share * count.off >= count.on + count.off) moved_[tool] = count.first;
+            if (count.off >= many && share * count.off >= count.on + count.off)
+                moved_[tool] = {count.first, whereLeft(count.first)};
     }
     bool noneOnPath(std::size_t from, std::size_t end) const {
         return std::none_of(comparison_.ends.begin() + static_cast<std::ptrdiff_t>(from),
@@ -181,15 +185,15 @@ private:
 
     /// All that is cut while nothing switches the spindle: at an M5 in the midst of a cut, else where it begins.
     std::uint32_t spindleCause(const Finding& finding, std::size_t motion) {
-        const NcSetting* last = nullptr;
-        for (const NcSetting& setting : program_.settings) {
-            if (setting.motions > motion) break;
-            if (setting.kind == NcSettingKind::spindle || setting.kind == NcSettingKind::toolChange) last = &setting;
+        const auto behind = std::ranges::upper_bound(switches_, motion, {}, &NcSetting::motions);
+        std::uint32_t line = finding.line;
+        if (behind != switches_.begin()) {
+            const NcSetting& last = *std::prev(behind);
+            const bool stops = last.kind == NcSettingKind::spindle && last.value == 0 &&
+                               last.motions < program_.motions.size() && cuts(program_.motions[last.motions]);
+            if (stops) line = last.line;
         }
-        const std::size_t key = last != nullptr ? static_cast<std::size_t>(last - program_.settings.data()) + 1 : 0;
-        const bool stops = last != nullptr && last->kind == NcSettingKind::spindle && last->value == 0 &&
-                           last->motions < program_.motions.size() && cuts(program_.motions[last->motions]);
-        return spindle_.try_emplace(key, stops ? last->line : finding.line).first->second;
+        return spindle_.try_emplace(behind - switches_.begin(), line).first->second;
     }
 
     struct Run {
@@ -200,9 +204,14 @@ private:
     const PathComparison& comparison_;
     std::vector<Region> regions_;
     std::optional<Region> suspect_;
-    std::map<int, std::size_t> moved_; ///< by T number, the first motion off its path
+    struct Left {
+        std::size_t first = 0;  ///< motion off its path
+        std::uint32_t line = 0; ///< that caused it
+    };
+    std::map<int, Left> moved_;       ///< by T number
+    std::vector<NcSetting> switches_; ///< of spindle and tool, in program order
     std::map<FindingKind, Run> runs_;
-    std::map<std::size_t, std::uint32_t> spindle_; ///< line by what switched it last
+    std::map<std::ptrdiff_t, std::uint32_t> spindle_; ///< line by how many switches stand before
 };
 
 } // namespace

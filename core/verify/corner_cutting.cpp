@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/corner_cutting.h"
 
+#include "core/path/polyline.h"
 #include "core/verify/gouge.h"
 
 #include <algorithm>
@@ -109,9 +110,7 @@ private:
         return most;
     }
     glm::dvec3 onLine(const ControlBlock& block, const glm::dvec3& place) const {
-        const glm::dvec3 from = moves_[block.first].from, way = moves_[block.last].to - from;
-        const double square = glm::dot(way, way);
-        return square > 0.0 ? from + std::clamp(glm::dot(place - from, way) / square, 0.0, 1.0) * way : from;
+        return nearestOnSegment(place, moves_[block.first].from, moves_[block.last].to);
     }
     double lengthOfBlock(const ControlBlock& block) const {
         return block.merged ? glm::distance(moves_[block.first].from, moves_[block.last].to)

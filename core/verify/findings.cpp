@@ -86,8 +86,6 @@ const char* idOf(FindingKind kind) {
         return "allowance_differs";
     case FindingKind::partNotProtected:
         return "part_not_protected";
-    case FindingKind::partNotReached:
-        return "part_not_reached";
     }
     return "unknown";
 }
@@ -129,7 +127,6 @@ const char* unitOf(FindingKind kind) {
     case FindingKind::lengthOffsetOfOther:
     case FindingKind::workOffsetOther:
     case FindingKind::partNotProtected:
-    case FindingKind::partNotReached:
         break;
     }
     return "";
@@ -177,22 +174,20 @@ TextId remedyOf(FindingKind kind) {
     case FindingKind::toolNotLoaded:
         return BURIN_TEXT("Finding", "load the tool with M6 before this move");
     case FindingKind::lengthOffsetMissing:
-        return BURIN_TEXT("Finding", "state G43 and the tool's H number after the tool change");
+        return BURIN_TEXT("Finding", "add G43 with the tool's H number after the tool change");
     case FindingKind::lengthOffsetOfOther:
-        return BURIN_TEXT("Finding", "state the H number of the tool in the spindle");
+        return BURIN_TEXT("Finding", "use the H number of the tool in the spindle");
     case FindingKind::workOffsetOther:
-        return BURIN_TEXT("Finding", "state the work offset in which the project's zero is stored");
+        return BURIN_TEXT("Finding", "use the work offset in which the project's zero is stored");
     case FindingKind::spindleReversed:
-        return BURIN_TEXT("Finding", "state M3: the tool is right-handed");
+        return BURIN_TEXT("Finding", "use M3: the tool is right-handed");
     case FindingKind::cornerGouge:
     case FindingKind::cornerExcess:
-        return BURIN_TEXT("Finding", "state a small tolerance with G64 P, or G61");
+        return BURIN_TEXT("Finding", "use G64 with a small P, or G61");
     case FindingKind::allowanceDiffers:
         return BURIN_TEXT("Finding", "correct the shift or the coordinates, or post the path again");
     case FindingKind::partNotProtected:
         return BURIN_TEXT("Finding", "choose smaller voxels");
-    case FindingKind::partNotReached:
-        return BURIN_TEXT("Finding", "use a smaller or longer tool, or clamp the part another way up");
     }
     return {};
 }

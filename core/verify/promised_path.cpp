@@ -3,10 +3,10 @@
 #include "core/verify/promised_path.h"
 
 #include "core/geometry/arc.h"
+#include "core/path/polyline.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <unordered_map>
@@ -24,35 +24,23 @@ constexpr ClearanceTolerance pathAnswers{1e-3, 0.0, 1e-6};
 
 struct PathSegment {
     glm::dvec3 from{0.0}, to{0.0};
-
-    glm::dvec3 nearest(const glm::dvec3& place) const noexcept {
-        const glm::dvec3 way = to - from;
-        const double square = glm::dot(way, way);
-        return square > 0.0 ? from + std::clamp(glm::dot(place - from, way) / square, 0.0, 1.0) * way : from;
-    }
 };
 
 /// The feed moves of one tool's paths, found by where they are.
 class SegmentCells {
 public:
     void add(const Path& path) {
+        std::vector<glm::dvec3> ends;
         for (std::size_t i = 1; i < path.points.size(); ++i) {
             const PathPoint& point = path.points[i];
             if (point.kind == MoveKind::rapid) continue;
-            const glm::dvec3& from = path.points[i - 1].tip;
-            if (!point.arc) {
-                add({from, point.tip});
-                continue;
-            }
-            const Arc arc{from, point.tip, point.arc->centre, point.arc->axis, point.arc->clockwise};
-            const ArcTurn turn = turnOf(arc);
-            const double step = 2.0 * std::acos(std::max(0.5, 1.0 - pathChord / turn.startRadius));
-            const auto count = static_cast<int>(std::max(1.0, std::ceil(std::abs(turn.sweep) / step)));
-            glm::dvec3 at = from;
-            for (int k = 1; k <= count; ++k) {
-                const glm::dvec3 next = placeOn(arc, turn, static_cast<double>(k) / count);
-                add({at, next});
-                at = next;
+            glm::dvec3 at = path.points[i - 1].tip;
+            ends = {point.tip};
+            if (point.arc)
+                flatten(Arc{at, point.tip, point.arc->centre, point.arc->axis, point.arc->clockwise}, pathChord, ends);
+            for (const glm::dvec3& end : ends) {
+                add({at, end});
+                at = end;
             }
         }
     }
@@ -69,7 +57,8 @@ public:
                     const auto found = cells_.find(keyOf(cell + glm::ivec3(dx, dy, dz)));
                     if (found == cells_.end()) continue;
                     for (const std::uint32_t number : found->second) {
-                        const glm::dvec3 on = segments_[number].nearest(place);
+                        const PathSegment& segment = segments_[number];
+                        const glm::dvec3 on = nearestOnSegment(place, segment.from, segment.to);
                         const double distance = glm::distance(on, place);
                         if (distance > least) continue;
                         least = distance;

@@ -240,7 +240,7 @@ RevolvedPiece thickened(const RevolvedPiece& piece, double by) noexcept {
 }
 
 void judgeGrazes(const std::vector<GrazedLine>& grazed, const std::vector<ToolMove>& moves, std::span<const Tool> tools,
-                 const Grid& grid, const ExactStock& stock, Findings& findings) {
+                 const Grid& grid, const ExactStock& stock, Findings& findings, const Progress& progress) {
     if (grazed.empty()) return;
     std::vector<GrazedLine> lines = grazed;
     const auto key = [](const GrazedLine& one) { return std::tuple(one.move, one.line.v, one.line.u); };
@@ -270,6 +270,7 @@ void judgeGrazes(const std::vector<GrazedLine>& grazed, const std::vector<ToolMo
     };
     std::vector<Touched> touched(rapids.size());
     parallelFor(std::size_t{0}, rapids.size(), [&](std::size_t i) {
+        if (progress.cancelled()) return;
         const std::uint32_t number = rapids[i].front().move;
         const ToolMove& rapid = moves[number];
         touched[i].volume = Graze(rapid, flutes[rapid.tool], before + number, cleared, grid, stock.box, rapids[i])

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/geometry/box.h"
 #include "core/verify/findings.h"
 #include "core/verify/tool_moves.h"
@@ -35,8 +36,8 @@ RevolvedPiece thickened(const RevolvedPiece& piece, double by) noexcept;
 /// held against the stock less the sweeps of all moves before it, each exact: inside of the rapid's own outline
 /// (0.01 mm), every 0.1 mm, and all over at a quarter of a voxel. A touch of less than 0.01 mm is none: posts round to
 /// a thousandth, and walls are where the moves that cut them were.
-/// @param grazed any order; the grid's runs are upright
+/// @param grazed any order; the grid's runs are upright. Ends early where it is cancelled.
 void judgeGrazes(const std::vector<GrazedLine>& grazed, const std::vector<ToolMove>& moves, std::span<const Tool> tools,
-                 const Grid& grid, const ExactStock& stock, Findings& findings);
+                 const Grid& grid, const ExactStock& stock, Findings& findings, const Progress& progress);
 
 } // namespace burin

@@ -198,7 +198,7 @@ Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::spa
     if (exact != nullptr) {
         std::vector<GrazedLine> grazed;
         for (const RowResult& row : rows) grazed.insert(grazed.end(), row.grazed.begin(), row.grazed.end());
-        judgeGrazes(grazed, moves, tools, grid, *exact, findings);
+        judgeGrazes(grazed, moves, tools, grid, *exact, findings, progress);
     }
     judgeContacts(rows, moves, tools, grid, findings);
     if (steps != nullptr) *steps = stepsOf(rows);

@@ -210,8 +210,6 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     report.deviations = std::move(*deviations);
     markGouges(gouges->places, request.setup.voxel, report.deviations);
     summariseExcess(report);
-    if (!report.deviations.empty() && report.reachableShare == 0.0)
-        findings.add(FindingKind::partNotReached, 0, report.deviations.front().place, 0.0);
 
     report.findings = byCause(findings.inProgramOrder(), *request.program, *comparison);
     report.nearPasses = passes.byPlace();

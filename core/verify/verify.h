@@ -83,9 +83,8 @@ enum class FindingKind : std::uint8_t {
     allowanceDiffers, ///< from that of the path to follow; amount: mm left on the part; limit: mm that the path leaves
     // Of the program as a whole, without a line (0):
     partNotProtected, ///< bodies too small for the voxels: nothing of them is protected; amount: how many
-    partNotReached,   ///< no tool of the program can touch the part anywhere; amount: 0
 };
-inline constexpr FindingKind lastFindingKind = FindingKind::partNotReached;
+inline constexpr FindingKind lastFindingKind = FindingKind::partNotProtected;
 /// Stable id of a kind, for JSON: "gouge", "rapid_in_stock", …
 const char* idOf(FindingKind kind);
 /// What a kind's amount is counted in, in ASCII: "mm", "mm^3"; empty where the amount says nothing.
@@ -164,8 +163,8 @@ struct VerifyReport {
 
 /// Re-simulates a program on a fresh workpiece, or as an earlier program left it, and judges it: flutes, shank and
 /// holder against stock and part, rapids, limits, gouges on the fine mesh and, at the worst samples, on exact geometry.
-/// core/verify/README.md states the rules. Behind
-/// the first move of a tool that the request does not have nothing is judged.
+/// core/verify/README.md states the rules. Behind the first move of a tool that the request does not have nothing is
+/// judged.
 /// @param machined  the workpiece as the program leaves it, where not null
 /// Errors: those of embed and exactSignedDistances, nameUnknown (a tool of `before`), notSupported (several tools, and
 /// a request with one for all), cancelled.

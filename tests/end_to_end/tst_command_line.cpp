@@ -47,6 +47,7 @@ private slots:
     void aMachineIsCopiedChangedAndDeleted();
     void aProjectOutlivesItsMachine();
     void whatIsDoubtfulOfAPartIsRepeated();
+    void anOperatorThatReachesNothingSaysSo();
     void fullDiskKeepsTheOldProject();
     void fullDiskLeavesNothingOfANewProject();
     void stopsWhenAsked();
@@ -288,6 +289,17 @@ void CommandLineTest::whatIsDoubtfulOfAPartIsRepeated() {
     QVERIFY(doubts(verified, "part_warnings"));
     QCOMPARE(verified.json()["findings"].toArray()[0].toObject()["kind"].toString(), "part_not_protected");
     QVERIFY(runBurin({"verify", program, "--project", project, "--tool", "ball-6"}).output.contains("\nwarning: "));
+}
+
+/// All that stands there is the part.
+void CommandLineTest::anOperatorThatReachesNothingSaysSo() {
+    const QString project = folder_.filePath("whole.burin");
+    QCOMPARE(runBurin({"embed", folder_.filePath("cube.brep"), "-o", project, "--voxel", "1", "--margin", "0"}).status,
+             0);
+    const ProgramRun idle = runBurin({"mill", project});
+    QCOMPARE(idle.status, 1);
+    QVERIFY2(idle.messages.contains("can't reach anything"), idle.messages.constData());
+    QCOMPARE(runBurin({"mill", project, "--override"}).status, 0);
 }
 
 void CommandLineTest::fullDiskKeepsTheOldProject() {

@@ -127,11 +127,11 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     excessTolerance_ = new LengthField(panel);
     excessTolerance_->setObjectName(QStringLiteral("excessToleranceField"));
     excessTolerance_->limit(0.0, largestExcessTolerance);
-    column_->addWidget(
-        new FieldRow(ProgramPanel::tr("Excess tolerance"), excessTolerance_,
-                     ProgramPanel::tr("Most by which the stock left on the part may differ from what the paths leave, "
-                                      "and by which blended corners may leave more; 0: not judged"),
-                     panel));
+    column_->addWidget(new FieldRow(
+        ProgramPanel::tr("Excess tolerance"), excessTolerance_,
+        ProgramPanel::tr("Largest difference allowed between the stock left on the part and what the paths "
+                         "leave, and largest excess at blended corners; 0: not judged"),
+        panel));
     addNotices();
     editor = new ProgramEditor(panel);
     takeEditor();

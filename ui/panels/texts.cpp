@@ -254,8 +254,6 @@ QString kindText(const Finding& finding, LengthUnit unit) {
         return PanelTexts::tr("Leaves %1 on the part, the path leaves %2").arg(length, lengthText(finding.limit, unit));
     case FindingKind::partNotProtected:
         return PanelTexts::tr("Bodies too small for the voxels, not protected: %1").arg(finding.amount);
-    case FindingKind::partNotReached:
-        return PanelTexts::tr("No tool of the program reaches the part");
     case FindingKind::spindlePower:
     case FindingKind::spindleTorque:
     case FindingKind::toolBreakage:

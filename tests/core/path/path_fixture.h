@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 #include "core/path/evaluate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -171,6 +172,31 @@ inline std::vector<glm::dvec3> placesAlong(const std::vector<PathPoint>& points,
     std::vector<glm::dvec3> places;
     walk(points, step, [&](const PathPoint&, const glm::dvec3& place) { places.push_back(place); });
     return places;
+}
+
+inline double lengthAlong(const std::vector<glm::dvec3>& places) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < places.size(); ++i) length += glm::distance(places[i - 1], places[i]);
+    return length;
+}
+
+/// Turns of more than 155 degrees between feed moves, one of them shorter than 0.1 mm, arcs in chords. What is less
+/// than the figures of a program can say is none. @param arcs whether moves along arcs count
+inline std::size_t backStepsIn(const std::vector<PathPoint>& points, bool arcs = true) {
+    constexpr double figure = 0.001, apart = 0.02; // mm
+    std::size_t count = 0;
+    for (std::size_t i = 2; i < points.size(); ++i) {
+        if (points[i].kind == MoveKind::rapid || points[i - 1].kind == MoveKind::rapid) continue;
+        if (!arcs && (points[i].arc || points[i - 1].arc)) continue;
+        const std::vector<glm::dvec3> in = placesOf(points[i - 2].tip, points[i - 1], apart);
+        const std::vector<glm::dvec3> out = placesOf(points[i - 1].tip, points[i], apart);
+        const double shorter = std::min(lengthAlong(in), lengthAlong(out));
+        if (shorter < figure || shorter >= 0.1) continue;
+        const glm::dvec3 arrives = in.back() - in[in.size() - 2], leaves = out[1] - out[0];
+        const double cosine = glm::dot(arrives, leaves) / (glm::length(arrives) * glm::length(leaves));
+        if (std::acos(std::clamp(cosine, -1.0, 1.0)) > 155.0 * pi / 180.0) ++count;
+    }
+    return count;
 }
 
 /// Distance from a point to a polyline; slow and obvious.

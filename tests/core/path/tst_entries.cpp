@@ -43,23 +43,6 @@ Link rampingLink() {
     return link;
 }
 
-/// Turns of more than 155 degrees between feed moves, one of them shorter than 0.1 mm; what is less than the figures of
-/// a program can say is none.
-std::vector<glm::dvec3> backStepsOf(const std::vector<PathPoint>& points) {
-    constexpr double figure = 0.001; // mm
-    std::vector<glm::dvec3> found;
-    for (std::size_t i = 2; i < points.size(); ++i) {
-        if (points[i].arc || points[i - 1].arc) continue;
-        if (points[i].kind == MoveKind::rapid || points[i - 1].kind == MoveKind::rapid) continue;
-        const glm::dvec3 in = points[i - 1].tip - points[i - 2].tip, out = points[i].tip - points[i - 1].tip;
-        const double shorter = std::min(glm::length(in), glm::length(out));
-        if (shorter < figure || shorter >= 0.1) continue;
-        const double cosine = glm::dot(in, out) / (glm::length(in) * glm::length(out));
-        if (std::acos(std::clamp(cosine, -1.0, 1.0)) > 155.0 * pi / 180.0) found.push_back(points[i - 1].tip);
-    }
-    return found;
-}
-
 /// A hand that begins with some tiny moves, as hands do that find their way, and goes on with long ones. It never turns
 /// back itself.
 std::vector<glm::dvec3> hesitantCorners() {
@@ -232,7 +215,7 @@ private slots:
             RC_ASSERT(static_cast<bool>(path));
             const EditReport& report = reportOf(*path, "link");
             ramps += static_cast<double>(countOf(report.entries, EntryForm::ramp));
-            RC_ASSERT(backStepsOf(path->path.points).empty());
+            RC_ASSERT(backStepsIn(path->path.points, false) == 0U);
         }));
         QVERIFY(ramps > 30.0); // there was something to judge
     }
@@ -251,7 +234,7 @@ private slots:
             const EditReport& link = reportOf(*path, "link");
             QCOMPARE(link.entries.size(), std::size_t{1});
             QVERIFY(link.entries.front().form == EntryForm::ramp);
-            QVERIFY(backStepsOf(path->path.points).empty());
+            QVERIFY(backStepsIn(path->path.points, false) == 0U);
             // The hand's beginning stays, and the tool beside the walls.
             double nearest = 1e9;
             for (const PathPoint& point : path->path.points) {

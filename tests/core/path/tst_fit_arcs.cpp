@@ -60,27 +60,6 @@ std::size_t arcsIn(const std::vector<PathPoint>& points) {
     return count;
 }
 
-/// Turns of more than 155 degrees where one of the two moves is shorter than 0.1 mm, arcs in chords.
-std::size_t backStepsIn(const std::vector<PathPoint>& points) {
-    const auto lengthOfAll = [](const std::vector<glm::dvec3>& places) {
-        double length = 0.0;
-        for (std::size_t i = 1; i < places.size(); ++i) length += glm::distance(places[i - 1], places[i]);
-        return length;
-    };
-    std::size_t count = 0;
-    for (std::size_t i = 2; i < points.size(); ++i) {
-        if (points[i].kind != MoveKind::cut || points[i - 1].kind != MoveKind::cut) continue;
-        const std::vector<glm::dvec3> in = placesOf(points[i - 2].tip, points[i - 1], 0.02);
-        const std::vector<glm::dvec3> out = placesOf(points[i - 1].tip, points[i], 0.02);
-        if (std::min(lengthOfAll(in), lengthOfAll(out)) >= 0.1) continue;
-        const glm::dvec3 arrives = in.back() - in[in.size() - 2], leaves = out[1] - out[0];
-        const double turn =
-            std::acos(std::clamp(glm::dot(arrives, leaves) / (glm::length(arrives) * glm::length(leaves)), -1.0, 1.0));
-        if (turn > 155.0 * pi / 180.0) ++count;
-    }
-    return count;
-}
-
 } // namespace
 
 class TestFitArcs : public QObject {

@@ -295,24 +295,23 @@ Damaged changedWord(Program program, const std::vector<std::uint32_t>& lines, co
     return {};
 }
 
-Damaged movedEnd(const std::string& text, const std::string& dialect, std::uint32_t n) {
-    const Program program(text, dialect);
+/// Lines of straight feed moves before a motion of a kind.
+std::vector<std::uint32_t> linesBefore(const Program& program, NcMotionKind kind) {
     std::vector<std::uint32_t> lines;
     const std::vector<NcMotion>& motions = program.motions();
     for (std::size_t i = 0; i + 1 < motions.size(); ++i)
-        if (motions[i].kind == NcMotionKind::line && motions[i + 1].kind == NcMotionKind::line)
-            lines.push_back(motions[i].line);
-    return changedWord(program, lines, "XYZ", n);
+        if (motions[i].kind == NcMotionKind::line && motions[i + 1].kind == kind) lines.push_back(motions[i].line);
+    return lines;
+}
+
+Damaged movedEnd(const std::string& text, const std::string& dialect, std::uint32_t n) {
+    const Program program(text, dialect);
+    return changedWord(program, linesBefore(program, NcMotionKind::line), "XYZ", n);
 }
 
 Damaged movedEndBeforeAnArc(const std::string& text, const std::string& dialect, std::uint32_t n) {
     const Program program(text, dialect);
-    std::vector<std::uint32_t> lines;
-    const std::vector<NcMotion>& motions = program.motions();
-    for (std::size_t i = 0; i + 1 < motions.size(); ++i)
-        if (motions[i].kind == NcMotionKind::line && motions[i + 1].kind == NcMotionKind::arc)
-            lines.push_back(motions[i].line);
-    return changedWord(program, lines, "XY", n);
+    return changedWord(program, linesBefore(program, NcMotionKind::arc), "XY", n);
 }
 
 Damaged damagedArc(const std::string& text, const std::string& dialect, std::uint32_t n) {

@@ -90,6 +90,16 @@ public:
     Path path;
 };
 
+/// Around the outside, at each level from beside and back. @param off mm from the walls
+void addRings(PathWriter& writer, std::initializer_list<double> levels, double beside, double off) {
+    for (const double z : levels) {
+        writer.descend(beside, 10.0, z);
+        writer.ring(off, z);
+        writer.cut({beside, 10.0, z});
+        writer.rise();
+    }
+}
+
 Path roughing(const Tool& tool) {
     const double off = tool.cutter.radius() + allowance;
     PathWriter writer(tool);
@@ -108,12 +118,7 @@ Path roughing(const Tool& tool) {
         writer.loop(off, z);
         writer.rise();
     }
-    for (const double z : {5.0, 2.0, 0.2}) {
-        writer.descend(-10.0, 10.0, z);
-        writer.ring(off, z);
-        writer.cut({-10.0, 10.0, z});
-        writer.rise();
-    }
+    addRings(writer, {5.0, 2.0, 0.2}, -10.0, off);
     return writer.path;
 }
 
@@ -126,12 +131,7 @@ Path finishing(const Tool& tool) {
     writer.cut({3.0 + radius, 10.0, 8.2}); // over the wall
     writer.cut({-3.5, 10.0, 8.2});
     writer.rise();
-    for (const double z : {4.0, 0.1}) {
-        writer.descend(-6.0, 10.0, z);
-        writer.ring(radius, z);
-        writer.cut({-6.0, 10.0, z});
-        writer.rise();
-    }
+    addRings(writer, {4.0, 0.1}, -6.0, radius);
     return writer.path;
 }
 
