@@ -3,6 +3,7 @@
 #include "app/command.h"
 
 #include "core/base/clean_text.h"
+#include "core/document/project.h"
 #include "ui/messages/messages.h"
 
 #include <CLI/CLI.hpp>
@@ -144,6 +145,13 @@ int CommandContext::fail(const Error& error, const QString& standing) {
                      {{"sentence", sentence}, {"status", status}, {"subject", error.subject}, {"place", error.place}}}})
             << std::endl;
     return status;
+}
+
+void tellKeptEarlier(CommandContext& context, const Project& project) {
+    if (project.keptEarlier().empty()) return;
+    context.message(QCoreApplication::translate("Command", "The file of an earlier version of Burin is kept as \"%1\".")
+                        .arg(QString::fromStdString(project.keptEarlier().string()))
+                        .toStdString());
 }
 
 QString standingOutputs(std::span<const StagedFile> outputs) {

@@ -19,6 +19,8 @@ class App;
 
 namespace burin {
 
+class Project;
+
 /// What every command of the command line gets: where its answer and its messages go, and the wish to stop it.
 /// One object a run; the main thread alone, but for `progress()`.
 class CommandContext {
@@ -53,6 +55,9 @@ private:
 /// Says which of the outputs of a command that failed are new all the same, as a disk that refuses everything lets none
 /// be taken back; empty: none. For `fail`.
 QString standingOutputs(std::span<const StagedFile> outputs);
+
+/// Says under what name the file of an earlier version of Burin stands beside the one that was just saved.
+void tellKeptEarlier(CommandContext& context, const Project& project);
 
 /// Adds one subcommand; its callback stores the exit status.
 using Register = void (*)(CLI::App& program, CommandContext& context, int& status);

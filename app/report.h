@@ -3,10 +3,10 @@
 #pragma once
 
 #include "core/cad/model.h"
+#include "core/job/program_job.h"
 #include "core/machine/machine_profile.h"
 #include "core/nc/lint.h"
 #include "core/path/evaluate.h"
-#include "core/project/program_job.h"
 #include "core/setup/setup.h"
 #include "core/tool/tool.h"
 #include "core/verify/verify.h"
@@ -18,7 +18,7 @@
 
 namespace burin {
 
-// JSON of things that several commands report. Keys carry their unit (design.md section 6).
+// JSON of things that several commands report. Keys carry their unit (README.md).
 
 nlohmann::json jsonOf(const glm::dvec3& v);
 nlohmann::json jsonOf(const Box& box); ///< [[x, y, z], [x, y, z]]

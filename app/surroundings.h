@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/project/bench_boundaries.h"
-#include "core/project/project.h"
+#include "core/document/project.h"
+#include "core/job/bench_boundaries.h"
 
 #include <nlohmann/json.hpp>
 

@@ -5,7 +5,7 @@
 #include "core/base/numbers.h"
 #include "core/base/staged_file.h"
 #include "core/cutting/calibration.h"
-#include "core/project/companions.h"
+#include "core/document/companions.h"
 
 #include <CLI/CLI.hpp>
 

@@ -8,11 +8,11 @@
 #include "core/base/staged_file.h"
 #include "core/base/steps.h"
 #include "core/cad/import.h"
-#include "core/project/companions.h"
-#include "core/project/job_paths.h"
-#include "core/project/kept_program.h"
-#include "core/project/milling.h"
-#include "core/project/project_change.h"
+#include "core/document/companions.h"
+#include "core/document/project_change.h"
+#include "core/job/job_paths.h"
+#include "core/job/kept_program.h"
+#include "core/job/milling.h"
 #include "ui/scene/picture.h"
 
 #include <CLI/CLI.hpp>
@@ -109,7 +109,7 @@ Result<DemoResult> work(Project& project, const Tool& tool, const DemoArguments&
     if (!field) return field.error();
     context.stage("Milling");
     Result<OperatorOutcome> milling =
-        millWithOperator(project, *bench, **field, request, context.progress().cancelFlag());
+        millWithOperator(project, *bench, ToolBounds::borrowing(**field), request, context.progress().cancelFlag());
     if (!milling) return std::move(milling).error();
 
     context.stage("Editing");

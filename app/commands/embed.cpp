@@ -6,8 +6,8 @@
 #include "core/base/numbers.h"
 #include "core/base/steps.h"
 #include "core/cad/import.h"
-#include "core/project/companions.h"
-#include "core/project/project_change.h"
+#include "core/document/companions.h"
+#include "core/document/project_change.h"
 #include "core/setup/setup.h"
 
 #include <CLI/CLI.hpp>
@@ -137,6 +137,7 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
                 [&] { return (*project)->setObstacles(*obstacles); }, [&] { return (*project)->setAxisMode(*axis); },
                 [&] { return (*project)->setTravelPlacement(*travel); }, [&] { return project->save(); });
     if (!saved) return context.fail(saved.error());
+    tellKeptEarlier(context, **project);
 
     const glm::ivec3 voxels = embedded->workpiece.grid().count();
     const nlohmann::json answer{{"project", std::filesystem::absolute(arguments.output).lexically_normal().string()},

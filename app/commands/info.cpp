@@ -4,7 +4,7 @@
 #include "app/report.h"
 #include "app/surroundings.h"
 #include "core/base/numbers.h"
-#include "core/project/kept_program.h"
+#include "core/job/kept_program.h"
 
 #include <CLI/CLI.hpp>
 

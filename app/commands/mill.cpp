@@ -6,10 +6,10 @@
 #include "core/base/numbers.h"
 #include "core/base/staged_file.h"
 #include "core/device/device_registry.h"
-#include "core/haptics/operator.h"
-#include "core/haptics/trace_stylus.h"
-#include "core/project/companions.h"
-#include "core/project/milling.h"
+#include "core/document/companions.h"
+#include "core/haptics/operator/virtual_operator.h"
+#include "core/haptics/trace/trace_stylus.h"
+#include "core/job/milling.h"
 #include "ui/messages/messages.h"
 
 #include <CLI/CLI.hpp>
@@ -325,6 +325,7 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     }
     if (const Result<void> saved = saveWith(*project, trace); !saved)
         return context.fail(saved.error(), keptRecording(*project, trace));
+    tellKeptEarlier(context, *project);
 
     const Box& travel = bounds->envelope().tips;
     const std::vector<std::string> doubts = doubtsOf(*bench->model, bench->embedded);

@@ -5,10 +5,10 @@
 #include "app/surroundings.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
+#include "core/document/companions.h"
+#include "core/document/project_change.h"
+#include "core/job/job_paths.h"
 #include "core/path/milling_side.h"
-#include "core/project/companions.h"
-#include "core/project/job_paths.h"
-#include "core/project/project_change.h"
 #include "core/recording/take_csv.h"
 
 #include <CLI/CLI.hpp>
@@ -103,6 +103,7 @@ int create(const PathArguments& arguments, CommandContext& context) {
     if (!id) return context.fail(id.error());
     path->id = *id;
     if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
+    tellKeptEarlier(context, **project);
     context.answer(jsonOf(*path), textOf(*path));
     return 0;
 }
@@ -117,6 +118,7 @@ int change(const PathArguments& arguments, CommandContext& context,
     if (const Result<void> changed = changeEdits(*path); !changed) return context.fail(changed.error());
     if (const Result<void> stored = (*project)->setPath(*path); !stored) return context.fail(stored.error());
     if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
+    tellKeptEarlier(context, **project);
     context.answer(jsonOf(*path), textOf(*path));
     return 0;
 }

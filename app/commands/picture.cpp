@@ -4,8 +4,8 @@
 #include "app/command.h"
 #include "app/picture_options.h"
 #include "app/surroundings.h"
-#include "core/project/companions.h"
-#include "core/project/job_paths.h"
+#include "core/document/companions.h"
+#include "core/job/job_paths.h"
 
 #include <CLI/CLI.hpp>
 

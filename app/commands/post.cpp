@@ -6,10 +6,10 @@
 #include "app/surroundings.h"
 #include "core/base/staged_file.h"
 #include "core/base/steps.h"
-#include "core/project/companions.h"
-#include "core/project/job_paths.h"
-#include "core/project/kept_program.h"
-#include "core/project/project_change.h"
+#include "core/document/companions.h"
+#include "core/document/project_change.h"
+#include "core/job/job_paths.h"
+#include "core/job/kept_program.h"
 
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
@@ -128,6 +128,7 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
                                       .arg(QString::fromStdString(arguments.output))
                                 : standing);
     }
+    tellKeptEarlier(context, **project);
     answer["program"] = std::filesystem::absolute(arguments.output).lexically_normal().string();
     context.answer(answer, arguments.output + ": " + std::to_string(program->parsed.blocks) + " blocks\n" + verdict);
     return 0;

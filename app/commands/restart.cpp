@@ -6,8 +6,8 @@
 #include "app/surroundings.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
-#include "core/project/kept_program.h"
-#include "core/project/restart_job.h"
+#include "core/job/kept_program.h"
+#include "core/job/restart_job.h"
 
 #include <filesystem>
 

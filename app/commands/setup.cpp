@@ -3,9 +3,9 @@
 #include "app/command.h"
 #include "app/surroundings.h"
 #include "core/base/steps.h"
+#include "core/document/project_change.h"
 #include "core/machine/machine_library.h"
 #include "core/nc/dialect_library.h"
-#include "core/project/project_change.h"
 
 #include <CLI/CLI.hpp>
 
@@ -100,6 +100,7 @@ Result<Around> changed(const SetupArguments& arguments, CommandContext& context)
     context.stage("Reading fixtures");
     if (Result<void> done = change(*project, *around, arguments, context.progress()); !done)
         return std::move(done).error();
+    tellKeptEarlier(context, **project);
     return around;
 }
 

@@ -73,13 +73,14 @@ enum class ErrorCode : std::uint16_t {
     checkFailed,        ///< subject: file or path; place: the findings in short
 };
 
-/// How an error ends the command line; design.md section 6 gives the exit statuses.
+/// How an error ends the command line: its exit status (README.md lists them).
 enum class ErrorClass : std::uint8_t {
     checkFailed = 1,
     wrongUse = 2,
     badInput = 3,
     outOfSpaceOrRights = 4,
-    cancelled = 5
+    cancelled = 5,
+    ownFault = 6 ///< of Burin itself
 };
 
 /// A record of a fault. Core says which, where and on what; `ui/messages` is the one place that words it.
@@ -90,7 +91,7 @@ struct Error {
     std::string detail;  ///< English, for the log, and where the code's comment says so for the sentence
 };
 
-/// The exit class of an error.
+/// The exit class of an error. Without a default: the compiler asks for the class of a code that is new.
 constexpr ErrorClass errorClass(ErrorCode code) noexcept {
     switch (code) {
     case ErrorCode::cancelled:
@@ -121,9 +122,35 @@ constexpr ErrorClass errorClass(ErrorCode code) noexcept {
     case ErrorCode::programLimit:
     case ErrorCode::checkFailed:
         return ErrorClass::checkFailed;
-    default:
+    case ErrorCode::fileNotFound:
+    case ErrorCode::fileNotReadable:
+    case ErrorCode::fileEmpty:
+    case ErrorCode::fileFormatUnknown:
+    case ErrorCode::fileDamaged:
+    case ErrorCode::importTimedOut:
+    case ErrorCode::importOutOfMemory:
+    case ErrorCode::importCrashed:
+    case ErrorCode::modelHasNoSolid:
+    case ErrorCode::modelNotWatertight:
+    case ErrorCode::modelTooLarge:
+    case ErrorCode::meshIncomplete:
+    case ErrorCode::resourceInvalid:
+    case ErrorCode::deviceFault:
+    case ErrorCode::deviceUnplugged:
+    case ErrorCode::deviceStopped:
+    case ErrorCode::deviceHot:
+    case ErrorCode::deviceIncompatible:
+    case ErrorCode::traceInvalid:
+    case ErrorCode::projectNotBurin:
+    case ErrorCode::fileFromNewerBurin:
+    case ErrorCode::pluginIncompatible:
+    case ErrorCode::pluginInvalid:
+    case ErrorCode::programSyntax:
         return ErrorClass::badInput;
+    case ErrorCode::internalFault:
+        return ErrorClass::ownFault;
     }
+    return ErrorClass::ownFault;
 }
 
 } // namespace burin

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 namespace burin {
 
@@ -61,6 +63,12 @@ double standIn(NumberRange range) {
 }
 
 } // namespace
+
+struct JsonObject::Shared {
+    json document;
+    std::string origin;
+    std::optional<Error> fault;
+};
 
 Result<JsonObject> JsonObject::parse(std::string_view text, const std::string& origin) {
     auto shared = std::make_shared<Shared>();

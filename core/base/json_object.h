@@ -2,27 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/number_range.h"
 #include "core/base/result.h"
 
-#include <nlohmann/json.hpp>
-
 #include <functional>
-#include <limits>
 #include <map>
 #include <memory>
-#include <optional>
+#include <nlohmann/json_fwd.hpp>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace burin {
-
-/// Bounds of a number in a file, both allowed.
-struct NumberRange {
-    double low = -std::numeric_limits<double>::infinity();
-    double high = std::numeric_limits<double>::infinity();
-};
 
 /// Reads a JSON object strictly: every key is asked for once, with its type and range; a key that nobody asked for, a
 /// missing or doubled one, a wrong type, a value out of range is a fault. The first fault is kept and names the key
@@ -60,11 +52,7 @@ public:
     Result<void> finish();
 
 private:
-    struct Shared {
-        nlohmann::json document;
-        std::string origin;
-        std::optional<Error> fault;
-    };
+    struct Shared;
     JsonObject(std::shared_ptr<Shared> shared, const nlohmann::json& node, std::string path);
     const nlohmann::json* find(std::string_view key);
     double checked(std::string_view key, const nlohmann::json& value, NumberRange range);

@@ -4,7 +4,7 @@
 
 #include "core/cutting/calibration_records.h"
 #include "core/cutting/calibration_statistics.h"
-#include "core/volume/property_list.h"
+#include "core/volume/runs/property_list.h"
 
 #include <span>
 #include <string>

@@ -5,7 +5,7 @@
 #include "core/cutting/line_frame.h"
 #include "core/cutting/voxel_tool.h"
 #include "core/tool/swept_span.h"
-#include "core/volume/boundary.h"
+#include "core/volume/operations/boundary.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "core/cutting/occupied_bricks.h"
 #include "core/geometry/pose.h"
 #include "core/geometry/revolved_piece.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <array>
 #include <cstdint>
@@ -25,8 +25,8 @@ struct TouchedProperty {
 
 /// Where a part of the tool that must not touch anything overlaps what a volume holds: stock, part, and any fixture
 /// that is a material of it. Burin's own setups keep fixtures out of the volume (core/setup/obstacle.h), so those never
-/// show up here: the hand is held off them with the whole tool (core/haptics/tool_boundaries.h), and programs are
-/// judged against them by their meshes (core/verify/obstacles.h).
+/// show up here: the hand is held off them with the whole tool (core/haptics/boundary/tool_boundaries.h), and programs
+/// are judged against them by their meshes (core/verify/obstacles.h).
 struct ShankContact {
     bool touches = false;
     std::uint32_t piece = 0;                  ///< place in pieces(cutter) of what overlaps most: see sectionOf

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/coolant.h"
-#include "core/volume/property_list.h"
+#include "core/volume/runs/property_list.h"
 
 namespace burin {
 

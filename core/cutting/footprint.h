@@ -6,7 +6,7 @@
 #include "core/cutting/line_frame.h"
 #include "core/tool/line_stretch.h"
 #include "core/tool/swept_span.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "core/cutting/gap_window.h"
 
 #include "core/cutting/gap_window_kernels.h"
-#include "core/volume/brick_lines.h"
+#include "core/volume/runs/brick_lines.h"
 
 #include <algorithm>
 #include <bit>

@@ -6,7 +6,7 @@
 #include "core/cutting/removed_units.h"
 #include "core/cutting/write_queue.h"
 #include "core/tool/span_rows.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <array>
 #include <cstdint>

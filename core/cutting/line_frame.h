@@ -4,7 +4,7 @@
 
 #include "core/geometry/box.h"
 #include "core/geometry/pose.h"
-#include "core/volume/grid.h"
+#include "core/volume/runs/grid.h"
 
 #include <algorithm>
 #include <cmath>

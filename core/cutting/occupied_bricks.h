@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/volume/brick_lines.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/brick_lines.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <cstdint>
 #include <vector>

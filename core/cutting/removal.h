@@ -8,7 +8,7 @@
 #include "core/geometry/pose.h"
 #include "core/tool/swept_span.h"
 #include "core/tool/tool.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <array>
 #include <cstdint>
@@ -24,7 +24,7 @@ struct MaterialVolume {
     PropertyIndex property = airProperty; ///< air: entry not used
     std::uint64_t units = 0;              ///< run units: exact
     double volume = 0.0;                  ///< mm³, units times Grid::unitVolume
-    double reported = 0.0;                ///< mm³, smooth over ticks (design.md section 3); sums follow `volume`
+    double reported = 0.0;                ///< mm³, smooth over ticks (README.md); sums follow `volume`
 };
 
 /// What one cut took away.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/volume/grid.h"
+#include "core/volume/runs/grid.h"
 
 #include <array>
 #include <cstdint>

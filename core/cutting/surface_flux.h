@@ -4,7 +4,7 @@
 
 #include "core/geometry/pose.h"
 #include "core/geometry/revolved_piece.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <array>
 #include <cstdint>

@@ -4,7 +4,7 @@
 
 #include "core/cutting/pose_steps.h"
 #include "core/cutting/removed_units.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 #include "core/cutting/counted_removal.h"
 #include "core/cutting/footprint.h"
 #include "core/cutting/line_frame.h"
-#include "core/volume/voxel_runs.h"
+#include "core/volume/runs/voxel_runs.h"
 
 #include <algorithm>
 #include <cmath>

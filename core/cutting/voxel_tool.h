@@ -6,7 +6,7 @@
 #include "core/cutting/removed_units.h"
 #include "core/geometry/pose.h"
 #include "core/geometry/revolved_piece.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <cstdint>
 #include <span>

@@ -210,7 +210,7 @@ std::optional<BrickSampler::Between> BrickSampler::between(const Grid& all, cons
         if (up.x > odd.x || up.y > odd.y || up.z > odd.z) continue;
         if (signs > 7 - signs && odd == glm::ivec3(1)) continue;
         const glm::ivec3 a = low + up, b = low + odd - up;
-        const PartSample from = twos.get(twos.at(a.x, a.y, a.z)), to = twos.get(twos.at(b.x, b.y, b.z));
+        const DistanceSample from = twos.get(twos.at(a.x, a.y, a.z)), to = twos.get(twos.at(b.x, b.y, b.z));
         const glm::dvec3 way = 2.0 * field_.spacing * glm::dvec3(odd - 2 * up);
         const auto start = static_cast<double>(from.distance), end = static_cast<double>(to.distance);
         double estimate = 0.5 * (start + end);

@@ -5,7 +5,7 @@
 #include "core/base/progress.h"
 #include "core/field/brick_field.h"
 #include "core/field/field_builder.h"
-#include "core/field/part_sample.h"
+#include "core/field/sample_grid.h"
 #include "core/field/tip_asker.h"
 
 #include <optional>

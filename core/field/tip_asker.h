@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/field/part_sample.h"
+#include "core/field/sample_grid.h"
 #include "core/field/tool_field.h"
 
 namespace burin {
@@ -11,14 +11,14 @@ inline constexpr double farthestClearance = 1e6; ///< mm: what an empty part ans
 
 /// Clearance with the tip at a place.
 struct TipSample {
-    PartSample clearance; ///< mm, and its gradient
+    DistanceSample clearance; ///< mm, and its gradient
     /// How much of the tip's way out is gained in clearance when the tool is inside: less than 1 where it touches with
     /// a rim, whose faces are nearer than the rim is.
     float gain = 1.0F;
 
     /// The clearance without the kink that it has at 0 for a rim: stretched inside, so that lines across go on
     /// straight.
-    PartSample straightened() const noexcept {
+    DistanceSample straightened() const noexcept {
         if (clearance.distance >= 0.0F) return clearance;
         return {clearance.distance / gain, clearance.gradient / gain};
     }

@@ -111,7 +111,7 @@ std::optional<double> TipCorners::safeValue(const glm::ivec3& corner, const Cube
     bool asked = true;
     for (int i = 0; i < 8; ++i) {
         const glm::ivec3 at = cube.low + size * cornerOf(i);
-        const PartSample& sample = samples_[field_.cornerAt(at)].clearance;
+        const DistanceSample& sample = samples_[field_.cornerAt(at)].clearance;
         const auto distance = static_cast<double>(sample.distance);
         const glm::dvec3 share = glm::abs(glm::dvec3(corner - at)) / glm::dvec3(size);
         asked = asked && !std::isinf(sample.gradient.x);
@@ -143,7 +143,7 @@ bool TipCorners::mayHoldBand(const glm::ivec3& brick, TipAsker& asker) const {
     const double edge = field_.brickEdge(), radius = halfDiagonal * edge;
     double least = farthestClearance, most = -farthestClearance;
     for (int i = 0; i < 8; ++i) {
-        const PartSample& corner = samples_[field_.cornerAt(brick + cornerOf(i))].clearance;
+        const DistanceSample& corner = samples_[field_.cornerAt(brick + cornerOf(i))].clearance;
         if (std::isinf(corner.gradient.x)) return false; // far, or deep
         least = std::min(least, static_cast<double>(corner.distance));
         most = std::max(most, static_cast<double>(corner.distance));

@@ -21,7 +21,7 @@ glm::dvec3 turnedTowards(const glm::dvec3& from, const glm::dvec3& to, double mo
     return glm::normalize(from * std::cos(most) + side * std::sin(most));
 }
 
-const glm::dvec3& AxisFollower::operator()(const glm::dvec3& wanted, double own, double period) noexcept {
+const glm::dvec3& AxisFollower::turn(const glm::dvec3& wanted, double own, double period) noexcept {
     axis_ = known_ ? turnedTowards(axis_, wanted, own + speed * period) : wanted;
     known_ = true;
     return axis_;

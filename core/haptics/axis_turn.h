@@ -17,7 +17,7 @@ public:
     void forget() noexcept { known_ = false; }
     const glm::dvec3& axis() const noexcept { return axis_; }
     /// @param wanted unit. @param own rad that the hand has turned in this tick. @param period s
-    const glm::dvec3& operator()(const glm::dvec3& wanted, double own, double period) noexcept;
+    const glm::dvec3& turn(const glm::dvec3& wanted, double own, double period) noexcept;
 
 private:
     glm::dvec3 axis_{0.0};

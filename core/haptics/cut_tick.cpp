@@ -61,7 +61,7 @@ void CutTick::takeUp() noexcept {
     travelSinceRemoval_ = std::numeric_limits<double>::infinity();
 }
 
-CuttingForce CutTick::operator()(ToolMotion& motion, double period, Sample& sample) noexcept {
+CuttingForce CutTick::cut(ToolMotion& motion, double period, Sample& sample) noexcept {
     const bool stands = !spindleTurns();
     if (stands) travelSinceRemoval_ = std::numeric_limits<double>::infinity();
     if (stands || takesUp_ || motion.shankContact || memoryFull_) {

@@ -30,7 +30,7 @@ public:
     /// Cuts what the flutes swept, and says what was removed: the paper's force of this very tick; area and mix of
     /// materials as they are felt, the area smoothed (EngagedArea), the mix that of the last tick that removed
     /// anything. A motion that ran out of memory is taken back, as part of its way is uncut.
-    CuttingForce operator()(ToolMotion& motion, double period, Sample& sample) noexcept;
+    CuttingForce cut(ToolMotion& motion, double period, Sample& sample) noexcept;
 
     /// Writes what was cut to the workpiece. Nothing is ever put off between two ticks, so that there is nothing to
     /// count.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/hand_input.h"
 
-#include "core/haptics/coupling.h"
+#include "core/haptics/force/coupling.h"
 
 #include <algorithm>
 
@@ -28,7 +28,7 @@ HandInput::HandInput(const HapticSettings& settings) noexcept
     , motion_(settings.stylus.positionStep.value)
     , averaging_(averagingShare(settings)) {}
 
-Hand HandInput::operator()(const StylusState& state, double period, const glm::dvec3* tool, bool quiet) noexcept {
+Hand HandInput::read(const StylusState& state, double period, const glm::dvec3* tool, bool quiet) noexcept {
     Hand hand;
     hand.reading = guard_.check(state, period);
     hand.device = guard_.lastPose();
@@ -43,7 +43,7 @@ Hand HandInput::operator()(const StylusState& state, double period, const glm::d
     hand.rests = motion_.rests();
     hand.deviceVelocity = motion_.velocity();
     const Pose pose{hand.rests ? motion_.averaged(averaging_) : hand.device.position, hand.device.rotation};
-    const Workspace::Place place = workspace_(pose, state.buttons, tool, quiet, period);
+    const Workspace::Place place = workspace_.map(pose, state.buttons, tool, quiet, period);
     hand.wanted = place.wanted;
     hand.mapping = place.mapping;
     hand.clutched = workspace_.clutched();

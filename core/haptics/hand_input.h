@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/haptics/force/motion_estimator.h"
 #include "core/haptics/haptic_settings.h"
-#include "core/haptics/motion_estimator.h"
 #include "core/haptics/reading_guard.h"
 #include "core/haptics/workspace.h"
 
@@ -30,7 +30,7 @@ public:
 
     /// @param period s since the tick before. @param tool where the tool is, mm, setup frame; nullptr: none has been
     /// taken up. @param quiet the hand feels no force
-    Hand operator()(const StylusState& state, double period, const glm::dvec3* tool, bool quiet) noexcept;
+    Hand read(const StylusState& state, double period, const glm::dvec3* tool, bool quiet) noexcept;
     /// The speed is measured anew: nobody knows where the hand has been meanwhile.
     void forget() noexcept;
     /// Between two ticks.

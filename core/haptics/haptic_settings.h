@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/device/stylus.h"
-#include "core/haptics/axis_mode.h"
 #include "core/haptics/workspace_mapping.h"
+#include "core/setup/axis_mode.h"
 
 #include <cstdint>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/haptic_step.h"
 
-#include "core/haptics/fixed_axis_boundary.h"
+#include "core/haptics/boundary/fixed_axis_boundary.h"
 
 #include <cmath>
 #include <memory>
@@ -23,10 +23,10 @@ HapticStep::HapticStep(RunVolume& workpiece, BoundaryLayers layers, const Tool& 
     , cut_(workpiece, tool, settings)
     , output_(settings) {}
 
-Sample HapticStep::operator()(const StylusState& state, double period) noexcept {
+Sample HapticStep::advance(const StylusState& state, double period) noexcept {
     Sample sample = beginSample(period);
     heldBy_ = 0;
-    const Hand hand = input_(state, period, started_ ? &mover_.pose().tip : nullptr, output_.quiet());
+    const Hand hand = input_.read(state, period, started_ ? &mover_.pose().tip : nullptr, output_.quiet());
     sample.device = hand.device;
     sample.stylusTip = hand.wanted.tip;
     sample.proxy = shown_ = started_ ? mover_.pose() : mover_.parkedAbove(hand.wanted);
@@ -47,18 +47,18 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
         return sample;
     }
     part_.setAxis(mover_.pose().axis);
-    const GuidedHand guided = guides_(hand, mover_.pose(), cut_.spindleTurns(), period);
+    const GuidedHand guided = guides_.guide(hand, mover_.pose(), cut_.spindleTurns(), period);
     if (guided.held != 0) sample.flags |= sampleOnGuide;
     mover_.setScale(hand.mapping.scale);
     ToolMotion motion = mover_.move(guided.goal, period, cut_);
-    const CuttingForce cutting = cut_(motion, period, sample);
+    const CuttingForce cutting = cut_.cut(motion, period, sample);
     mover_.arrive(motion);
     sample.proxy = shown_ = mover_.pose();
     if (motion.shankContact) sample.flags |= sampleShankContact;
     noteHold(motion, sample);
     if (motion.axisHeld) sample.flags |= sampleAxisHeld;
     output_.motorsAre(state.motorHeat, period);
-    output_(motion, cutting, hand, guided, period, sample);
+    output_.render(motion, cutting, hand, guided, period, sample);
     return sample;
 }
 

@@ -3,17 +3,17 @@
 #pragma once
 
 #include "core/field/tool_field.h"
+#include "core/haptics/boundary/part_at_axis.h"
 #include "core/haptics/cut_tick.h"
-#include "core/haptics/force_output.h"
-#include "core/haptics/guide_set.h"
+#include "core/haptics/force/force_output.h"
+#include "core/haptics/guides/guide_set.h"
 #include "core/haptics/hand_input.h"
-#include "core/haptics/part_at_axis.h"
 #include "core/haptics/step_change.h"
 #include "core/haptics/tool_mover.h"
 
 namespace burin {
 
-/// One tick of milling: hand, tool, cut, force (design.md section 4). A function of its inputs and its state: no clock,
+/// One tick of milling: hand, tool, cut, force (core/README.md). A function of its inputs and its state: no clock,
 /// no allocation, lock, exception, log or file.
 /// Thread: the one writer of the workpiece.
 class HapticStep {
@@ -31,7 +31,7 @@ public:
     /// Until `started`, the record's proxy is parked clear above the hand, and nothing is cut. Neither is anything in
     /// the first tick of a take: the tool is taken up where it stands, so that what is cut lies between two samples.
     /// While the spindle stands (sampleSpindleOff) the part alone holds the tool; stock, shank and holder don't count.
-    Sample operator()(const StylusState& state, double period) noexcept;
+    Sample advance(const StylusState& state, double period) noexcept;
 
     /// What the last tick leaves to the device, device frame.
     const Wrench& deviceWrench() const noexcept { return output_.wrench(); }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/device/stylus.h"
-#include "core/haptics/tick_fault.h"
+#include "core/haptics/loop/tick_fault.h"
 
 namespace burin {
 

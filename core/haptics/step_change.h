@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/guide.h"
-#include "core/haptics/pose_boundary.h"
+#include "core/haptics/boundary/pose_boundary.h"
 #include "core/haptics/workspace.h"
+#include "core/setup/guide.h"
 
 #include <cstddef>
 #include <type_traits>

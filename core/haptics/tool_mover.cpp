@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/tool_mover.h"
 
-#include "core/haptics/pose_vector.h"
-#include "core/haptics/tick_fault.h"
+#include "core/haptics/boundary/pose_vector.h"
+#include "core/haptics/loop/tick_fault.h"
 
 #include <algorithm>
 #include <cmath>

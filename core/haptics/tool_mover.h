@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/allowance_follower.h"
+#include "core/haptics/boundary/allowance_follower.h"
+#include "core/haptics/boundary/proxy.h"
 #include "core/haptics/brake_on_contact.h"
 #include "core/haptics/cut_tick.h"
 #include "core/haptics/haptic_settings.h"
-#include "core/haptics/proxy.h"
 #include "core/haptics/tool_motion.h"
 
 namespace burin {

@@ -62,8 +62,8 @@ bool Workspace::change(bool quiet, double period) noexcept {
     return mapping_.scale != before.scale || mapping_.rotation != before.rotation;
 }
 
-Workspace::Place Workspace::operator()(const Pose& device, std::uint32_t buttons, const glm::dvec3* tool, bool quiet,
-                                       double period) noexcept {
+Workspace::Place Workspace::map(const Pose& device, std::uint32_t buttons, const glm::dvec3* tool, bool quiet,
+                                double period) noexcept {
     const glm::dvec3 place = device.position;
     Place answer;
     clutched_ = settings_.clutched || (buttons & settings_.clutchButton) != 0;
@@ -89,7 +89,7 @@ Workspace::Place Workspace::operator()(const Pose& device, std::uint32_t buttons
     const glm::dvec3 handAxis = device.rotation * glm::dvec3(0.0, 0.0, 1.0);
     const double own = known_ ? angleBetween(handAxis_, handAxis) : 0.0;
     const bool stays = clutched_ && begun_;
-    answer.wanted.axis = stays ? axis_.axis() : axis_(mapping_.directionToSetup(handAxis), own, period);
+    answer.wanted.axis = stays ? axis_.axis() : axis_.turn(mapping_.directionToSetup(handAxis), own, period);
     answer.wanted.tip = tip_ = tip;
     answer.mapping = mapping_;
     place_ = place;

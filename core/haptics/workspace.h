@@ -59,8 +59,7 @@ public:
     };
     /// @param tool where the tool is, mm; nullptr: none has been taken up. @param quiet the hand feels no force. @param
     /// period s
-    Place operator()(const Pose& device, std::uint32_t buttons, const glm::dvec3* tool, bool quiet,
-                     double period) noexcept;
+    Place map(const Pose& device, std::uint32_t buttons, const glm::dvec3* tool, bool quiet, double period) noexcept;
     /// Nobody knows where the hand has been meanwhile.
     void forget() noexcept { known_ = false; }
     const WorkspaceMapping& mapping() const noexcept { return mapping_; }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/json_object.h"
+#include "core/base/number_range.h"
 
 /// What a machine's file may state: wide enough for any milling machine, narrow enough to catch a slip of the unit.
 namespace burin::machine_range {

@@ -95,8 +95,9 @@ std::vector<EditField> fieldsOf(const EditParameters& parameters) {
 void setField(EditParameters& parameters, std::string_view key, const EditValue& value) {
     std::visit(
         [&]<class T>(T& edit) {
-            std::apply([&](const auto&... field) { ((field.key == key ? field.set(edit, value) : void()), ...); },
-                       EditRow<T>::fields);
+            std::apply(
+                [&](const auto&... field) { ((field.of(edit).key == key ? field.set(edit, value) : void()), ...); },
+                EditRow<T>::fields);
         },
         parameters);
 }

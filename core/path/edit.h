@@ -45,13 +45,25 @@ Result<void> validate(const Edit& edit);
 using EditValue =
     std::variant<double, bool, std::string_view, glm::dvec3, std::vector<glm::dvec3>, Moment, TakeStretch>;
 
+/// What the user reads of a parameter.
+struct FieldWords {
+    TextId label, toolTip;
+};
+
+/// One of the names that a parameter may be.
+struct EditChoice {
+    std::string_view name; ///< as in the edit's JSON
+    TextId words;
+};
+
 /// One parameter of an edit, with what it may be. What files, panels and validation know of it.
 struct EditField {
     std::string_view key; ///< as in the edit's JSON, its unit at the end: "tolerance_mm"
+    FieldWords words;
     EditValue value;
-    double low = 0.0, high = 0.0;                ///< of a number, of each coordinate, of a count of places
-    bool whole = false;                          ///< a number that counts
-    std::span<const std::string_view> choices{}; ///< of a name
+    double low = 0.0, high = 0.0;          ///< of a number, of each coordinate, of a count of places
+    bool whole = false;                    ///< a number that counts
+    std::span<const EditChoice> choices{}; ///< of a name
 };
 /// Every parameter of an edit, in order; none for a kind that has none.
 std::vector<EditField> fieldsOf(const EditParameters& parameters);

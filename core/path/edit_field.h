@@ -16,75 +16,80 @@ inline constexpr double farthestPlace = 1e5;
 template <class T>
 struct NumberField {
     std::string_view key;
+    FieldWords words;
     double T::*member;
     double low, high;
     bool whole;
 
-    EditField of(const T& edit) const { return {key, edit.*member, low, high, whole}; }
+    EditField of(const T& edit) const { return {key, words, edit.*member, low, high, whole}; }
     void set(T& edit, const EditValue& value) const { edit.*member = std::get<double>(value); }
 };
 template <class T>
-constexpr NumberField<T> number(std::string_view key, double T::*member, double low, double high) {
-    return {key, member, low, high, false};
+constexpr NumberField<T> number(std::string_view key, double T::*member, double low, double high,
+                                const FieldWords& words) {
+    return {key, words, member, low, high, false};
 }
 /// A number that counts; kept as the others are.
 template <class T>
-constexpr NumberField<T> count(std::string_view key, double T::*member, double low, double high) {
-    return {key, member, low, high, true};
+constexpr NumberField<T> count(std::string_view key, double T::*member, double low, double high,
+                               const FieldWords& words) {
+    return {key, words, member, low, high, true};
 }
 
 /// A switch, a moment, a stretch, a place or places: what needs no more than its key.
 template <class T, class Member>
 struct PlainField {
     std::string_view key;
+    FieldWords words;
     Member T::*member;
     double low, high;
 
-    EditField of(const T& edit) const { return {key, edit.*member, low, high}; }
+    EditField of(const T& edit) const { return {key, words, edit.*member, low, high}; }
     void set(T& edit, const EditValue& value) const { edit.*member = std::get<Member>(value); }
 };
 template <class T>
-constexpr PlainField<T, bool> onOff(std::string_view key, bool T::*member) {
-    return {key, member, 0.0, 0.0};
+constexpr PlainField<T, bool> onOff(std::string_view key, bool T::*member, const FieldWords& words) {
+    return {key, words, member, 0.0, 0.0};
 }
 template <class T>
-constexpr PlainField<T, Moment> moment(std::string_view key, Moment T::*member) {
-    return {key, member, 0.0, 0.0};
+constexpr PlainField<T, Moment> moment(std::string_view key, Moment T::*member, const FieldWords& words) {
+    return {key, words, member, 0.0, 0.0};
 }
 template <class T>
-constexpr PlainField<T, TakeStretch> stretch(std::string_view key, TakeStretch T::*member) {
-    return {key, member, 0.0, 0.0};
+constexpr PlainField<T, TakeStretch> stretch(std::string_view key, TakeStretch T::*member, const FieldWords& words) {
+    return {key, words, member, 0.0, 0.0};
 }
 template <class T>
-constexpr PlainField<T, glm::dvec3> place(std::string_view key, glm::dvec3 T::*member) {
-    return {key, member, -farthestPlace, farthestPlace};
+constexpr PlainField<T, glm::dvec3> place(std::string_view key, glm::dvec3 T::*member, const FieldWords& words) {
+    return {key, words, member, -farthestPlace, farthestPlace};
 }
 /// @param fewest so many places, or none
 template <class T>
 constexpr PlainField<T, std::vector<glm::dvec3>> places(std::string_view key, std::vector<glm::dvec3> T::*member,
-                                                        double fewest) {
-    return {key, member, fewest, 10000.0};
+                                                        double fewest, const FieldWords& words) {
+    return {key, words, member, fewest, 10000.0};
 }
 
 /// One of an enumeration's names, in its order.
 template <class T, class Enumeration, std::size_t size>
 struct ChoiceField {
     std::string_view key;
+    FieldWords words;
     Enumeration T::*member;
-    const std::array<std::string_view, size>* names;
+    const std::array<EditChoice, size>* names;
 
     EditField of(const T& edit) const {
-        return {key, (*names)[static_cast<std::size_t>(edit.*member)], 0.0, 0.0, false, *names};
+        return {key, words, (*names)[static_cast<std::size_t>(edit.*member)].name, 0.0, 0.0, false, *names};
     }
     void set(T& edit, const EditValue& value) const {
         for (std::size_t i = 0; i < size; ++i)
-            if ((*names)[i] == std::get<std::string_view>(value)) edit.*member = static_cast<Enumeration>(i);
+            if ((*names)[i].name == std::get<std::string_view>(value)) edit.*member = static_cast<Enumeration>(i);
     }
 };
 template <class T, class Enumeration, std::size_t size>
 constexpr ChoiceField<T, Enumeration, size> choice(std::string_view key, Enumeration T::*member,
-                                                   const std::array<std::string_view, size>& names) {
-    return {key, member, &names};
+                                                   const std::array<EditChoice, size>& names, const FieldWords& words) {
+    return {key, words, member, &names};
 }
 
 } // namespace burin

@@ -77,7 +77,8 @@ struct Read {
     }
     Refusal operator()(std::string_view) const {
         std::string names;
-        for (const std::string_view name : field.choices) {
+        for (const EditChoice& choice : field.choices) {
+            const std::string_view name = choice.name;
             if (json.is_string() && json.get_ref<const std::string&>() == name) {
                 value = name;
                 return {};
@@ -122,19 +123,30 @@ void makeEarliest(EditParameters& parameters) {
     if (auto* out = std::get_if<LeadOut>(&parameters)) out->direction = LeadDirection::firstMove;
 }
 
-/// Fills the parameters that the object states and refuses keys that are none.
-Result<void> read(Edit& edit, const Json& object) {
+/// Earlier versions wrote what a level is kept at without its unit.
+bool isKey(const EditField& field, std::string_view key) {
+    return field.key == key || (key == "target" && (field.key == "target_n" || field.key == "target_mm3_s"));
+}
+
+bool isName(const EditField& field) {
+    return std::holds_alternative<std::string_view>(field.value);
+}
+
+/// Fills the parameters that the object states: its names (`names`), or all the rest, which may depend on them.
+Result<void> read(Edit& edit, const Json& object, bool names) {
     const std::vector<EditField> fields = fieldsOf(edit.parameters);
     for (const auto& [key, json] : object.items()) {
         if (key == "edit" || key == "enabled") continue;
-        const auto field = std::ranges::find_if(fields, [&, &name = key](const EditField& f) { return f.key == name; });
+        const auto field =
+            std::ranges::find_if(fields, [&, &name = key](const EditField& f) { return isKey(f, name); });
+        if ((field != fields.end() && isName(*field)) != names) continue;
         if (field == fields.end()) return invalid(key, "", "no parameter of " + std::string(idOf(edit.parameters)));
         EditValue value = field->value;
         if (const auto refusal = std::visit(Read{*field, json, value}, field->value))
             return invalid(key, json.dump(), *refusal);
-        setField(edit.parameters, key, value);
+        setField(edit.parameters, field->key, value);
     }
-    return validate(edit);
+    return {};
 }
 
 } // namespace
@@ -165,7 +177,9 @@ Result<Edit> editFromJson(std::string_view text) {
         kind->enabled = enabled->get<bool>();
     }
     makeEarliest(kind->parameters);
-    if (Result<void> done = read(*kind, object); !done) return done.error();
+    for (const bool names : {true, false})
+        if (Result<void> done = read(*kind, object, names); !done) return done.error();
+    if (Result<void> valid = validate(*kind); !valid) return valid.error();
     return std::move(*kind);
 }
 

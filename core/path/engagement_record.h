@@ -4,7 +4,7 @@
 
 #include "core/cutting/cutting_force.h"
 #include "core/path/apply.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <vector>
 

@@ -15,7 +15,7 @@
 #include "core/recording/sample.h"
 #include "core/setup/obstacle.h"
 #include "core/tool/tool.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <functional>
 #include <memory>

@@ -66,7 +66,7 @@ std::vector<PathStroke> lowered(const PathStroke& stroke, const Lowering& loweri
     }
     std::vector<std::optional<glm::dvec3>> tips(places.size());
     parallelFor(std::size_t{0}, places.size(), [&](std::size_t i) {
-        if (!progress.cancelled()) tips[i] = lowering(places[i].tip);
+        if (!progress.cancelled()) tips[i] = lowering.bring(places[i].tip);
     });
     std::vector<PathStroke> strokes;
     bool begins = true;

@@ -19,7 +19,7 @@ public:
         : guard_(guard), distance_(distance), floor_(floor), along_(along) {}
 
     /// Nothing where the tool touches nowhere.
-    std::optional<glm::dvec3> operator()(const glm::dvec3& tip) const {
+    std::optional<glm::dvec3> bring(const glm::dvec3& tip) const {
         return along_ == LayOnPart::Along::axis ? alongAxis(tip) : alongNormal(tip);
     }
 

@@ -5,7 +5,7 @@
 #include "core/base/progress.h"
 #include "core/path/path.h"
 #include "core/tool/tool.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 namespace burin {
 

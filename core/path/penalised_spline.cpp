@@ -41,7 +41,7 @@ void PenalisedSpline::fit(std::span<const SplinePosition> at, std::span<const gl
     matrix.solve(coefficients_);
 }
 
-glm::dvec3 PenalisedSpline::operator()(const SplinePosition& at) const noexcept {
+glm::dvec3 PenalisedSpline::at(const SplinePosition& at) const noexcept {
     glm::dvec3 point(0.0);
     for (std::size_t i = 0; i < 4; ++i) point += at.values[i] * coefficients_[at.cell + i];
     return point;

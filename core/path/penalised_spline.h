@@ -34,7 +34,7 @@ public:
 
     /// @param at, points, weights of one length; three of the positions at least differ, with a weight above 0
     void fit(std::span<const SplinePosition> at, std::span<const glm::dvec3> points, std::span<const double> weights);
-    glm::dvec3 operator()(const SplinePosition& at) const noexcept;
+    glm::dvec3 at(const SplinePosition& at) const noexcept;
     /// Along the parameter, in lengths a gap.
     glm::dvec3 direction(std::size_t cell, double share) const noexcept;
 

@@ -22,7 +22,7 @@ public:
 
     void fit() { spline_.fit(at_, tips_, weights_); }
     /// The curve at a point's length, mm.
-    glm::dvec3 tip(std::size_t point) const noexcept { return spline_(at_[pointAt_[point]]); }
+    glm::dvec3 tip(std::size_t point) const noexcept { return spline_.at(at_[pointAt_[point]]); }
     /// Unit; zero where the curve stands.
     glm::dvec3 direction(std::size_t point) const noexcept;
     /// A point counts so many times as much as before.

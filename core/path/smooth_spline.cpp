@@ -41,7 +41,7 @@ public:
         spline_->fit(at_, tips_, weights);
         std::vector<glm::dvec3> tips;
         tips.reserve(at_.size());
-        for (const SplinePosition& at : at_) tips.push_back((*spline_)(at));
+        for (const SplinePosition& at : at_) tips.push_back(spline_->at(at));
         return tips;
     }
 

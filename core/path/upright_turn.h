@@ -15,7 +15,7 @@ public:
     UprightTurn(const glm::dvec3& centre, double angle)
         : centre_(centre), cosine_(std::cos(angle)), sine_(std::sin(angle)) {}
 
-    glm::dvec3 operator()(const glm::dvec3& place) const noexcept {
+    glm::dvec3 turned(const glm::dvec3& place) const noexcept {
         const double x = place.x - centre_.x, y = place.y - centre_.y;
         return {centre_.x + cosine_ * x - sine_ * y, centre_.y + sine_ * x + cosine_ * y, place.z};
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/setup_id.h"
 #include "core/geometry/pose.h"
 
 #include <array>
@@ -15,40 +16,40 @@
 namespace burin {
 
 enum SampleFlag : std::uint32_t {
-    sampleShankContact = 1u << 0,  ///< shank or holder touched something: brake and alarm
-    sampleOnBoundary = 1u << 1,    ///< the part (with its allowance) or another bound held the proxy back
-    sampleForceSaturated = 1u << 2,///< the rendered force was limited by the device's figure
-    sampleStylusInvalid = 1u << 3, ///< the device gave no valid reading: zero force
-    sampleForcesOff = 1u << 4,     ///< ramp-in or start inside the part: no force yet
-    sampleMemoryFull = 1u << 5,    ///< the reserved memory of the volume is used up: cutting stopped
-    sampleSpindleOff = 1u << 6,    ///< the tool only moved: nothing was cut, stock did not hold it; never part of a path
-    sampleOnGuide = 1u << 7,       ///< a guide held the hand, or turned the tool's axis
-    sampleAxisHeld = 1u << 8,      ///< the axis does not follow the stylus: there is no room, and no torque to feel it
-    sampleOnObstacle = 1u << 9,    ///< a fixture, a keep-out volume or the machine's travel held the proxy back: alarm
-    sampleForceLate = 1u << 10,    ///< the force came too late for its reading: zero was sent instead
-    sampleMotorsHot = 1u << 11,    ///< the device's motors are hot: it is asked for less than its figures allow
+    sampleShankContact = 1u << 0,   ///< shank or holder touched something: brake and alarm
+    sampleOnBoundary = 1u << 1,     ///< the part (with its allowance) or another bound held the proxy back
+    sampleForceSaturated = 1u << 2, ///< the rendered force was limited by the device's figure
+    sampleStylusInvalid = 1u << 3,  ///< the device gave no valid reading: zero force
+    sampleForcesOff = 1u << 4,      ///< ramp-in or start inside the part: no force yet
+    sampleMemoryFull = 1u << 5,     ///< the reserved memory of the volume is used up: cutting stopped
+    sampleSpindleOff = 1u << 6, ///< the tool only moved: nothing was cut, stock did not hold it; never part of a path
+    sampleOnGuide = 1u << 7,    ///< a guide held the hand, or turned the tool's axis
+    sampleAxisHeld = 1u << 8,   ///< the axis does not follow the stylus: there is no room, and no torque to feel it
+    sampleOnObstacle = 1u << 9, ///< a fixture, a keep-out volume or the machine's travel held the proxy back: alarm
+    sampleForceLate = 1u << 10, ///< the force came too late for its reading: zero was sent instead
+    sampleMotorsHot = 1u << 11, ///< the device's motors are hot: it is asked for less than its figures allow
 };
 
 /// Removed volume of one material in one tick.
 struct RemovedMaterial {
-    std::uint64_t units = 0;     ///< run units of the volume (Grid::unitVolume), exact
-    std::uint8_t property = 0;   ///< 0: entry not used
+    std::uint64_t units = 0;   ///< run units of the volume (Grid::unitVolume), exact
+    std::uint8_t property = 0; ///< 0: entry not used
 };
 
 /// One tick of a recording: what the hand did and what came of it. Frames: device pose in the device frame, the rest in
 /// the setup frame.
 struct Sample {
     std::uint64_t tick = 0;
-    double time = 0.0;              ///< s since the take began
-    Pose device;                    ///< mm, device frame
-    glm::dvec3 stylusTip{0.0};      ///< where the mapped hand wants the tip, mm
-    ToolPose proxy;                 ///< where the tool is; never inside the part grown by the allowance
-    glm::dvec3 force{0.0};          ///< N, rendered by the device, setup frame; without what only carries its handle
-    glm::dvec3 cuttingForce{0.0};   ///< N, unscaled, setup frame
-    double reportedRemoval = 0.0;   ///< mm³, the smooth figure that drives the force
+    double time = 0.0;            ///< s since the take began
+    Pose device;                  ///< mm, device frame
+    glm::dvec3 stylusTip{0.0};    ///< where the mapped hand wants the tip, mm
+    ToolPose proxy;               ///< where the tool is; never inside the part grown by the allowance
+    glm::dvec3 force{0.0};        ///< N, rendered by the device, setup frame; without what only carries its handle
+    glm::dvec3 cuttingForce{0.0}; ///< N, unscaled, setup frame
+    double reportedRemoval = 0.0; ///< mm³, the smooth figure that drives the force
     std::array<RemovedMaterial, 8> removed{}; ///< exact, by material
     std::uint32_t buttons = 0;
-    std::uint32_t flags = 0;        ///< SampleFlag
+    std::uint32_t flags = 0; ///< SampleFlag
 };
 static_assert(std::is_trivially_copyable_v<Sample>);
 
@@ -61,13 +62,14 @@ struct SampleRange {
 
 /// What is constant over one recording.
 struct TakeInfo {
-    std::int64_t id = 0;           ///< in its project
+    std::int64_t id = 0;        ///< in its project
+    SetupId setup = firstSetup; ///< that it was recorded in
     std::string name;
     std::string toolId;
-    double allowance = 0.0;        ///< mm of stock that the boundary left on the part
-    double tickPeriod = 0.001;     ///< s
-    double startedUnixTime = 0.0;  ///< s since 1970, UTC
-    std::string stylus;            ///< description of the input
+    double allowance = 0.0;       ///< mm of stock that the boundary left on the part
+    double tickPeriod = 0.001;    ///< s
+    double startedUnixTime = 0.0; ///< s since 1970, UTC
+    std::string stylus;           ///< description of the input
     std::uint64_t sampleCount = 0;
     std::uint64_t undoneCount = 0; ///< of these, taken back
     std::optional<double> seconds; ///< from its start to its last sample, missed ticks among them; null: it is damaged

@@ -4,8 +4,8 @@
 #include "core/setup/material_change.h"
 #include "core/setup/setup.h"
 #include "core/setup/stock_shape.h"
-#include "core/volume/assembly.h"
-#include "core/volume/voxelisation.h"
+#include "core/volume/runs/assembly.h"
+#include "core/volume/voxelisation/voxelisation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/cad/model.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <string>
 #include <vector>

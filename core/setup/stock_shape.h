@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/geometry/box.h"
-#include "core/volume/known_faces.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
+#include "core/volume/surface/known_faces.h"
 
 namespace burin {
 

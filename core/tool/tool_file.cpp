@@ -7,6 +7,7 @@
 #include "core/base/units.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace burin {
 

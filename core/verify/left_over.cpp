@@ -4,7 +4,7 @@
 
 #include "core/base/parallel.h"
 #include "core/cutting/line_frame.h"
-#include "core/volume/brick_lines.h"
+#include "core/volume/runs/brick_lines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "core/verify/load.h"
 #include "core/verify/machine_time.h"
 #include "core/verify/replay.h"
-#include "core/volume/property_list.h"
+#include "core/volume/runs/property_list.h"
 
 #include <functional>
 #include <span>

@@ -5,7 +5,7 @@
 #include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/tool/swept_span.h"
-#include "core/volume/brick_lines.h"
+#include "core/volume/runs/brick_lines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "core/geometry/box.h"
 #include "core/verify/findings.h"
 #include "core/verify/tool_moves.h"
-#include "core/volume/grid.h"
+#include "core/volume/runs/grid.h"
 
 #include <cstdint>
 #include <span>

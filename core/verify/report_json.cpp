@@ -86,10 +86,8 @@ json jsonOf(const Finding& finding) {
                {"line", finding.line},
                {"place_mm", jsonOf(finding.place)},
                {"amount", finding.amount}};
-    if (finding.limit > 0.0) {
-        entry["limit"] = finding.limit;
-        entry["unit"] = unitOf(finding.kind);
-    }
+    if (const std::string_view unit = unitOf(finding.kind); !unit.empty()) entry["unit"] = unit;
+    if (finding.limit > 0.0) entry["limit"] = finding.limit;
     if (finding.limit > 0.0 || finding.count > 1) entry["count"] = finding.count;
     return entry;
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/geometry/box.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <cstdint>
 #include <vector>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/geometry/revolved_piece.h"
-#include "core/volume/grid.h"
+#include "core/volume/runs/grid.h"
 
 #include <cstdint>
 #include <span>

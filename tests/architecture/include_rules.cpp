@@ -30,11 +30,13 @@ const std::map<std::string, std::vector<std::string>, std::less<>> uses{
     {"core/recording", {"core/device"}},
     {"core/setup", {"core/volume", "core/cad", "core/tool"}},
     {"core/cutting", {"core/volume", "core/tool"}},
-    {"core/haptics", {"core/cutting", "core/field", "core/setup", "core/machine", "core/recording"}},
+    {"core/passes", {"core/cutting", "core/field", "core/setup", "core/machine", "core/recording"}},
+    {"core/haptics", {"core/passes"}},
     {"core/path", {"core/recording", "core/cutting", "core/field", "core/setup", "core/machine"}},
     {"core/nc", {"core/path"}},
     {"core/verify", {"core/nc"}},
-    {"core/project", {"core/verify", "core/haptics"}},
+    {"core/document", {"core/nc"}},
+    {"core/job", {"core/document", "core/verify", "core/haptics"}},
     {"ui/messages", {"core"}},
     {"ui/theme", {"core", "ui/messages"}},
     {"ui/scene", {"core", "ui/messages", "ui/theme"}},
@@ -100,7 +102,7 @@ bool isSqlite(std::string_view header) {
 
 const std::array<ThirdParty, 6> thirdParties{
     ThirdParty{"Qt", isQt, {"ui", "app"}},           ThirdParty{"VTK", isVtk, {"ui/scene"}},
-    ThirdParty{"OpenCASCADE", isOcct, {"core/cad"}}, ThirdParty{"SQLite", isSqlite, {"core/project"}},
+    ThirdParty{"OpenCASCADE", isOcct, {"core/cad"}}, ThirdParty{"SQLite", isSqlite, {"core/document"}},
     ThirdParty{"hidapi", isHidapi, {"plugins"}},     ThirdParty{"libsystemd", isSystemd, {"core/haptics"}}};
 
 std::string firstParts(std::string_view path, std::size_t count) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/ray_cast.h"
-#include "core/volume/surface.h"
+#include "core/volume/operations/ray_cast.h"
+#include "core/volume/surface/surface.h"
 #include "tests/benchmarks/milled_sample.h"
 
 #include <benchmark/benchmark.h>

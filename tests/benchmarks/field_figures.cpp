@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/field/part_field.h"
 #include "core/field/tool_field.h"
 #include "tests/benchmarks/figure_groups.h"
 #include "tests/benchmarks/measure/replay.h"
@@ -8,6 +7,7 @@
 #include "tests/benchmarks/peers/openvdb.h"
 #include "tests/benchmarks/scenes/part_meshes.h"
 #include "tests/benchmarks/scenes/tool_paths.h"
+#include "tests/part_field/part_field.h"
 
 #include <algorithm>
 #include <random>

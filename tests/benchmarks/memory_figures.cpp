@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/packed_volume.h"
-#include "core/volume/volume_memory.h"
+#include "core/volume/packed/packed_volume.h"
+#include "core/volume/runs/volume_memory.h"
 #include "tests/benchmarks/figure_groups.h"
 #include "tests/benchmarks/measure/milling.h"
 #include "tests/benchmarks/peers/octree_size.h"

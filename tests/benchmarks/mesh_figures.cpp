@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/surface.h"
-#include "core/volume/voxel_runs.h"
+#include "core/volume/runs/voxel_runs.h"
+#include "core/volume/surface/surface.h"
 #include "tests/benchmarks/figure_groups.h"
 #include "tests/benchmarks/measure/replay.h"
 #include "tests/benchmarks/peers/flying_edges.h"

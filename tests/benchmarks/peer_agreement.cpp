@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/dense.h"
+#include "core/volume/operations/dense.h"
 #include "tests/benchmarks/figure_groups.h"
 #include "tests/benchmarks/measure/milling.h"
 #include "tests/benchmarks/peers/openvdb.h"

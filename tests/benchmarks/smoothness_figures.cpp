@@ -12,7 +12,7 @@ namespace burin::benchmarks {
 
 namespace {
 
-// The slot of design.md, section 3. Lengths in mm unless a name says voxels.
+// The slot of core/cutting/README.md. Lengths in mm unless a name says voxels.
 constexpr double edge = 0.2, radius = 3.0, depth = 1.5, feed = 10.0, tickPeriod = 1e-3;
 constexpr double radiusVoxels = radius / edge, depthVoxels = depth / edge, stepVoxels = feed * tickPeriod / edge;
 constexpr glm::ivec3 extent(112, 112, 44); // voxels

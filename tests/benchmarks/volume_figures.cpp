@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/boolean.h"
-#include "core/volume/boundary.h"
+#include "core/volume/operations/boolean.h"
+#include "core/volume/operations/boundary.h"
 #include "tests/benchmarks/figure_groups.h"
 #include "tests/benchmarks/measure/replay.h"
 #include "tests/benchmarks/peers/openvdb.h"

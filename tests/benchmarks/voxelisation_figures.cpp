@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/voxelisation.h"
+#include "core/volume/voxelisation/voxelisation.h"
 #include "tests/benchmarks/figure_groups.h"
 #include "tests/benchmarks/measure/replay.h"
 #include "tests/benchmarks/peers/mesh_level_set.h"

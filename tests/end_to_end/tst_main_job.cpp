@@ -4,7 +4,7 @@
 #include "program_run.h"
 
 #include "core/base/units.h"
-#include "core/project/project.h"
+#include "core/document/project.h"
 #include "core/tool/tool.h"
 #include "tests/places.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "part_judge.h"
 
-#include "core/project/project.h"
+#include "core/document/project.h"
 #include "tests/places.h"
 #include "tests/ui/window_steps.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the window does with a project between opening and closing it, by the same calls: change, save, and save under
 // another name. FILE, or FILE and the other name. The exit status is that of a command.
-#include "core/project/project.h"
+#include "core/document/project.h"
 
 #include <iostream>
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/checksum.h"
 #include "core/base/compression.h"
-#include "core/volume/packed_tile.h"
-#include "core/volume/volume_file.h"
-#include "core/volume/volume_file_records.h"
+#include "core/volume/packed/packed_tile.h"
+#include "core/volume/packed/volume_file.h"
+#include "core/volume/packed/volume_file_records.h"
 #include "tests/fuzz/sound_volume.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/property_list.h"
+#include "core/volume/runs/property_list.h"
 
 #include <cstddef>
 #include <cstdint>

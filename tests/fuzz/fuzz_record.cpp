@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/compression.h"
-#include "core/project/kept_program.h"
-#include "core/project/mesh_blob.h"
-#include "core/project/sample_chunk.h"
-#include "core/project/setup_record.h"
-#include "core/project/surroundings_record.h"
+#include "core/document/mesh_blob.h"
+#include "core/document/sample_chunk.h"
+#include "core/document/setup_record.h"
+#include "core/document/surroundings_record.h"
+#include "core/job/kept_program.h"
 #include "core/verify/report_json.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/session_trace.h"
-#include "core/haptics/step_change_text.h"
+#include "core/haptics/trace/session_trace.h"
+#include "core/haptics/trace/step_change_text.h"
 
 #include <cstddef>
 #include <cstdint>

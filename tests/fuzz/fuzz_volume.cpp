@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/checksum.h"
-#include "core/volume/packed_tile.h"
-#include "core/volume/volume_file.h"
+#include "core/volume/packed/packed_tile.h"
+#include "core/volume/packed/volume_file.h"
 #include "tests/fuzz/sound_volume.h"
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <cstdlib>
 #include <span>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hostile devices through the kernel, the plugins' decoders and the haptic step, with what comes back watched where the
 // motors are.
-#include "core/haptics/servo_loop.h"
+#include "core/haptics/loop/servo_loop.h"
 #include "tests/core/haptics/haptic_bench.h"
 #include "tests/hid/force_watch.h"
 #include "tests/hid/hostile_reports.h"

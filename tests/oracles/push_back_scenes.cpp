@@ -3,11 +3,11 @@
 #include "tests/oracles/push_back_scenes.h"
 
 #include "core/cutting/pose_steps.h"
-#include "core/haptics/fixed_axis_boundary.h"
-#include "core/haptics/mesh_boundary.h"
-#include "core/haptics/pose_vector.h"
-#include "core/haptics/proxy.h"
-#include "core/haptics/turned_field.h"
+#include "core/haptics/boundary/fixed_axis_boundary.h"
+#include "core/haptics/boundary/mesh_boundary.h"
+#include "core/haptics/boundary/pose_vector.h"
+#include "core/haptics/boundary/proxy.h"
+#include "core/haptics/boundary/turned_field.h"
 #include "tests/core/geometry/shapes.h"
 
 #include <cstdlib>

@@ -4,7 +4,7 @@
 
 #include "core/geometry/box.h"
 #include "core/geometry/mesh_distance.h"
-#include "core/haptics/boundary_layers.h"
+#include "core/haptics/boundary/boundary_layers.h"
 #include "core/tool/tool.h"
 #include "tests/oracles/tool_depth.h"
 

@@ -96,7 +96,7 @@ public:
         StylusState state;
         state.pose.position = handle_.reading();
         state.valid = true;
-        const Sample sample = step_(state, period);
+        const Sample sample = step_.advance(state, period);
         handle_.hold(step_.deviceWrench().force, intent, glm::dvec3(0.0), period);
         return sample;
     }

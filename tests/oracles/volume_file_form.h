@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <array>
 #include <bit>
@@ -12,8 +12,9 @@
 #include <string_view>
 #include <vector>
 
-/// The file form of a volume taken at the word of core/volume/volume_file.md, one bit or byte after the other: what its
-/// writer makes and its reader understands is held against this. Throws std::out_of_range where bytes are missing.
+/// The file form of a volume taken at the word of core/volume/packed/volume_file.md, one bit or byte after the other:
+/// what its writer makes and its reader understands is held against this. Throws std::out_of_range where bytes are
+/// missing.
 namespace burin::oracles {
 
 /// CRC-64/XZ by its definition.

@@ -5,7 +5,7 @@
 #include "core/base/units.h"
 #include "core/cad/model.h"
 #include "core/tool/tool.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 #include "ui/theme/theme.h"
 
 #include <cmath>

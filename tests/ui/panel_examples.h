@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/panels/panel_states.h"
+#include "ui/panels/job_states.h"
+#include "ui/panels/mill_states.h"
+#include "ui/panels/path_states.h"
+#include "ui/panels/program_states.h"
+#include "ui/panels/setup_states.h"
 
 #include <array>
 #include <cmath>

@@ -239,7 +239,7 @@ private slots:
                     QByteArray::fromStdString(std::string(idOf(edit.parameters)) + ", " + std::string(field.key));
                 QVERIFY2(!parameter.label.isEmpty() && !parameter.toolTip.isEmpty(), key);
                 QVERIFY2(json.find('"' + std::string(field.key) + '"') != std::string::npos, json.c_str());
-                for (const std::string_view choice : field.choices) QVERIFY2(!choiceText(choice).isEmpty(), key);
+                for (const EditChoice& choice : field.choices) QVERIFY2(*choice.words.text != 0, key);
                 if (!std::holds_alternative<double>(field.value)) continue;
                 Edit changed = edit;
                 const auto accepts = [&](double value) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/progress.h"
-#include "core/volume/voxelisation.h"
+#include "core/volume/voxelisation/voxelisation.h"
 #include "tests/core/volume/shapes.h"
 #include "tests/ui/viewport_fixture.h"
 #include "ui/theme/colour.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/project/project.h"
+#include "core/document/project.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/notice.h"
 #include "ui/scene/camera_view.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // Mouse strokes as hands make them, to a program without back-steps; read from its text without our parser.
-#include "core/project/project.h"
+#include "core/document/project.h"
 #include "tests/ui/window_steps.h"
 
 #include <QComboBox>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/project/project.h"
+#include "core/document/project.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/focus_keeper.h"
 #include "ui/panels/notice.h"
@@ -23,7 +23,7 @@ class CutTrace {
 public:
     explicit CutTrace(WindowDriver& driver) : zero_(driver.window().workbench().setup.setup().workOffset) {
         connection_ = QObject::connect(&driver.window().workbench().session, &SessionRunner::traced,
-                                       [this](const std::vector<MillingSession::TracePoint>& points) {
+                                       [this](const std::vector<TracePoint>& points) {
                                            for (const auto& point : points) {
                                                if (point.strokeBegins) strokes_.emplace_back();
                                                if (!strokes_.empty())

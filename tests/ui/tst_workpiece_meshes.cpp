@@ -4,7 +4,7 @@
 #include "core/cutting/removal.h"
 #include "core/geometry/mesh_distance.h"
 #include "core/setup/stock_shape.h"
-#include "core/volume/voxelisation.h"
+#include "core/volume/voxelisation/voxelisation.h"
 #include "tests/core/volume/shapes.h"
 #include "tests/core/volume/volumes.h"
 #include "tests/ui/offscreen_stage.h"

@@ -4,7 +4,7 @@
 
 #include "core/geometry/box.h"
 #include "core/tool/tool.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 #include "ui/scene/sight.h"
 
 #include <optional>

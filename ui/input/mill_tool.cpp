@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/input/mill_tool.h"
 
-#include "core/volume/ray_cast.h"
+#include "core/volume/operations/ray_cast.h"
 #include "ui/input/mill_geometry.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "core/device/simulated_stylus.h"
 #include "core/tool/tool.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 #include "ui/input/fine_pointer.h"
 #include "ui/input/stroke_feed.h"
 #include "ui/input/stroke_memory.h"

@@ -3,7 +3,7 @@
 #include "ui/input/press_preview.h"
 
 #include "core/base/units.h"
-#include "core/volume/ray_cast.h"
+#include "core/volume/operations/ray_cast.h"
 #include "ui/scene/across.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/panels/panel_states.h"
+#include "ui/panels/setup_states.h"
 #include "ui/theme/length_unit.h"
 
 #include <QWidget>

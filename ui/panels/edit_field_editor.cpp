@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/edit_field_editor.h"
+#include "ui/messages/messages.h"
 
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
@@ -61,10 +62,10 @@ void EditFieldEditor::addSwitch(const EditParameter& parameter, const QString& n
 void EditFieldEditor::addChoice(const EditParameter& parameter, const QString& name) {
     choice_ = new ChoiceBox(this);
     choice_->setObjectName(name);
-    for (const std::string_view choice : choices_) choice_->addItem(choiceText(choice));
+    for (const EditChoice& choice : choices_) choice_->addItem(Messages::text(choice.words));
     layout()->addWidget(new FieldRow(parameter.label, choice_, parameter.toolTip, this, FieldRow::choiceWidth));
     connect(choice_, &QComboBox::activated, this,
-            [this](int index) { emit edited(value_ = choices_[static_cast<std::size_t>(index)]); });
+            [this](int index) { emit edited(value_ = choices_[static_cast<std::size_t>(index)].name); });
 }
 
 void EditFieldEditor::addPlace(const EditParameter& parameter, const QString& name, const QString& accessible) {
@@ -137,7 +138,7 @@ void EditFieldEditor::showValue(const EditValue& value) {
     if (number_ != nullptr) number_->showValue(std::get<double>(value) - zero_.x);
     if (switch_ != nullptr) switch_->setChecked(std::get<bool>(value)); // `clicked` is the user's alone
     if (choice_ != nullptr) {
-        const auto found = std::ranges::find(choices_, std::get<std::string_view>(value));
+        const auto found = std::ranges::find(choices_, std::get<std::string_view>(value), &EditChoice::name);
         choice_->setCurrentIndex(static_cast<int>(found - choices_.begin()));
     }
     for (int axis = 0; axis < 3; ++axis)

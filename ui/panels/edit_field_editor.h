@@ -53,7 +53,7 @@ private:
     ElidedLabel* text_ = nullptr;
     QToolButton* draw_ = nullptr;
     std::array<QuantityField*, 3> place_{};
-    std::span<const std::string_view> choices_;
+    std::span<const EditChoice> choices_;
     EditValue value_;
     glm::dvec3 zero_{0.0}; ///< see EditParameter
 };

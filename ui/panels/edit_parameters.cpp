@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/edit_parameters.h"
+#include "ui/messages/messages.h"
 
 #include "core/path/drawn_edit.h"
-#include "ui/panels/edit_words.h"
 #include "ui/panels/hand_times.h"
 
 #include <QCoreApplication>
@@ -25,8 +25,12 @@ struct KeyUnit {
     std::string_view ending;
     Quantity quantity;
 };
-constexpr std::array units{KeyUnit{"_mm_s", Quantity::speed}, KeyUnit{"_mm", Quantity::length},
-                           KeyUnit{"_hz", Quantity::frequency}, KeyUnit{"_rad", Quantity::angle},
+constexpr std::array units{KeyUnit{"_mm3_s", Quantity::removalRate},
+                           KeyUnit{"_n", Quantity::force},
+                           KeyUnit{"_mm_s", Quantity::speed},
+                           KeyUnit{"_mm", Quantity::length},
+                           KeyUnit{"_hz", Quantity::frequency},
+                           KeyUnit{"_rad", Quantity::angle},
                            KeyUnit{"_s", Quantity::time}};
 
 const KeyUnit* unitOf(std::string_view key) {
@@ -34,19 +38,7 @@ const KeyUnit* unitOf(std::string_view key) {
     return found == units.end() ? nullptr : &*found;
 }
 
-/// "largest_sweep_rad" as a label: "Largest sweep".
-QString labelOf(std::string_view key) {
-    if (const KeyUnit* unit = unitOf(key)) key.remove_suffix(unit->ending.size());
-    QString label = QString::fromLatin1(key.data(), static_cast<qsizetype>(key.size()));
-    label.replace(QLatin1Char('_'), QLatin1Char(' '));
-    label[0] = label[0].toUpper();
-    return label;
-}
-
-/// Of a number. What a level of engagement measures, its goal says.
-Quantity quantityOf(const EditParameters& edit, std::string_view key) {
-    if (const auto* level = std::get_if<LevelFeed>(&edit); level != nullptr && key == "target")
-        return level->goal == LevelFeed::Goal::removal ? Quantity::removalRate : Quantity::force;
+Quantity quantityOf(std::string_view key) {
     const KeyUnit* unit = unitOf(key);
     return unit != nullptr ? unit->quantity : Quantity::ratio;
 }
@@ -74,11 +66,10 @@ struct ValueTexts {
 
 EditParameter parameterOf(const EditParameters& edit, const EditField& field, const glm::dvec3& zero,
                           const std::vector<TakeInfo>& takes) {
-    const EditWords* known = editWordsOf(idOf(edit), field.key);
     return {field,
-            known != nullptr ? EditParameterTexts::tr(known->label) : labelOf(field.key),
-            known != nullptr ? EditParameterTexts::tr(known->toolTip) : QString(),
-            quantityOf(edit, field.key),
+            Messages::text(field.words.label),
+            Messages::text(field.words.toolTip),
+            quantityOf(field.key),
             isDrawn(edit, field.key),
             zeroOf(edit, field.key, zero),
             std::visit(ValueTexts{takes}, field.value)};
@@ -91,13 +82,6 @@ std::vector<EditParameter> parametersOf(const EditParameters& edit, const glm::d
     std::vector<EditParameter> parameters;
     for (const EditField& field : fieldsOf(edit)) parameters.push_back(parameterOf(edit, field, zero, takes));
     return parameters;
-}
-
-QString choiceText(std::string_view choice) {
-    if (const char* known = editChoiceWords(choice)) return EditParameterTexts::tr(known);
-    QString text = QString::fromLatin1(choice.data(), static_cast<qsizetype>(choice.size()));
-    text.replace(QLatin1Char('-'), QLatin1Char(' '));
-    return text;
 }
 
 } // namespace burin

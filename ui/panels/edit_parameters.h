@@ -26,6 +26,4 @@ struct EditParameter {
 std::vector<EditParameter> parametersOf(const EditParameters& edit, const glm::dvec3& zero,
                                         const std::vector<TakeInfo>& takes = {});
 
-QString choiceText(std::string_view choice); ///< one of a field's names in words
-
 } // namespace burin

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/guide.h"
+#include "core/haptics/guides/guide_reach.h"
+#include "core/setup/guide.h"
 #include "ui/theme/length_unit.h"
 
 #include <QFrame>

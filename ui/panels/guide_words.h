@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/guide.h"
+#include "core/setup/guide.h"
 #include "ui/theme/length_unit.h"
 
 #include <QString>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/json_object.h"
+#include "core/base/number_range.h"
 #include "core/machine/machine_profile.h"
 #include "ui/panels/quantity_field.h"
 

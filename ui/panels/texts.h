@@ -6,7 +6,7 @@
 #include "core/nc/lint.h"
 #include "core/tool/tool.h"
 #include "core/verify/verify.h"
-#include "core/volume/property_list.h"
+#include "core/volume/runs/property_list.h"
 #include "ui/theme/length_unit.h"
 
 #include <QString>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/volume/surface.h"
+#include "core/volume/surface/surface.h"
 
 #include <cstdint>
 #include <span>

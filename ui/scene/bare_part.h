@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/volume/place_table.h"
-#include "core/volume/surface.h"
+#include "core/volume/surface/place_table.h"
+#include "core/volume/surface/surface.h"
 #include "ui/scene/bare_rims.h"
 
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "core/field/tool_field.h"
 #include "core/geometry/box.h"
-#include "core/haptics/guide.h"
+#include "core/setup/guide.h"
 
 #include <QString>
 

@@ -8,7 +8,7 @@
 #include "core/path/evaluate.h"
 #include "core/setup/obstacle.h"
 #include "core/tool/tool.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 #include "ui/scene/viewport.h"
 
 #include <memory>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/scene.h"
 
-#include "core/volume/ray_cast.h"
+#include "core/volume/operations/ray_cast.h"
 #include "ui/scene/actors.h"
 #include "ui/scene/aim_camera.h"
 #include "ui/scene/bench_lights.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/section_actors.h"
 
-#include "core/volume/section.h"
+#include "core/volume/operations/section.h"
 #include "ui/scene/actors.h"
 
 #include <vtkCellArray.h>

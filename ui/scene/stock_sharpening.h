@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/setup/stock_shape.h"
-#include "core/volume/place_hash.h"
-#include "core/volume/surface.h"
+#include "core/volume/surface/place_hash.h"
+#include "core/volume/surface/surface.h"
 
 #include <map>
 #include <memory>

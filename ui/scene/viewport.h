@@ -6,7 +6,7 @@
 #include "core/path/evaluate.h"
 #include "core/recording/sample.h"
 #include "core/tool/tool.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 #include "ui/scene/deviation_surface.h"
 #include "ui/scene/guide_marks.h"
 #include "ui/scene/interactive_tool.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/volume/surface_simplification.h"
+#include "core/volume/surface/surface_simplification.h"
 #include "ui/scene/bare_bricks.h"
 #include "ui/scene/bare_part.h"
 #include "ui/scene/stock_sharpening.h"

@@ -3,7 +3,7 @@
 #include "ui/window/document_flow.h"
 
 #include "core/base/file.h"
-#include "core/project/file_kind.h"
+#include "core/document/file_kind.h"
 #include "ui/dialogs/file_dialogs.h"
 #include "ui/dialogs/questions.h"
 #include "ui/messages/messages.h"

@@ -46,8 +46,8 @@ void GuideScenePresenter::forgetPass() {
     leaning_.forget();
 }
 
-void GuideScenePresenter::follow(const std::vector<MillingSession::TracePoint>& points) {
-    for (const MillingSession::TracePoint& point : points) {
+void GuideScenePresenter::follow(const std::vector<TracePoint>& points) {
+    for (const TracePoint& point : points) {
         if (point.strokeBegins) pass_.finish();
         pass_.add(glm::dvec3(point.tip));
     }
@@ -84,7 +84,7 @@ void GuideScenePresenter::lean(GuideMark& mark) {
     const std::shared_ptr<const ClearanceField> field = workbench_.bench.field();
     if (!field) return;
     const ToolPose& tool = workbench_.session.state().sample.proxy;
-    mark.axis = leaning_(&mark.guide, *field, tool, tool.tip, framePeriod);
+    mark.axis = leaning_.lean(&mark.guide, *field, tool, tool.tip, framePeriod);
     if (!mark.guide.onSurface) return;
     const FieldSample sample = field->at(tool.tip);
     if (sample.fine && glm::length(sample.gradient) > 0.0) mark.guide.direction = glm::normalize(sample.gradient);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/guide_axis.h"
-#include "core/haptics/last_pass.h"
+#include "core/haptics/guides/guide_axis.h"
+#include "core/haptics/guides/last_pass.h"
 #include "ui/actions/actions.h"
-#include "ui/panels/panel_states.h"
+#include "ui/panels/job_states.h"
 #include "ui/scene/viewport.h"
 #include "ui/window/presenter.h"
 
@@ -20,7 +20,7 @@ public:
 
 private:
     void present() override;
-    void follow(const std::vector<MillingSession::TracePoint>& points);
+    void follow(const std::vector<TracePoint>& points);
     void forgetPass();
     void keepPass();
     GuideMark markOf(std::size_t place);

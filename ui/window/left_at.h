@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ui/input/mill_tool.h"
-#include "ui/panels/panel_states.h"
+#include "ui/panels/job_states.h"
 #include "ui/scene/camera_view.h"
 
 #include <QMap>

@@ -117,6 +117,11 @@ void MainWindow::connectWorkbench() {
         // Without a word of a window: it was embedded by the command line.
         if (left ? left->embedded : contents.setup.has_value()) workbench_.ensureWorkpiece();
     });
+    connect(&workbench_.document, &DocumentController::keptEarlier, this, [this](const std::filesystem::path& file) {
+        message_->tell(Notice::Kind::information,
+                       tr("This project was of an earlier version of Burin; its file as it was is kept as “%1”.")
+                           .arg(QString::fromStdString(file.filename().string())));
+    });
     workbench_.document.keepLeftAt([this] { return toJson(leftAt()); });
     connect(&workbench_.model, &ModelController::imported, this, [this] {
         message_->dismiss();

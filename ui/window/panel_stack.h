@@ -7,6 +7,7 @@
 #include "ui/panels/embedding_findings.h"
 #include "ui/panels/guide_panel.h"
 #include "ui/panels/hand_panel.h"
+#include "ui/panels/job_states.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/meters.h"
 #include "ui/panels/mill_panel.h"

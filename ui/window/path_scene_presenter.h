@@ -3,7 +3,8 @@
 #pragma once
 
 #include "ui/input/path_hand.h"
-#include "ui/panels/panel_states.h"
+#include "ui/panels/job_states.h"
+#include "ui/panels/path_states.h"
 #include "ui/scene/viewport.h"
 #include "ui/window/presenter.h"
 

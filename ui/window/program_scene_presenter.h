@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ui/input/path_picker.h"
-#include "ui/panels/panel_states.h"
+#include "ui/panels/job_states.h"
 #include "ui/panels/program_panel.h"
 #include "ui/window/presenter.h"
 #include "ui/window/scene_presenter.h"

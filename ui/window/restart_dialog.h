@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/project/restart_job.h"
+#include "core/job/restart_job.h"
 #include "ui/theme/length_unit.h"
 
 #include <QString>

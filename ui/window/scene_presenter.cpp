@@ -119,7 +119,7 @@ void ScenePresenter::showTicks() {
     viewport_.setToolMarks(marks);
 }
 
-void ScenePresenter::showTrace(const std::vector<MillingSession::TracePoint>& points) {
+void ScenePresenter::showTrace(const std::vector<TracePoint>& points) {
     bool begins = false;
     stroke_.clear();
     const auto draw = [&] {
@@ -127,7 +127,7 @@ void ScenePresenter::showTrace(const std::vector<MillingSession::TracePoint>& po
         if (!stroke_.empty()) begins = false;
         stroke_.clear();
     };
-    for (const MillingSession::TracePoint& point : points) {
+    for (const TracePoint& point : points) {
         if (point.strokeBegins) {
             draw();
             begins = true;

@@ -25,7 +25,7 @@ public:
 private:
     void present() override;
     void showTicks();
-    void showTrace(const std::vector<MillingSession::TracePoint>& points);
+    void showTrace(const std::vector<TracePoint>& points);
     void showWorkpiece();
     void placeTool();
     void drawTool();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/project/milling_session.h"
+#include "core/job/milling_session.h"
 
 #include <QString>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/bench_controller.h"
 
+#include "core/job/bench_materials.h"
 #include "core/machine/machine_library.h"
-#include "core/project/bench_materials.h"
 #include "ui/workbench/setup_controller.h"
 #include "ui/workbench/tool_controller.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/project/bench_boundaries.h"
-#include "core/project/stroke_history.h"
+#include "core/job/bench_boundaries.h"
+#include "core/job/stroke_history.h"
 #include "ui/workbench/controller.h"
 #include "ui/workbench/surroundings.h"
 

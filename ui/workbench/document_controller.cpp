@@ -85,10 +85,12 @@ Result<ProjectContents> contentsOf(const Project& project) {
     return contents;
 }
 
-Result<void> saveWith(Project& project, const std::string& left) {
+/// The name that a file of an earlier format got.
+Result<fs::path> saveWith(Project& project, const std::string& left) {
     if (!left.empty())
-        if (Result<void> noted = project.setLeftAt(left); !noted) return noted;
-    return project.save();
+        if (Result<void> noted = project.setLeftAt(left); !noted) return std::move(noted).error();
+    if (Result<void> saved = project.save(); !saved) return std::move(saved).error();
+    return project.keptEarlier();
 }
 
 } // namespace
@@ -217,7 +219,10 @@ void DocumentController::take(Result<Opened> outcome, const Then& then) {
 
 void DocumentController::save(Then then) {
     desk_.project.post([left = leftAt_()](Project& project) { return saveWith(project, left); },
-                       [this, then = std::move(then)](const Result<void>& outcome) { saved(outcome, then); });
+                       [this, then = std::move(then)](const Result<fs::path>& outcome) {
+                           saved(outcome ? Result<void>() : Result<void>(outcome.error()), then);
+                           if (outcome && !outcome->empty()) emit keptEarlier(*outcome);
+                       });
 }
 
 void DocumentController::saveAs(const fs::path& file, Then then) {

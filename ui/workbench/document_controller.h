@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/project/kept_program.h"
-#include "core/project/left_work.h"
+#include "core/document/left_work.h"
+#include "core/job/kept_program.h"
 #include "ui/workbench/controller.h"
 
 #include <QDateTime>
@@ -79,6 +79,8 @@ public:
     static std::filesystem::path unnamedFolder();
 
 signals:
+    /// A save put a file of the present format in the place of an earlier one, which has this name now.
+    void keptEarlier(const std::filesystem::path& file);
     void opened(const burin::ProjectContents& contents);
     void closed();
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/project/job_paths.h"
+#include "core/job/job_paths.h"
 #include "ui/workbench/bench_controller.h"
 
 #include <memory>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/mill_controller.h"
 
-#include "core/project/milling.h"
+#include "core/job/milling.h"
 #include "ui/workbench/stroke_command.h"
 #include "ui/workbench/value_command.h"
 

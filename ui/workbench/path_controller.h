@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/project/job_paths.h"
+#include "core/job/job_paths.h"
 #include "ui/workbench/job_evaluation.h"
 #include "ui/workbench/tool_controller.h"
 
@@ -100,11 +100,11 @@ private:
     BenchController& bench_;
     const ToolController& tools_;
     JobEvaluation evaluation_;
-    std::optional<Error> notMade_;  ///< why there is no path of the tool in force
-    std::vector<StoredPath> paths_; ///< all of the project
+    std::optional<Error> notMade_;   ///< why there is no path of the tool in force
+    std::vector<StoredPath> paths_;  ///< all of the project
     std::vector<TakeInfo> recorded_; ///< all of the project
     std::vector<TakeInfo> standing_; ///< of these, the ones that strokes stand of: a tool without them has no path
-    std::string tool_; ///< in force, by id
+    std::string tool_;               ///< in force, by id
     std::optional<TakeStretch> selection_;
     std::map<std::int64_t, std::uint64_t> newestStrokes_;
     quint64 version_ = 0, newestVersion_ = 0;

@@ -3,8 +3,8 @@
 #include "ui/workbench/program_controller.h"
 
 #include "core/base/file.h"
+#include "core/document/companions.h"
 #include "core/nc/dialect_library.h"
-#include "core/project/companions.h"
 #include "core/verify/report_json.h"
 #include "ui/workbench/value_command.h"
 

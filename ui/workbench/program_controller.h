@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/project/job_paths.h"
-#include "core/project/kept_program.h"
-#include "core/project/restart_job.h"
+#include "core/job/job_paths.h"
+#include "core/job/kept_program.h"
+#include "core/job/restart_job.h"
 #include "ui/workbench/bench_controller.h"
 #include "ui/workbench/path_controller.h"
 #include "ui/workbench/target_controller.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/guarded.h"
-#include "core/project/project.h"
+#include "core/document/project.h"
 
 #include <QObject>
 #include <QThread>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/project/milling_session.h"
+#include "core/job/milling_session.h"
 #include "ui/workbench/controller.h"
 
 #include <QTimer>
@@ -47,7 +47,7 @@ public:
 signals:
     void ticked(); ///< `state` is new
     void viewed(const burin::WorkpieceView& view);
-    void traced(const std::vector<burin::MillingSession::TracePoint>& points);
+    void traced(const std::vector<burin::TracePoint>& points);
     void healthRead(); ///< some times a second while a session runs
     void recordingStarted();
     void endedByItself(); ///< the stylus finished, or a fault; `end` is still to be called
@@ -62,7 +62,7 @@ private:
     std::unique_ptr<AnyStylus> stylus_;
     std::unique_ptr<MillingSession> session_;
     SessionState state_;
-    std::vector<MillingSession::TracePoint> trace_;
+    std::vector<TracePoint> trace_;
     WorkpieceView view_;
     DeviceHealth health_;
     QTimer frame_, healthTimer_;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/setup/setup.h"
-#include "core/volume/property_list.h"
+#include "core/volume/runs/property_list.h"
 #include "ui/workbench/controller.h"
 
 #include <memory>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/show_me.h"
 
-#include "core/haptics/operator.h"
+#include "core/haptics/operator/virtual_operator.h"
 
 namespace burin {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/project/milling.h"
+#include "core/job/milling.h"
 #include "ui/workbench/bench_controller.h"
 #include "ui/workbench/session_runner.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/axis_mode.h"
 #include "core/machine/envelope.h"
+#include "core/setup/axis_mode.h"
 #include "core/setup/obstacle.h"
 
 #include <memory>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/document/program_target.h"
 #include "core/nc/dialect_library.h"
-#include "core/project/program_target.h"
 #include "ui/workbench/controller.h"
 
 #include <optional>

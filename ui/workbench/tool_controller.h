@@ -5,7 +5,7 @@
 #include "core/cutting/cutting_force.h"
 #include "core/machine/machine_profile.h"
 #include "core/tool/tool.h"
-#include "core/volume/property_list.h"
+#include "core/volume/runs/property_list.h"
 #include "ui/workbench/controller.h"
 
 #include <optional>

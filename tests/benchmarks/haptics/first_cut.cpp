@@ -3,7 +3,7 @@
 #include "tests/benchmarks/haptics/first_cut.h"
 
 #include "core/haptics/haptic_step.h"
-#include "core/haptics/operator.h"
+#include "core/haptics/operator/virtual_operator.h"
 
 #include <chrono>
 #include <thread>
@@ -48,7 +48,7 @@ Result<FirstCut> firstCut(Bench& bench, Progress& progress) {
         state.time = settings.tickPeriod * tick;
         state.pose.position = {centre.x, centre.y, std::max(to, from - handSpeed * state.time)};
         state.valid = true;
-        const Sample sample = step(state, settings.tickPeriod);
+        const Sample sample = step.advance(state, settings.tickPeriod);
         if ((sample.flags & sampleOnBoundary) != 0) ++first.ticksHeld;
         if (sample.removed[0].units > 0) {
             first.cut = secondsSince(begin);

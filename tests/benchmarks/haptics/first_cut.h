@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/project/bench_boundaries.h"
+#include "core/job/bench_boundaries.h"
 
 namespace burin::benchmarks {
 

@@ -3,7 +3,7 @@
 #include "tests/benchmarks/haptics/first_cut.h"
 #include "tests/benchmarks/haptics/haptic_groups.h"
 #include "tests/benchmarks/scenes/part_meshes.h"
-#include "tests/core/project/session_bench.h"
+#include "tests/core/job/session_bench.h"
 
 namespace burin::benchmarks {
 

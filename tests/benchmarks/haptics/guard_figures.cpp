@@ -53,7 +53,7 @@ Verdict judge(std::size_t ticks, unsigned seed) {
     for (std::size_t i = 0; i < ticks; ++i) {
         const HostileStylus::Tick tick = hostile.next();
         if (random.below(1000) == 0) bench.step.setAllowance(random.between(-1.0, 1.0));
-        const Sample sample = bench.step(tick.state, tick.period);
+        const Sample sample = bench.step.advance(tick.state, tick.period);
         const glm::dvec3 force = bench.step.deviceWrench().force;
         hostile.write(bench.step.deviceWrench());
         if (broken(sample, force, before, bounds)) ++verdict.violations;

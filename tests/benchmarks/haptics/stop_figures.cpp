@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/servo_loop.h"
+#include "core/haptics/loop/servo_loop.h"
 #include "tests/benchmarks/haptics/haptic_groups.h"
 #include "tests/benchmarks/measure/replay.h"
 #include "tests/core/haptics/pressed_stylus.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/haptic_step.h"
-#include "core/haptics/tick_thread.h"
-#include "core/project/recorder.h"
+#include "core/haptics/loop/tick_thread.h"
+#include "core/job/recorder.h"
 #include "tests/benchmarks/haptics/haptic_groups.h"
 #include "tests/benchmarks/haptics/tick_scene.h"
 #include "tests/benchmarks/measure/meshing_view.h"
@@ -77,7 +77,7 @@ public:
         state_.pose.position = scene_.hand[i];
         state_.buttons = 1;
         state_.valid = true;
-        const Sample sample = step_(state_, scene_.settings.tickPeriod);
+        const Sample sample = step_.advance(state_, scene_.settings.tickPeriod);
         for (const RemovedMaterial& material : sample.removed) removed_.units[material.property] += material.units;
         if (beside_ != nullptr) handOver(sample, i);
         return sample;

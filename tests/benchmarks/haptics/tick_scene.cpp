@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/haptics/tick_scene.h"
 
-#include "core/volume/voxelisation.h"
+#include "core/volume/voxelisation/voxelisation.h"
 #include "tests/benchmarks/measure/session.h"
 #include "tests/benchmarks/scenes/part_meshes.h"
 #include "tests/benchmarks/scenes/tool_paths.h"

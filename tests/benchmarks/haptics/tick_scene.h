@@ -5,7 +5,7 @@
 #include "core/field/tool_field.h"
 #include "core/haptics/haptic_settings.h"
 #include "core/tool/tool.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <memory>
 #include <vector>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/measure/meshing_view.h"
 
-#include "core/volume/surface.h"
+#include "core/volume/surface/surface.h"
 #include "tests/benchmarks/measure/replay.h"
 
 namespace burin::benchmarks {

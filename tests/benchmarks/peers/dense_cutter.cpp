@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/voxel_runs.h"
+#include "core/volume/runs/voxel_runs.h"
 #include "tests/benchmarks/peers/cutting_peer.h"
 
 #include <bit>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/peers/flying_edges.h"
 
-#include "core/volume/voxel_runs.h"
+#include "core/volume/runs/voxel_runs.h"
 
 #include <vtkDiscreteFlyingEdges3D.h>
 #include <vtkFlyingEdges3D.h>

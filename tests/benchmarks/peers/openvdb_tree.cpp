@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/peers/openvdb_tree.h"
 
-#include "core/volume/voxel_runs.h"
+#include "core/volume/runs/voxel_runs.h"
 #include "tests/benchmarks/peers/openvdb.h"
 
 #include <openvdb/tools/Prune.h>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/tool/tool.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <algorithm>
 #include <cmath>

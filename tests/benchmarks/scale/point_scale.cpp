@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/job/program_job.h"
 #include "core/nc/parser.h"
-#include "core/project/program_job.h"
 #include "tests/benchmarks/scale/scale.h"
 #include "tests/benchmarks/verification/relief_job.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/operator.h"
-#include "core/haptics/trace_stylus.h"
-#include "core/project/milling.h"
+#include "core/haptics/operator/virtual_operator.h"
+#include "core/haptics/trace/trace_stylus.h"
+#include "core/job/milling.h"
 #include "core/tool/tool.h"
 #include "tests/benchmarks/scale/scale.h"
 

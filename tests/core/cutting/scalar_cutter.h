@@ -4,7 +4,7 @@
 
 #include "core/geometry/pose.h"
 #include "core/tool/span_rows.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 #include "tests/core/cutting/workpieces.h"
 
 #include <rapidcheck.h>

@@ -5,7 +5,7 @@
 #include "core/cutting/line_frame.h"
 #include "core/geometry/pose.h"
 #include "core/tool/swept_span.h"
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 
 #include <algorithm>
 #include <optional>

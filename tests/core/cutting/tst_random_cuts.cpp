@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/removal.h"
 #include "core/cutting/window_cutter.h"
-#include "core/volume/voxel_runs.h"
+#include "core/volume/runs/voxel_runs.h"
 #include "tests/core/cutting/run_loss.h"
 #include "tests/core/cutting/scalar_cutter.h"
 #include "tests/core/tool/cutters.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/guide_set.h"
+#include "core/haptics/guides/guide_set.h"
 #include "tests/core/haptics/analytic_fields.h"
 #include "tests/core/haptics/haptic_bench.h"
 
@@ -24,7 +24,7 @@ struct GuideBench {
         now.velocity = (place - hand) / period;
         now.buttons = buttons;
         hand = place;
-        last = guides(now, tool, cutting, period);
+        last = guides.guide(now, tool, cutting, period);
         tool = last.goal;
         onTick(last);
         return last;

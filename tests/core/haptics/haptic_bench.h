@@ -78,7 +78,7 @@ struct Bench {
         state.pose.position = device;
         state.buttons = buttons;
         state.valid = true;
-        return step(state, period);
+        return step.advance(state, period);
     }
     /// Moves the hand in a straight line at `speed` (mm/s); the last tick's record.
     Sample moveTo(const glm::dvec3& target, double speed) {

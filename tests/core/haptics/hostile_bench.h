@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/hostile_stylus.h"
+#include "core/haptics/operator/hostile_stylus.h"
 #include "tests/core/haptics/haptic_bench.h"
 
 namespace burin::test {

@@ -4,7 +4,7 @@
 
 #include "core/device/device_fault.h"
 #include "core/device/stylus.h"
-#include "core/haptics/loop_clock.h"
+#include "core/haptics/loop/loop_clock.h"
 
 #include <algorithm>
 #include <atomic>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/loop_clock.h"
+#include "core/haptics/loop/loop_clock.h"
 #include "tests/core/haptics/haptic_bench.h"
 
 #include <atomic>

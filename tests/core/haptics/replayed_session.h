@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/replayed_changes.h"
-#include "core/haptics/servo_loop.h"
-#include "core/haptics/trace_recorder.h"
-#include "core/haptics/trace_stylus.h"
+#include "core/haptics/loop/servo_loop.h"
+#include "core/haptics/trace/replayed_changes.h"
+#include "core/haptics/trace/trace_recorder.h"
+#include "core/haptics/trace/trace_stylus.h"
 #include "tests/core/haptics/haptic_bench.h"
 
 #include <atomic>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/boundary_layers.h"
-#include "core/haptics/fixed_axis_boundary.h"
-#include "core/haptics/proxy.h"
+#include "core/haptics/boundary/boundary_layers.h"
+#include "core/haptics/boundary/fixed_axis_boundary.h"
+#include "core/haptics/boundary/proxy.h"
 
 namespace burin::test {
 

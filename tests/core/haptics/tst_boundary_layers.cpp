@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/allowance_follower.h"
-#include "core/haptics/mesh_boundary.h"
-#include "core/haptics/proxy.h"
-#include "core/haptics/tool_boundaries.h"
+#include "core/haptics/boundary/allowance_follower.h"
+#include "core/haptics/boundary/mesh_boundary.h"
+#include "core/haptics/boundary/proxy.h"
+#include "core/haptics/boundary/tool_boundaries.h"
 #include "tests/core/geometry/random_shapes.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/oracles/push_back_scenes.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/contact_planes.h"
+#include "core/haptics/boundary/contact_planes.h"
 #include "tests/core/geometry/random_shapes.h"
 
 #include <QtTest>

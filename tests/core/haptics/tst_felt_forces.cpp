@@ -140,7 +140,7 @@ private slots:
         QVERIFY(std::abs(glm::length(pressed.force) - (0.6 * 4.0 - lift)) < 1e-6);
         // No force with a reading that is none, no lift either.
         StylusState broken;
-        bench.step(broken, period);
+        bench.step.advance(broken, period);
         QCOMPARE(bench.step.deviceWrench().force, glm::dvec3(0.0));
     }
 

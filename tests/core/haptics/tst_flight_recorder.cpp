@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/flight_recorder.h"
+#include "core/haptics/loop/flight_recorder.h"
 #include "tests/oracles/system_watch.h"
 
 #include <QDir>

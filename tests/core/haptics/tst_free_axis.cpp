@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/contact.h"
+#include "core/haptics/boundary/mesh_boundary.h"
+#include "core/haptics/boundary/pose_vector.h"
+#include "core/haptics/force/turn_coupling.h"
 #include "core/haptics/haptic_step.h"
-#include "core/haptics/mesh_boundary.h"
-#include "core/haptics/pose_vector.h"
-#include "core/haptics/turn_coupling.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/core/haptics/haptic_bench.h"
 #include "tests/oracles/allocation_count.h"
@@ -66,7 +66,7 @@ struct FreeBench {
         settings.rampSeconds = 0.0;
         return settings;
     }
-    Sample feed(const glm::dvec3& tip, const glm::dvec3& axis) { return step(reading(tip, axis), period); }
+    Sample feed(const glm::dvec3& tip, const glm::dvec3& axis) { return step.advance(reading(tip, axis), period); }
     /// In a straight line, 0.2 mm a tick.
     Sample move(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& axis) {
         const int ticks = static_cast<int>(std::ceil(glm::length(to - from) / 0.2));
@@ -108,7 +108,7 @@ private slots:
     void aStandingAxisIgnoresTheStylusAxis() {
         Bench bench;
         bench.feed({0, 0, 15});
-        const Sample sample = bench.step(reading({0, 0, 15}, tilted(0.8)), period);
+        const Sample sample = bench.step.advance(reading({0, 0, 15}, tilted(0.8)), period);
         QCOMPARE(sample.proxy.axis, glm::dvec3(0.0, 0.0, 1.0));
         QCOMPARE(bench.step.deviceWrench().torque, glm::dvec3(0.0));
     }
@@ -215,7 +215,7 @@ private slots:
         bench.move({0, 0, 15}, {0, 0, floorHeight - 5.0}, tilted(0.3));
         QVERIFY(glm::length(bench.step.deviceWrench().torque) > 1.0);
         StylusState silent;
-        bench.step(silent, period);
+        bench.step.advance(silent, period);
         QCOMPARE(bench.step.deviceWrench().torque, glm::dvec3(0.0));
     }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/growing_boundary.h"
-#include "core/haptics/step_change_text.h"
-#include "core/haptics/traced_session.h"
+#include "core/haptics/boundary/growing_boundary.h"
+#include "core/haptics/trace/step_change_text.h"
+#include "core/haptics/trace/traced_session.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/core/haptics/haptic_bench.h"
 #include "tests/oracles/random_number.h"
@@ -77,7 +77,7 @@ struct GrowingSession {
         StylusState state;
         state.pose.position = hand;
         state.valid = true;
-        const Sample sample = step(state, period);
+        const Sample sample = step.advance(state, period);
         note(sample);
         return sample;
     }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/operator_hand.h"
+#include "core/haptics/operator/operator_hand.h"
 #include "tests/core/haptics/guide_bench.h"
 #include "tests/oracles/allocation_count.h"
 
@@ -201,7 +201,7 @@ private slots:
         bench.step.setGuides(guidesOf({planeGuide(up(guideHeight), up(1))}));
         bench.begin(up(guideHeight + 1.0));
         bench.rest(200);
-        bench.step(StylusState{}, period);
+        bench.step.advance(StylusState{}, period);
         const Sample sample = bench.rest(1);
         QVERIFY(std::abs(sample.proxy.tip.z - guideHeight) > 0.99); // taken anew, from nothing
     }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/pose.h"
-#include "core/haptics/guide_curve.h"
-#include "core/haptics/last_pass.h"
-#include "core/haptics/polyline_tracker.h"
+#include "core/haptics/guides/last_pass.h"
+#include "core/haptics/guides/polyline_tracker.h"
+#include "core/setup/guide_curve.h"
 #include "tests/oracles/random_number.h"
 
 #include <QtTest>

@@ -62,7 +62,7 @@ private slots:
         for (int i = 0; i < 200'000; ++i) {
             const HostileStylus::Tick tick = hostile.next();
             if (random.below(1000) == 0) bench.step.setAllowance(random.between(-1.0, 1.0));
-            const Sample sample = bench.step(tick.state, tick.period);
+            const Sample sample = bench.step.advance(tick.state, tick.period);
             const glm::dvec3 force = bench.step.deviceWrench().force;
             hostile.write(bench.step.deviceWrench());
             QVERIFY(isFinite(force) && isFinite(sample.proxy.tip) && isFinite(sample.cuttingForce));
@@ -92,7 +92,7 @@ private slots:
         bench.moveTo({0, 0, floorHeight - 3.0}, 50.0);
         const double full = bench.rest(1000).force.z;
         QVERIFY(full > 0.9);
-        QCOMPARE(bench.step(StylusState{}, period).force, glm::dvec3(0.0));
+        QCOMPARE(bench.step.advance(StylusState{}, period).force, glm::dvec3(0.0));
         double before = 0.0;
         for (int tick = 0; tick < 490; ++tick) {
             const Sample sample = bench.rest(1);
@@ -113,9 +113,9 @@ private slots:
         StylusState state;
         state.pose.position = bench.hand;
         state.valid = true;
-        QCOMPARE(bench.step(state, 0.005).force, glm::dvec3(0.0));
+        QCOMPARE(bench.step.advance(state, 0.005).force, glm::dvec3(0.0));
         QVERIFY(bench.rest(20).force.z > 0.9);
-        QCOMPARE(bench.step(state, 0.02).force, glm::dvec3(0.0));
+        QCOMPARE(bench.step.advance(state, 0.02).force, glm::dvec3(0.0));
         QVERIFY(bench.rest(20).force.z < 0.1);
     }
 
@@ -141,7 +141,7 @@ private slots:
         bench.moveTo({10, -3, -14}, 40.0);
         bench.step.setAllowance(0.3);
         bench.moveTo({-12, -3, -14}, 60.0);
-        bench.step(StylusState{}, period);
+        bench.step.advance(StylusState{}, period);
         bench.moveTo({-12, -3, 5}, 60.0);
         QCOMPARE(allocationCount.load(), before);
         ::operator delete(::operator new(1)); // the counter counts

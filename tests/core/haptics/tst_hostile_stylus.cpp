@@ -94,7 +94,7 @@ private slots:
                 bench.step.setGuides(guides);
             }
             const HostileStylus::Tick tick = hostile.next();
-            const Sample sample = bench.step(tick.state, tick.period);
+            const Sample sample = bench.step.advance(tick.state, tick.period);
             const glm::dvec3 force = bench.step.deviceWrench().force;
             hostile.write(bench.step.deviceWrench());
             QVERIFY(isFinite(force) && isFinite(sample.proxy.tip) && isFinite(sample.proxy.axis));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/loop_clock.h"
-#include "core/haptics/servo_loop.h"
-#include "core/haptics/servo_tick.h"
+#include "core/haptics/loop/loop_clock.h"
+#include "core/haptics/loop/servo_loop.h"
+#include "core/haptics/loop/servo_tick.h"
 #include "tests/core/haptics/haptic_bench.h"
 #include "tests/core/haptics/own_stylus.h"
 #include "tests/core/haptics/pressed_stylus.h"
@@ -224,7 +224,7 @@ private slots:
         const auto force = [&](double seconds) {
             tick.begin();
             waitFor(seconds);
-            const Wrench wrench = tick(reading, period);
+            const Wrench wrench = tick.serve(reading, period);
             tick.sent();
             return glm::length(wrench.force);
         };

@@ -33,7 +33,7 @@ struct Press {
             state.pose.position = bench.hand;
             state.valid = true;
             state.motorHeat = heat;
-            sample = bench.step(state, period);
+            sample = bench.step.advance(state, period);
             largestChange = std::max(largestChange, glm::length(applied() - force));
             force = applied();
         }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
-#include "core/haptics/operator.h"
-#include "core/haptics/trace_stylus.h"
+#include "core/haptics/operator/virtual_operator.h"
+#include "core/haptics/trace/trace_stylus.h"
 #include "core/recording/trace_file.h"
 
 #include <QTemporaryDir>

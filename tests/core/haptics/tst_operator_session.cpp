@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/operator.h"
-#include "core/haptics/operator_plan.h"
+#include "core/haptics/operator/virtual_operator.h"
+#include "core/passes/milling_plan.h"
 #include "core/recording/take_statistics.h"
-#include "tests/core/haptics/operator_fields.h"
+#include "tests/core/passes/planned_fields.h"
 
 #include <QtTest>
 
@@ -51,7 +51,7 @@ std::vector<Sample> mill(RunVolume& workpiece, const ClearanceField& field, cons
     if (!hand.open()) return samples;
     HapticStep step(workpiece, field, tool, settings);
     for (int tick = 0; tick < 1000000 && !hand.finished(); ++tick) {
-        samples.push_back(step(hand.read(tick * settings.tickPeriod), settings.tickPeriod));
+        samples.push_back(step.advance(hand.read(tick * settings.tickPeriod), settings.tickPeriod));
         hand.write(step.deviceWrench());
     }
     return samples;

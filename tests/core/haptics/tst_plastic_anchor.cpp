@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/plastic_anchor.h"
+#include "core/haptics/force/plastic_anchor.h"
 #include "tests/oracles/random_number.h"
 
 #include <QtTest>
@@ -22,40 +22,40 @@ private slots:
         PlasticAnchor anchor(stiffness, mostForce);
         glm::dvec3 force(0.0);
         for (int i = 1; i <= 100; ++i) {
-            force = anchor({0.02, 0, 0}, {0.5});
+            force = anchor.drag({0.02, 0, 0}, {0.5});
             const double spring = stiffness * 0.02 * i;
             QVERIFY(std::abs(force.x + std::min(0.5, spring)) < 1e-12);
         }
         // At rest it holds, without creep or decay.
-        for (int i = 0; i < 1000; ++i) QVERIFY(glm::length(anchor(glm::dvec3(0.0), {0.5}) - force) < 1e-12);
+        for (int i = 0; i < 1000; ++i) QVERIFY(glm::length(anchor.drag(glm::dvec3(0.0), {0.5}) - force) < 1e-12);
         // Let go, it gives its stretch back and no more.
-        for (int i = 0; i < 79; ++i) force = anchor({-0.02, 0, 0}, {0.5});
+        for (int i = 0; i < 79; ++i) force = anchor.drag({-0.02, 0, 0}, {0.5});
         QVERIFY(std::abs(force.x) < 0.02);
     }
 
     void aYieldThatFallsIsFollowedAtOnce() {
         PlasticAnchor anchor(stiffness, mostForce);
-        for (int i = 0; i < 200; ++i) anchor({0.02, 0, 0}, {1.0});
-        QVERIFY(std::abs(anchor(glm::dvec3(0.0), {0.4}).x + 0.4) < 1e-12);
-        QCOMPARE(anchor({0.02, 0, 0}, {0.0}), glm::dvec3(0.0));
+        for (int i = 0; i < 200; ++i) anchor.drag({0.02, 0, 0}, {1.0});
+        QVERIFY(std::abs(anchor.drag(glm::dvec3(0.0), {0.4}).x + 0.4) < 1e-12);
+        QCOMPARE(anchor.drag({0.02, 0, 0}, {0.0}), glm::dvec3(0.0));
     }
 
     /// Into harder material: at once, as long as dragging paid for it before.
     void aYieldThatGrowsIsFollowedAtOnceWhileItDrags() {
         PlasticAnchor anchor(stiffness, mostForce);
-        for (int i = 0; i < 500; ++i) anchor({0.02, 0, 0}, {0.5}); // 8 mm of drag at 0.5 N: 4 N·mm
-        QVERIFY(std::abs(anchor({0.02, 0, 0}, {1.0}).x + 1.0) < 1e-12);
+        for (int i = 0; i < 500; ++i) anchor.drag({0.02, 0, 0}, {0.5}); // 8 mm of drag at 0.5 N: 4 N·mm
+        QVERIFY(std::abs(anchor.drag({0.02, 0, 0}, {1.0}).x + 1.0) < 1e-12);
         // A tool that does not drag is not pushed: it was at rest below the yield force.
         PlasticAnchor held(stiffness, mostForce);
-        for (int i = 0; i < 50; ++i) held({0.02, 0, 0}, {0.5});
-        const glm::dvec3 before = held(glm::dvec3(0.0), {0.5});
-        QVERIFY(glm::length(held(glm::dvec3(0.0), {1.0}) - before) < 1e-12);
+        for (int i = 0; i < 50; ++i) held.drag({0.02, 0, 0}, {0.5});
+        const glm::dvec3 before = held.drag(glm::dvec3(0.0), {0.5});
+        QVERIFY(glm::length(held.drag(glm::dvec3(0.0), {1.0}) - before) < 1e-12);
     }
 
     void withoutCreditTheForceRisesAsTheToolGoesOn() {
         PlasticAnchor anchor(stiffness, mostForce);
-        anchor({0.02, 0, 0}, {0.001}); // it drags a little
-        const double force = -anchor({0.02, 0, 0}, {2.0}).x;
+        anchor.drag({0.02, 0, 0}, {0.001}); // it drags a little
+        const double force = -anchor.drag({0.02, 0, 0}, {2.0}).x;
         QVERIFY(force < 0.02);
     }
 
@@ -71,7 +71,7 @@ private slots:
                 const glm::dvec3 motion(randomNumber(-0.1, 0.15), randomNumber(-0.05, 0.05), randomNumber(-0.05, 0.05));
                 work -= glm::dot(force, motion);
                 leak += 0.5 * stiffness * glm::dot(motion, motion);
-                force = anchor(motion, {yield});
+                force = anchor.drag(motion, {yield});
                 RC_ASSERT(glm::length(force) <= yield + 1e-9);
                 const double spring = 0.5 * glm::dot(force, force) / stiffness;
                 RC_ASSERT(spring <= work + leak + 1e-9);
@@ -81,27 +81,27 @@ private slots:
 
     void anotherStiffnessKeepsTheForce() {
         PlasticAnchor anchor(stiffness, mostForce);
-        for (int i = 0; i < 50; ++i) anchor({0.02, 0.01, 0}, {0.5});
-        const glm::dvec3 before = anchor(glm::dvec3(0.0), {0.5});
+        for (int i = 0; i < 50; ++i) anchor.drag({0.02, 0.01, 0}, {0.5});
+        const glm::dvec3 before = anchor.drag(glm::dvec3(0.0), {0.5});
         anchor.setStiffness(0.1);
-        QVERIFY(glm::length(anchor(glm::dvec3(0.0), {0.5}) - before) < 1e-12);
-        QVERIFY(std::abs(glm::length(anchor({-0.1, 0, 0}, {0.5}) - before) - 0.01) < 1e-12);
+        QVERIFY(glm::length(anchor.drag(glm::dvec3(0.0), {0.5}) - before) < 1e-12);
+        QVERIFY(std::abs(glm::length(anchor.drag({-0.1, 0, 0}, {0.5}) - before) - 0.01) < 1e-12);
     }
 
     /// A wall holds a tool that slides on it, and lets go of one that leaves it.
     void acrossAWallItYieldsAtLess() {
         PlasticAnchor anchor(stiffness, mostForce);
         glm::dvec3 force(0.0);
-        for (int i = 0; i < 100; ++i) force = anchor({0.02, 0, 0.05}, {0.3, {0, 0, 1}, 0.0});
+        for (int i = 0; i < 100; ++i) force = anchor.drag({0.02, 0, 0.05}, {0.3, {0, 0, 1}, 0.0});
         QVERIFY(std::abs(force.x + 0.3) < 1e-3);
         QCOMPARE(force.z, 0.0);
-        for (int i = 0; i < 200; ++i) force = anchor({0, 0, 0.05}, {0.3, {0, 0, 1}, 0.1});
+        for (int i = 0; i < 200; ++i) force = anchor.drag({0, 0, 0.05}, {0.3, {0, 0, 1}, 0.1});
         QVERIFY(std::abs(force.z + 0.1) < 1e-9);
     }
 
     void withoutStiffnessThereIsNoForce() {
         PlasticAnchor anchor(0.0, 0.0);
-        QCOMPARE(anchor({1.0, 0, 0}, {1.0}), glm::dvec3(0.0));
+        QCOMPARE(anchor.drag({1.0, 0, 0}, {1.0}), glm::dvec3(0.0));
     }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/mesh_boundary.h"
-#include "core/haptics/proxy.h"
+#include "core/haptics/boundary/mesh_boundary.h"
+#include "core/haptics/boundary/proxy.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/oracles/push_back_scenes.h"
 

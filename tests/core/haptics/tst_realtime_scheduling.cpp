@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/loop_clock.h"
-#include "core/haptics/realtime_kit.h"
-#include "core/haptics/realtime_scheduling.h"
-#include "core/haptics/tick_thread.h"
+#include "core/haptics/loop/loop_clock.h"
+#include "core/haptics/loop/realtime_kit.h"
+#include "core/haptics/loop/realtime_scheduling.h"
+#include "core/haptics/loop/tick_thread.h"
 
 #include <QProcess>
 #include <QtTest>

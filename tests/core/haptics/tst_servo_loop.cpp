@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/duration_histogram.h"
-#include "core/haptics/loop_figures.h"
-#include "core/haptics/servo_loop.h"
+#include "core/haptics/loop/duration_histogram.h"
+#include "core/haptics/loop/loop_figures.h"
+#include "core/haptics/loop/servo_loop.h"
 #include "tests/core/haptics/haptic_bench.h"
 
 #include <QtTest>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/loop_figures.h"
-#include "core/haptics/servo_tick.h"
+#include "core/haptics/loop/loop_figures.h"
+#include "core/haptics/loop/servo_tick.h"
 #include "tests/core/haptics/haptic_bench.h"
 #include "tests/oracles/system_watch.h"
 
@@ -138,7 +138,7 @@ private slots:
             watch.begin();
             if (tick->edge() != AtEdge::tick) QFAIL("no tick");
             tick->begin();
-            static_cast<void>((*tick)(state, period));
+            static_cast<void>(tick->serve(state, period));
             tick->sent();
             const SystemUse cost = watch.end();
             sum.allocations += cost.allocations + cost.releases;
@@ -173,7 +173,7 @@ private slots:
                 state.pose.position = glm::mix(from, target, static_cast<double>(i) / count);
                 state.valid = i != 7; // a fault as well
                 watch.begin();
-                const Sample sample = bench.step(state, i == 9 ? 0.005 : period); // and one that comes late
+                const Sample sample = bench.step.advance(state, i == 9 ? 0.005 : period); // and one that comes late
                 const SystemUse cost = watch.end();
                 sum.allocations += cost.allocations + cost.releases;
                 sum.locks += cost.locks;

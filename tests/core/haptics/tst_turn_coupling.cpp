@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/pose_vector.h"
-#include "core/haptics/turn_coupling.h"
+#include "core/haptics/boundary/pose_vector.h"
+#include "core/haptics/force/turn_coupling.h"
 #include "tests/core/device/desktop_stylus.h"
 #include "tests/core/haptics/haptic_bench.h"
 #include "tests/oracles/simulated_handle.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/seeded_random.h"
 #include "core/base/units.h"
 #include "core/device/deflection.h"
-#include "core/haptics/seeded_random.h"
 #include "core/haptics/workspace.h"
 #include "tests/core/haptics/haptic_bench.h"
 
@@ -32,7 +32,7 @@ struct WorkspaceBench {
         pose.position = place;
         pose.rotation = turn;
         hand = place;
-        last = workspace(pose, buttons, &tool, quiet, period);
+        last = workspace.map(pose, buttons, &tool, quiet, period);
         tool = last.wanted.tip;
         return tool;
     }

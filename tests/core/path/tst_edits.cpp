@@ -21,7 +21,7 @@ struct Another {
     EditValue operator()(double value) const { return value == field.high ? field.low : field.high; }
     EditValue operator()(bool value) const { return !value; }
     EditValue operator()(std::string_view value) const {
-        return value == field.choices.back() ? field.choices.front() : field.choices.back();
+        return value == field.choices.back().name ? field.choices.front().name : field.choices.back().name;
     }
     EditValue operator()(const glm::dvec3&) const { return glm::dvec3(1.5, field.low, field.high); }
     EditValue operator()(const std::vector<glm::dvec3>&) const {
@@ -57,6 +57,22 @@ class TestEdits : public QObject {
     Q_OBJECT
 
 private slots:
+    /// What a level is kept at is a force or a removal rate, by its goal; files of earlier versions don't say which.
+    void theTargetOfALevelHasItsUnitInItsKey() {
+        LevelFeed level;
+        level.goal = LevelFeed::Goal::removal;
+        level.target = 250.0;
+        const std::string json = toJson(Edit{level, true});
+        QVERIFY(json.find("\"target_mm3_s\":250.0") != std::string::npos);
+        for (const char* text : {R"({"edit":"level-feed","target_mm3_s":250.0,"goal":"removal"})",
+                                 R"({"edit":"level-feed","target":250.0,"goal":"removal"})"}) {
+            const Result<Edit> read = editFromJson(text);
+            QVERIFY(read);
+            QCOMPARE(toJson(*read), json);
+        }
+        const Result<Edit> wrong = editFromJson(R"({"edit":"level-feed","target_n":250.0,"goal":"removal"})");
+        QCOMPARE(wrong.error().subject, std::string("target_n"));
+    }
     void everyEditComesBackFromItsText() {
         std::vector<Edit> edits = standardEdits();
         std::get<SmoothShape>(edits[2].parameters).wavelength = 4.25;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/volume/property_list.h"
+#include "core/volume/runs/property_list.h"
 
 #include <glm/glm.hpp>
 

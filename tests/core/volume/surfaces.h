@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/geometry/triangle_mesh.h"
-#include "core/volume/surface.h"
+#include "core/volume/surface/surface.h"
 
 #include <map>
 #include <utility>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/boolean.h"
+#include "core/volume/operations/boolean.h"
 #include "tests/core/volume/volumes.h"
 #include "tests/oracles/dense_grid.h"
 

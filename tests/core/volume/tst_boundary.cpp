@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/boundary.h"
+#include "core/volume/operations/boundary.h"
 #include "tests/core/volume/volumes.h"
 
 #include <QtTest>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/run_volume.h"
+#include "core/volume/runs/run_volume.h"
 #include "tests/core/volume/volumes.h"
 #include "tests/oracles/dense_grid.h"
 

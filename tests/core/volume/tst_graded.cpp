@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/graded.h"
-#include "core/volume/moments.h"
+#include "core/volume/operations/graded.h"
+#include "core/volume/operations/moments.h"
 #include "tests/core/volume/volumes.h"
 
 #include <QtTest>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/grid.h"
+#include "core/volume/runs/grid.h"
 
 #include <QtTest>
 

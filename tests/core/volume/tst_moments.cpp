@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
-#include "core/volume/moments.h"
+#include "core/volume/operations/moments.h"
 #include "tests/core/volume/surfaces.h"
 #include "tests/core/volume/volumes.h"
 #include "tests/oracles/dense_grid.h"

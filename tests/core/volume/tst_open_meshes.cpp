@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/open_mesh.h"
-#include "core/volume/voxelisation.h"
+#include "core/volume/voxelisation/open_mesh.h"
+#include "core/volume/voxelisation/voxelisation.h"
 #include "tests/core/volume/shapes.h"
 #include "tests/core/volume/voxelised.h"
 #include "tests/places.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/packed_volume.h"
-#include "core/volume/volume_memory.h"
+#include "core/volume/packed/packed_volume.h"
+#include "core/volume/runs/volume_memory.h"
 #include "tests/core/volume/random_volumes.h"
 
 #include <QtTest>

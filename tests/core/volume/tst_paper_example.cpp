@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/boolean.h"
-#include "core/volume/boundary.h"
-#include "core/volume/dense.h"
-#include "core/volume/relation.h"
+#include "core/volume/operations/boolean.h"
+#include "core/volume/operations/boundary.h"
+#include "core/volume/operations/dense.h"
+#include "core/volume/operations/relation.h"
 #include "tests/core/volume/volumes.h"
 
 #include <QtTest>

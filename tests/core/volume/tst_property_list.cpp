@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/file.h"
-#include "core/volume/grid.h"
-#include "core/volume/property_list.h"
+#include "core/volume/runs/grid.h"
+#include "core/volume/runs/property_list.h"
 
 #include <QTemporaryDir>
 #include <QtTest>

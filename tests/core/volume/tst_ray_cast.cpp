@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/ray_cast.h"
-#include "core/volume/section.h"
+#include "core/volume/operations/ray_cast.h"
+#include "core/volume/operations/section.h"
 #include "tests/core/volume/surfaces.h"
 #include "tests/core/volume/volumes.h"
 #include "tests/oracles/dense_grid.h"
@@ -238,7 +238,8 @@ void RayCastTest::aSectionIsWhatThePlaneMeets() {
             PropertyIndex seen = airProperty;
             int found = 0;
             for (const SectionPatch& patch : patches) {
-                if (glm::any(glm::lessThan(across, patch.low)) || glm::any(glm::greaterThan(across, patch.high))) continue;
+                if (glm::any(glm::lessThan(across, patch.low)) || glm::any(glm::greaterThan(across, patch.high)))
+                    continue;
                 seen = patch.property;
                 ++found;
             }

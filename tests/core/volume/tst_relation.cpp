@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/dense.h"
-#include "core/volume/relation.h"
-#include "core/volume/voxelisation.h"
+#include "core/volume/operations/dense.h"
+#include "core/volume/operations/relation.h"
+#include "core/volume/voxelisation/voxelisation.h"
 #include "tests/core/volume/dense_voxels.h"
 #include "tests/core/volume/shapes.h"
 #include "tests/core/volume/volumes.h"

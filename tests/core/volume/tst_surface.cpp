@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/mesh_distance.h"
-#include "core/volume/surface.h"
-#include "core/volume/surface_simplification.h"
+#include "core/volume/surface/surface.h"
+#include "core/volume/surface/surface_simplification.h"
 #include "tests/core/volume/surfaces.h"
 #include "tests/core/volume/volumes.h"
 

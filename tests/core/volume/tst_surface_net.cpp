@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/surface.h"
+#include "core/volume/surface/surface.h"
 #include "tests/core/volume/random_surfaces.h"
 #include "tests/oracles/surface_net.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/surface_cubes.h"
-#include "core/volume/surface_points.h"
+#include "core/volume/surface/surface_cubes.h"
+#include "core/volume/surface/surface_points.h"
 
 #include <QtTest>
 #include <rapidcheck.h>

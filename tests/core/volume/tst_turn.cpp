@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/dense.h"
-#include "core/volume/turn.h"
+#include "core/volume/operations/dense.h"
+#include "core/volume/operations/turn.h"
 #include "tests/core/volume/shapes.h"
 #include "tests/core/volume/voxelised.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/compression.h"
-#include "core/volume/volume_file.h"
+#include "core/volume/packed/volume_file.h"
 #include "tests/core/volume/volume_fixtures.h"
 #include "tests/oracles/volume_file_form.h"
 #include "tests/places.h"

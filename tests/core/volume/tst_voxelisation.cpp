@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/voxelisation.h"
+#include "core/volume/voxelisation/voxelisation.h"
 #include "tests/core/volume/shapes.h"
 #include "tests/core/volume/voxelised.h"
 #include "tests/oracles/line_scatter.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/volume_file.h"
+#include "core/volume/packed/volume_file.h"
 #include "tests/core/volume/volume_fixtures.h"
 
 #include <cstdio>

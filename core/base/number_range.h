@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+
+namespace burin {
+
+/// Bounds of a number in a file or a field, both allowed. In the unit of what it bounds.
+struct NumberRange {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+};
+
+} // namespace burin

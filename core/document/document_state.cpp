@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/document/document_state.h"
+
+#include <algorithm>
+#include <bit>
+#include <random>
+#include <sqlite3.h>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+namespace {
+
+/// Takes words one after the other. Each step is a bijection of the word, so one word that differs is never lost.
+class Digest {
+public:
+    void add(std::uint64_t word) noexcept {
+        value_ = (value_ ^ word) * 0x9E3779B97F4A7C15u; // 2^64 over the golden ratio, odd
+        value_ ^= value_ >> 29;
+    }
+    void add(std::string_view bytes) noexcept {
+        add(bytes.size());
+        for (std::size_t start = 0; start < bytes.size(); start += 8) add(wordAt(bytes, start));
+    }
+    std::int64_t value() const noexcept { return static_cast<std::int64_t>(value_); }
+
+private:
+    static std::uint64_t wordAt(std::string_view bytes, std::size_t start) noexcept {
+        const std::size_t end = std::min(bytes.size(), start + 8);
+        std::uint64_t word = 0;
+        for (std::size_t i = end; i > start; --i) word = word << 8 | static_cast<unsigned char>(bytes[i - 1]);
+        return word;
+    }
+    std::uint64_t value_ = 0;
+};
+
+Result<std::vector<std::string>> tableNames(Database& database) {
+    Result<Statement> statement = Statement::prepare(
+        database, "SELECT name FROM sqlite_schema WHERE type = 'table' AND name <> 'document' ORDER BY name");
+    if (!statement) return std::move(statement).error();
+    std::vector<std::string> names;
+    for (;;) {
+        Result<bool> row = statement->step();
+        if (!row) return std::move(row).error();
+        if (!*row) return names;
+        names.emplace_back(statement->text(0));
+    }
+}
+
+std::string identifier(std::string_view name) {
+    std::string result = "\"";
+    for (const char character : name) result.append(character == '"' ? 2 : 1, character);
+    return result + "\"";
+}
+
+void addValue(const Statement& row, int column, Digest& digest) {
+    const int type = row.type(column);
+    digest.add(static_cast<std::uint64_t>(type));
+    if (type == SQLITE_INTEGER)
+        digest.add(static_cast<std::uint64_t>(row.integer(column)));
+    else if (type == SQLITE_FLOAT)
+        digest.add(std::bit_cast<std::uint64_t>(row.real(column)));
+    else
+        digest.add(row.blob(column));
+}
+
+Result<void> addRows(Database& database, const std::string& query, Digest& digest) {
+    Result<Statement> statement = Statement::prepare(database, query);
+    if (!statement) return std::move(statement).error();
+    for (;;) {
+        Result<bool> row = statement->step();
+        if (!row) return std::move(row).error();
+        if (!*row) return {};
+        for (int column = 0; column < statement->columns(); ++column) addValue(*statement, column, digest);
+    }
+}
+
+Result<void> addTable(Database& database, const std::string& name, Digest& digest) {
+    digest.add(name);
+    return addRows(database, "SELECT * FROM " + identifier(name) + " ORDER BY rowid", digest);
+}
+
+} // namespace
+
+Result<DocumentState> documentState(Database& database) {
+    Result<Statement> statement = Statement::prepare(
+        database, "SELECT save_id, next_save_id, revision, changes, saved_changes, digest FROM document");
+    if (!statement) return std::move(statement).error();
+    Result<bool> row = statement->step();
+    if (!row) return std::move(row).error();
+    if (!*row) return Error{ErrorCode::fileDamaged, database.subject(), {}, "table document is empty"};
+    DocumentState state;
+    state.saveId = statement->blob(0);
+    state.nextSaveId = statement->blob(1);
+    state.revision = statement->integer(2);
+    state.changes = statement->integer(3);
+    state.savedChanges = statement->integer(4);
+    if (!statement->isNull(5)) state.digest = statement->integer(5);
+    return state;
+}
+
+Result<void> setDocumentState(Database& database, const DocumentState& state) {
+    return run(database,
+               "UPDATE document SET save_id = ?, next_save_id = ?, revision = ?, changes = ?, saved_changes = ?, "
+               "digest = ?",
+               BlobView{state.saveId}, BlobView{state.nextSaveId}, state.revision, state.changes, state.savedChanges,
+               state.digest);
+}
+
+Result<void> countChange(Database& database) {
+    return database.execute("UPDATE document SET changes = changes + 1");
+}
+
+std::string newSaveId() {
+    std::random_device source;
+    std::string id;
+    for (int word = 0; word < 4; ++word) {
+        const unsigned bits = source();
+        for (unsigned byte = 0; byte < 4; ++byte) id.push_back(static_cast<char>((bits >> (8 * byte)) & 0xff));
+    }
+    return id;
+}
+
+Result<std::int64_t> contentDigest(Database& database) {
+    const Result<std::vector<std::string>> names = tableNames(database);
+    if (!names) return names.error();
+    Digest digest;
+    for (const std::string& name : *names)
+        if (Result<void> added = addTable(database, name, digest); !added) return std::move(added).error();
+    return digest.value();
+}
+
+Result<std::int64_t> jobDigest(Database& database) {
+    Digest digest;
+    for (const char* table :
+         {"model", "body", "setup", "material", "obstacle", "undone_stretch", "path", "path_take", "path_edit"})
+        if (Result<void> added = addTable(database, table, digest); !added) return std::move(added).error();
+    // Recordings grow and are never changed: how long they are says what is in them.
+    for (const char* query : {"SELECT id, tool_id, allowance, tick_period FROM take ORDER BY id",
+                              "SELECT take, first, count FROM sample_chunk ORDER BY take, first",
+                              "SELECT setup, json FROM setup_setting WHERE name = 'travel' ORDER BY setup"})
+        if (Result<void> added = addRows(database, query, digest); !added) return std::move(added).error();
+    return digest.value();
+}
+
+} // namespace burin

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/document/working_copy.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace burin {
+
+/// A connection to a project's working copy, and how it came about.
+struct OpenedCopy {
+    std::shared_ptr<WorkingCopy> copy; ///< null: open for reading alone
+    Database database;
+    bool recovered = false;
+    std::filesystem::path keptAside;
+    std::shared_ptr<WorkingCopy> lock = nullptr; ///< of a project that is open for reading alone, where it could be had
+};
+
+/// @param file absolute. Errors: as Project::create and Project::open.
+Result<OpenedCopy> createWorkingCopy(const std::filesystem::path& file);
+Result<OpenedCopy> openWorkingCopy(const std::filesystem::path& file);
+/// As Project::openForReading.
+Result<OpenedCopy> openForReading(const std::filesystem::path& file);
+/// Saves what `from` holds as `file` and opens that. Errors: as Project::saveAs.
+Result<OpenedCopy> saveUnderAnotherName(Database& from, const std::filesystem::path& file);
+
+} // namespace burin

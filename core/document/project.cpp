@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/document/project.h"
+
+#include "core/document/opening.h"
+#include "core/document/project_impl.h"
+#include "core/document/saving.h"
+#include "core/document/stores.h"
+
+#include <system_error>
+#include <utility>
+
+namespace burin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// One name for one file, whichever way it was called: the working copy and its lock stand beside it.
+fs::path plainName(const fs::path& file) {
+    std::error_code failed;
+    const fs::path whole = fs::absolute(file, failed);
+    fs::path plain = fs::weakly_canonical(whole, failed);
+    return failed ? whole : plain;
+}
+
+} // namespace
+
+Project::Project(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Project::~Project() = default;
+Project::Project(Project&&) noexcept = default;
+Project& Project::operator=(Project&&) noexcept = default;
+
+Result<Project> Project::create(const fs::path& file) {
+    fs::path plain = plainName(file);
+    Result<OpenedCopy> opened = createWorkingCopy(plain);
+    if (!opened) return std::move(opened).error();
+    return Project(std::make_unique<Impl>(std::move(plain), std::move(*opened)));
+}
+
+Result<Project> Project::open(const fs::path& file) {
+    fs::path plain = plainName(file);
+    Result<OpenedCopy> opened = openWorkingCopy(plain);
+    if (!opened) return std::move(opened).error();
+    return Project(std::make_unique<Impl>(std::move(plain), std::move(*opened)));
+}
+
+Result<Project> Project::openForReading(const fs::path& file) {
+    fs::path plain = plainName(file);
+    Result<OpenedCopy> opened = burin::openForReading(plain);
+    if (!opened) return std::move(opened).error();
+    return Project(std::make_unique<Impl>(std::move(plain), std::move(*opened)));
+}
+
+const fs::path& Project::file() const noexcept {
+    return impl_->file;
+}
+bool Project::recovered() const noexcept {
+    return impl_->recovered;
+}
+const fs::path& Project::keptAside() const noexcept {
+    return impl_->keptAside;
+}
+const fs::path& Project::keptEarlier() const noexcept {
+    return impl_->keptEarlier;
+}
+bool Project::readOnly() const noexcept {
+    return impl_->copy == nullptr;
+}
+
+Result<bool> Project::unsaved() const {
+    const Result<DocumentState> state = documentState(impl_->database);
+    if (!state) return state.error();
+    return state->unsaved() && state->changes != impl_->savedChanges;
+}
+
+Result<void> Project::save() {
+    return save({});
+}
+
+Result<void> Project::save(std::span<StagedFile> outputs) {
+    if (readOnly()) return Error{ErrorCode::fileNotWritable, impl_->file.string(), {}, "open for reading alone"};
+    Result<SavedSnapshot> saved = saveSnapshot(impl_->database, impl_->file, outputs);
+    if (!saved) return std::move(saved).error();
+    impl_->savedChanges = saved->changes;
+    impl_->keptEarlier = std::move(saved->keptEarlier);
+    return {};
+}
+
+Result<void> Project::saveAs(const fs::path& file) {
+    fs::path plain = plainName(file);
+    if (plain == impl_->file && !readOnly()) return save();
+    if (impl_->copy.use_count() > 1) // a TakeWriter has it too, and would go on beside the old file
+        return Error{ErrorCode::argumentInvalid, "take", {}, "no take under way"};
+    if (readOnly())
+        if (Result<void> writable = impl_->database.execute("PRAGMA query_only = OFF"); !writable) return writable;
+    Result<OpenedCopy> opened = saveUnderAnotherName(impl_->database, plain);
+    if (!opened) {
+        if (readOnly()) static_cast<void>(impl_->database.execute("PRAGMA query_only = ON"));
+        return std::move(opened).error();
+    }
+    if (!readOnly()) impl_->copy->abandon();       // all of it is in the new file
+    impl_->database = std::move(opened->database); // the old connection closes before its working copy goes
+    impl_->copy = std::move(opened->copy);
+    impl_->lock.reset();
+    impl_->file = std::move(plain);
+    impl_->recovered = false;
+    impl_->savedChanges.reset();
+    impl_->keptAside = std::move(opened->keptAside);
+    return {};
+}
+
+void Project::abandonChanges() noexcept {
+    if (!readOnly()) impl_->copy->abandon();
+}
+
+Result<void> Project::setModel(const Model& model) {
+    return impl_->change([&](Database& database) { return storeModel(database, model); });
+}
+Result<Model> Project::model() const {
+    return impl_->read(loadModel);
+}
+
+Result<std::vector<TakeInfo>> Project::takes() const {
+    return impl_->read(loadTakes);
+}
+Result<Take> Project::take(std::int64_t id) const {
+    return impl_->read([id](Database& database) { return loadTake(database, id); });
+}
+Result<TakeOutline> Project::takeOutline(std::int64_t id) const {
+    return impl_->read([id](Database& database) { return loadTakeOutline(database, id); });
+}
+Result<void> Project::visitSamples(std::int64_t id, const SampleVisitor& visit) const {
+    return impl_->read([&](Database& database) { return burin::visitSamples(database, id, visit); });
+}
+Result<void> Project::removeTake(std::int64_t id) {
+    return impl_->change([id](Database& database) { return eraseTake(database, id); });
+}
+
+Result<void> Project::undoStretch(std::int64_t take, const SampleRange& stretch) {
+    return impl_->change([&](Database& database) { return storeUndone(database, take, stretch); });
+}
+Result<void> Project::redoStretch(std::int64_t take, const SampleRange& stretch) {
+    return impl_->change([&](Database& database) { return eraseUndone(database, take, stretch); });
+}
+
+Result<Project::TakeWriter> Project::beginTake(const TakeInfo& info) {
+    if (readOnly()) return Error{ErrorCode::fileNotWritable, impl_->file.string(), {}, "open for reading alone"};
+    return TakeWriter::begin(impl_->copy, info);
+}
+
+} // namespace burin

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/setup_id.h"
+#include "core/cad/model.h"
+#include "core/document/program_target.h"
+#include "core/machine/envelope.h"
+#include "core/path/edit.h"
+#include "core/recording/sample_source.h"
+#include "core/setup/axis_mode.h"
+#include "core/setup/kept_guides.h"
+#include "core/setup/obstacle.h"
+#include "core/setup/setup.h"
+#include "core/tool/tool.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+class StagedFile;
+class WorkingCopy;
+
+/// A path as the project keeps it: takes plus edits; its points are evaluated, never stored as truth.
+struct StoredPath {
+    std::int64_t id = 0;
+    std::string name;
+    std::vector<std::int64_t> takes; ///< of `setup` all of them
+    std::vector<Edit> edits;
+    SetupId setup = firstSetup;
+};
+
+/// A posted program with the verdict that let it out.
+struct StoredProgram {
+    std::string name;
+    std::string dialect;
+    std::string machine;
+    std::string text;
+    std::string reportJson;
+    SetupId setup = firstSetup; ///< that it is to be run in
+};
+
+/// A setup of a job, as lists show it.
+struct SetupName {
+    SetupId id = firstSetup;
+    std::string name; ///< empty: nobody gave it one
+};
+
+/// A .burin file: one SQLite database. One works on a journalled copy beside it (`.<name>.working`, WAL, synchronous
+/// FULL); `save` writes a snapshot beside the file through SQLite's backup interface and renames it, so the user's file
+/// is always a whole one. A working copy that its owner left behind (kill -9, power) is taken up again by `open`.
+/// README.md holds the schema and the rules of recovery.
+/// Thread: one at a time, but for `TakeWriter`, which has a connection of its own.
+class Project {
+public:
+    /// A new project with no file yet besides its working copy. A project that stands there already is replaced by the
+    /// first `save`, nothing else is. Errors: fileNotWritable, diskFull, projectInUse, projectNotBurin (another kind of
+    /// file stands there).
+    static Result<Project> create(const std::filesystem::path& file);
+    /// Where the folder can't be written, the project is open for reading alone.
+    /// Errors: fileNotFound, fileEmpty, projectNotBurin, fileFromNewerBurin, projectInUse (detail: "process 4711"),
+    /// fileDamaged, fileNotReadable, fileNotWritable, diskFull.
+    static Result<Project> open(const std::filesystem::path& file);
+    /// For who only looks: nothing is made or changed on the disk, which may be full, and work that was left unsaved is
+    /// shown (`recovered`) and stays. `readOnly` is true. Errors: as `open`, without those of writing.
+    static Result<Project> openForReading(const std::filesystem::path& file);
+    ~Project(); ///< discards the working copy if everything in it was saved, keeps it otherwise
+    Project(Project&&) noexcept;
+    Project& operator=(Project&&) noexcept;
+
+    const std::filesystem::path& file() const noexcept;
+    /// True when `open` took up a working copy that an earlier run left behind.
+    bool recovered() const noexcept;
+    /// A leftover working copy that doesn't belong to the file as it is now, under a name that the user sees; empty
+    /// when there was none.
+    const std::filesystem::path& keptAside() const noexcept;
+    /// The name that the file got when the last `save` put one of the present format in its place; empty: it was of
+    /// that already.
+    const std::filesystem::path& keptEarlier() const noexcept;
+    /// True when nothing can be changed: setters, `beginTake` and `save` give fileNotWritable.
+    bool readOnly() const noexcept;
+    /// Whether something was changed since the last `save`. Errors: fileDamaged.
+    Result<bool> unsaved() const;
+    /// Recordings may go on meanwhile; the file then holds what they had written when it began.
+    /// Errors: diskFull, fileNotWritable; the file is then what it was before.
+    Result<void> save();
+    /// Puts `outputs`, which were flushed, in their places together with the project's file: all or none.
+    Result<void> save(std::span<StagedFile> outputs);
+    /// Saves under another name and goes on there; the file that it had stays as it was last saved. What stands at the
+    /// new name is replaced, if it is a project that nobody has open. Afterwards `readOnly` is false.
+    /// Errors: as `save`, projectInUse, projectNotBurin, argumentInvalid (a take is being recorded); nothing has
+    /// changed then.
+    Result<void> saveAs(const std::filesystem::path& file);
+    /// What was not saved is no longer wanted: the working copy goes with this object, whatever is still changed in it,
+    /// and the next `open` finds the file as it was saved. Needs no room on the disk.
+    void abandonChanges() noexcept;
+
+    // Each setter is one transaction; errors: diskFull, fileNotWritable. Each getter: fileDamaged, projectIncomplete.
+    // Lists are empty where nothing was stored yet; what there is only one of is then projectIncomplete.
+    Result<void> setModel(const Model& model);
+    Result<Model> model() const;
+    // What belongs to a setup takes its id; further error: nameUnknown (there is none of that id).
+
+    /// In the order in which they were made; there is always one.
+    Result<std::vector<SetupName>> setups() const;
+    /// A further one, in which nothing is stored yet; its id.
+    Result<SetupId> addSetup(const std::string& name);
+    Result<void> setSetup(const Setup& setup, SetupId id = firstSetup);
+    Result<Setup> setup(SetupId id = firstSetup) const;
+    /// Materials of the setup by id, as they were when it was made; in their order.
+    Result<void> setMaterials(const std::vector<Property>& materials);
+    Result<std::vector<Property>> materials() const;
+    Result<void> setTool(const Tool& tool); ///< replaces the one of the same id
+    Result<std::vector<Tool>> tools() const;
+    /// What stands around the stock; the list replaces the one before. Errors: also those of checkObstacle.
+    Result<void> setObstacles(const std::vector<Obstacle>& obstacles, SetupId setup = firstSetup);
+    Result<std::vector<Obstacle>> obstacles(SetupId setup = firstSetup) const;
+    /// How the tool's axis is held from now on; takes keep the axis of each sample. +Z where nothing was stored.
+    /// Errors: also argumentInvalid (a direction that is not of unit length).
+    Result<void> setAxisMode(const AxisMode& axis, SetupId setup = firstSetup);
+    Result<AxisMode> axisMode(SetupId setup = firstSetup) const;
+    /// Where the machine's travel lies; by the rule of travelEnvelope where nothing was stored.
+    Result<void> setTravelPlacement(const TravelPlacement& placement, SetupId setup = firstSetup);
+    Result<TravelPlacement> travelPlacement(SetupId setup = firstSetup) const;
+    /// Machine and dialect of the programs; the first machine's where nothing was stored.
+    Result<void> setProgramTarget(const ProgramTarget& target, SetupId setup = firstSetup);
+    Result<ProgramTarget> programTarget(SetupId setup = firstSetup) const;
+    /// The text of a program that the user edits and that was not checked since. Empty: none.
+    Result<void> setProgramDraft(const std::string& text);
+    Result<std::string> programDraft() const;
+    /// Where the user left the project (step, camera, …), a JSON text that the window reads. It is kept with the next
+    /// `save` and is no change that needs one.
+    Result<void> setLeftAt(const std::string& json);
+    Result<std::string> leftAt() const; ///< empty: nothing was stored
+    /// The program that was checked last, as `keptProgramToJson` writes it. Empty: none.
+    Result<void> setKeptProgram(const std::string& json);
+    Result<std::string> keptProgram() const;
+    /// A figure that changes with any bit of part, setup, materials, what stands around the stock, recordings and
+    /// paths.
+    Result<std::int64_t> jobDigest() const;
+    /// The guides of the hand; they replace the ones before. Errors: also those of checkGuide.
+    Result<void> setGuides(const KeptGuides& guides, SetupId setup = firstSetup);
+    Result<KeptGuides> guides(SetupId setup = firstSetup) const;
+
+    Result<std::vector<TakeInfo>> takes() const;
+    /// Errors: nameUnknown, projectIncomplete (there is no recording at all).
+    Result<Take> take(std::int64_t id) const;
+    /// The same without its samples. Errors: as `take`.
+    Result<TakeOutline> takeOutline(std::int64_t id) const;
+    /// All samples of a take, also those that were taken back, in memory that does not grow with their number.
+    /// @param visit must not use the project. Errors: as `take`, those of `visit`.
+    Result<void> visitSamples(std::int64_t id, const SampleVisitor& visit) const;
+    /// Errors: as `take`, argumentInvalid while a path uses it.
+    Result<void> removeTake(std::int64_t id);
+
+    /// Notes that a stretch of a take was taken back: its samples stay, and count no more. The take may still be
+    /// recorded, and the stretch run ahead of what the recorder has written. Errors: nameUnknown (the take),
+    /// argumentInvalid (an empty stretch, or one that overlaps another).
+    Result<void> undoStretch(std::int64_t take, const SampleRange& stretch);
+    /// Takes such a note back. Errors: argumentInvalid (there is none of just this stretch).
+    Result<void> redoStretch(std::int64_t take, const SampleRange& stretch);
+
+    /// Its id; `path.id` is ignored. Errors: nameUnknown (a take).
+    Result<std::int64_t> addPath(const StoredPath& path);
+    /// Errors: nameUnknown (the path, a take).
+    Result<void> setPath(const StoredPath& path);
+    /// Its id is never given again. Errors: nameUnknown.
+    Result<void> removePath(std::int64_t id);
+    /// Puts a path that was removed back, with its id. Errors: nameUnknown (a take).
+    Result<void> restorePath(const StoredPath& path);
+    Result<std::vector<StoredPath>> paths() const;
+
+    Result<void> addProgram(const StoredProgram& program);
+    Result<std::vector<StoredProgram>> programs() const;
+
+    class TakeWriter;
+    /// Starts a recording; `info.id`, `sampleCount` and `complete` are the project's to decide. The writer may outlive
+    /// this object. Errors: as the setters.
+    Result<TakeWriter> beginTake(const TakeInfo& info);
+
+private:
+    class Impl;
+    explicit Project(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Journals a recording while it is made: what `append` got is on the disk when it returns. Meant for the recorder's
+/// thread, never for the haptic loop. Call it every 50 ms or more often.
+class Project::TakeWriter {
+public:
+    ~TakeWriter(); ///< an unfinished take stays, marked incomplete
+    TakeWriter(TakeWriter&&) noexcept;
+    TakeWriter& operator=(TakeWriter&&) noexcept;
+
+    std::int64_t id() const noexcept;
+    /// One transaction, flushed to the disk. Errors: diskFull, fileNotWritable; nothing of this call is kept then.
+    Result<void> append(std::span<const Sample> samples);
+    /// Marks the take complete.
+    Result<void> finish();
+
+private:
+    friend class Project;
+    class Impl;
+    static Result<TakeWriter> begin(std::shared_ptr<WorkingCopy> copy, const TakeInfo& info);
+    explicit TakeWriter(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace burin

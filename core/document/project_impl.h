@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/document/document_state.h"
+#include "core/document/opening.h"
+#include "core/document/project.h"
+#include "core/document/working_copy.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace burin {
+
+/// What a project holds open. The connection ends before the working copy does.
+class Project::Impl {
+public:
+    Impl(std::filesystem::path userFile, OpenedCopy opened)
+        : file(std::move(userFile))
+        , copy(std::move(opened.copy))
+        , lock(std::move(opened.lock))
+        , database(std::move(opened.database))
+        , recovered(opened.recovered)
+        , keptAside(std::move(opened.keptAside)) {}
+    /// A save whose note in the working copy failed, as on a disk that was full by then, is in the file all the same.
+    ~Impl() {
+        if (!copy || copy.use_count() > 1 || !savedChanges) return;
+        if (const Result<DocumentState> state = documentState(database); state && state->changes == *savedChanges)
+            copy->abandon();
+    }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
+    /// Runs `work` as one transaction that counts as a change.
+    template <class Work>
+    auto change(Work work) -> decltype(work(std::declval<Database&>())) {
+        Result<Transaction> whole = Transaction::begin(database, Transaction::Kind::write);
+        if (!whole) return std::move(whole).error();
+        auto result = work(database);
+        if (!result) return result;
+        if (Result<void> counted = countChange(database); !counted) return std::move(counted).error();
+        if (Result<void> committed = whole->commit(); !committed) return std::move(committed).error();
+        return result;
+    }
+    /// Runs `work` as one transaction that is no change: nobody is asked to save it.
+    template <class Work>
+    auto note(Work work) -> decltype(work(std::declval<Database&>())) {
+        Result<Transaction> whole = Transaction::begin(database, Transaction::Kind::write);
+        if (!whole) return std::move(whole).error();
+        auto result = work(database);
+        if (!result) return result;
+        if (Result<void> committed = whole->commit(); !committed) return std::move(committed).error();
+        return result;
+    }
+    /// Runs `work` on one state of the project, whatever a recorder writes meanwhile.
+    template <class Work>
+    auto read(Work work) -> decltype(work(std::declval<Database&>())) {
+        Result<Transaction> whole = Transaction::begin(database, Transaction::Kind::read);
+        if (!whole) return std::move(whole).error();
+        return work(database);
+    }
+
+    std::filesystem::path file;
+    std::shared_ptr<WorkingCopy> copy; ///< null: open for reading alone
+    std::shared_ptr<WorkingCopy> lock; ///< of a project that is open for reading alone, where it could be had
+    Database database;
+    bool recovered = false;
+    std::optional<std::int64_t> savedChanges; ///< that the file has since the last save of this object
+    std::filesystem::path keptAside;
+    std::filesystem::path keptEarlier; ///< by the last save
+};
+
+} // namespace burin

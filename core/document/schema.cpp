@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/document/schema.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace burin {
+
+namespace {
+
+// README.md says what each column holds.
+constexpr const char* tables = R"sql(
+CREATE TABLE document(
+    id INTEGER PRIMARY KEY CHECK(id = 1),
+    save_id BLOB NOT NULL,
+    next_save_id BLOB NOT NULL,
+    revision INTEGER NOT NULL,
+    changes INTEGER NOT NULL,
+    saved_changes INTEGER NOT NULL,
+    digest INTEGER);
+INSERT INTO document VALUES(1, x'', x'', 0, 0, 0, NULL);
+CREATE TABLE model(
+    id INTEGER PRIMARY KEY CHECK(id = 1),
+    source_file TEXT NOT NULL,
+    format TEXT NOT NULL,
+    length_unit TEXT NOT NULL,
+    unit_scale REAL,
+    mesh_chord REAL,
+    brep BLOB NOT NULL);
+CREATE TABLE body(
+    position INTEGER PRIMARY KEY,
+    name TEXT NOT NULL,
+    colour INTEGER,
+    volume REAL,
+    area REAL,
+    box BLOB NOT NULL,
+    mesh BLOB NOT NULL,
+    open_edges INTEGER NOT NULL,
+    face_count INTEGER NOT NULL);
+CREATE TABLE import_note(
+    position INTEGER PRIMARY KEY,
+    kind TEXT NOT NULL,
+    text TEXT NOT NULL);
+CREATE TABLE setup(
+    id INTEGER PRIMARY KEY CHECK(id = 1),
+    json TEXT NOT NULL);
+CREATE TABLE material(
+    position INTEGER PRIMARY KEY,
+    id TEXT NOT NULL,
+    json TEXT NOT NULL);
+CREATE TABLE tool(
+    position INTEGER PRIMARY KEY,
+    id TEXT NOT NULL UNIQUE,
+    json TEXT NOT NULL);
+CREATE TABLE take(
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    name TEXT NOT NULL,
+    tool_id TEXT NOT NULL,
+    allowance REAL,
+    tick_period REAL,
+    started_unix_time REAL,
+    stylus TEXT NOT NULL,
+    complete INTEGER NOT NULL);
+CREATE TABLE sample_chunk(
+    id INTEGER PRIMARY KEY,
+    take INTEGER NOT NULL REFERENCES take(id),
+    first INTEGER NOT NULL,
+    count INTEGER NOT NULL,
+    samples BLOB NOT NULL,
+    UNIQUE(take, first));
+CREATE TABLE path(
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    name TEXT NOT NULL);
+CREATE TABLE path_take(
+    path INTEGER NOT NULL REFERENCES path(id),
+    position INTEGER NOT NULL,
+    take INTEGER NOT NULL REFERENCES take(id),
+    PRIMARY KEY(path, position));
+CREATE TABLE path_edit(
+    path INTEGER NOT NULL REFERENCES path(id),
+    position INTEGER NOT NULL,
+    json TEXT NOT NULL,
+    PRIMARY KEY(path, position));
+CREATE TABLE program(
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    name TEXT NOT NULL,
+    dialect TEXT NOT NULL,
+    machine TEXT NOT NULL,
+    text TEXT NOT NULL,
+    report_json TEXT NOT NULL);
+)sql";
+
+constexpr const char* undoneStretch = R"sql(
+CREATE TABLE undone_stretch(
+    id INTEGER PRIMARY KEY,
+    take INTEGER NOT NULL REFERENCES take(id),
+    first INTEGER NOT NULL,
+    count INTEGER NOT NULL,
+    UNIQUE(take, first));
+)sql";
+
+constexpr const char* surroundings = R"sql(
+CREATE TABLE obstacle(
+    position INTEGER PRIMARY KEY,
+    json TEXT NOT NULL,
+    mesh BLOB);
+CREATE TABLE guide(
+    position INTEGER PRIMARY KEY,
+    json TEXT NOT NULL,
+    curve BLOB);
+CREATE TABLE milling_setting(
+    name TEXT PRIMARY KEY,
+    json TEXT NOT NULL);
+)sql";
+
+// Tables of version 4 in the form that a new project and a migrated one have in common: take, path and program got a
+// column, and SQLite keeps that as it was added.
+constexpr const char* setups = R"sql(
+CREATE TABLE setup(
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    name TEXT NOT NULL,
+    json TEXT);
+CREATE TABLE obstacle(
+    setup INTEGER NOT NULL REFERENCES setup(id),
+    position INTEGER NOT NULL,
+    json TEXT NOT NULL,
+    mesh BLOB,
+    PRIMARY KEY(setup, position));
+CREATE TABLE guide(
+    setup INTEGER NOT NULL REFERENCES setup(id),
+    position INTEGER NOT NULL,
+    json TEXT NOT NULL,
+    curve BLOB,
+    PRIMARY KEY(setup, position));
+CREATE TABLE setup_setting(
+    setup INTEGER NOT NULL REFERENCES setup(id),
+    name TEXT NOT NULL,
+    json TEXT NOT NULL,
+    PRIMARY KEY(setup, name));
+)sql";
+constexpr const char* beforeSetups = R"sql(
+ALTER TABLE setup RENAME TO one_setup;
+ALTER TABLE obstacle RENAME TO one_obstacle;
+ALTER TABLE guide RENAME TO one_guide;
+)sql";
+constexpr const char* intoSetups = R"sql(
+INSERT INTO setup(id, name, json) VALUES(1, '', (SELECT json FROM one_setup));
+INSERT INTO obstacle SELECT 1, position, json, mesh FROM one_obstacle;
+INSERT INTO guide SELECT 1, position, json, curve FROM one_guide;
+INSERT INTO setup_setting SELECT 1, name, json FROM milling_setting WHERE name IN ('axis_mode', 'travel', 'target');
+DELETE FROM milling_setting WHERE name IN ('axis_mode', 'travel', 'target');
+DROP TABLE one_setup;
+DROP TABLE one_obstacle;
+DROP TABLE one_guide;
+ALTER TABLE take ADD COLUMN setup INTEGER NOT NULL DEFAULT 1;
+ALTER TABLE path ADD COLUMN setup INTEGER NOT NULL DEFAULT 1;
+ALTER TABLE program ADD COLUMN setup INTEGER NOT NULL DEFAULT 1;
+)sql";
+constexpr std::string_view setupColumn = ",setupINTEGERNOTNULLDEFAULT1)";
+
+std::string withoutSpaces(std::string_view sql) {
+    std::string text;
+    for (const char character : sql)
+        if (character != ' ' && character != '\n' && character != '\t' && character != '\r') text += character;
+    return text;
+}
+
+/// The tables that `sql` makes, by name, as the database keeps their statements, without spaces.
+std::map<std::string, std::string> statementsOf(std::string_view sql) {
+    constexpr std::string_view make = "CREATE TABLE ";
+    std::map<std::string, std::string> statements;
+    for (std::size_t at = sql.find(make); at != std::string_view::npos; at = sql.find(make, at + 1)) {
+        const std::string_view statement = sql.substr(at, sql.find(';', at) - at);
+        const std::string_view name = statement.substr(make.size(), statement.find('(') - make.size());
+        statements[std::string(name)] = withoutSpaces(statement);
+    }
+    return statements;
+}
+
+void addSetupsTo(std::map<std::string, std::string>& expected) {
+    for (const auto& [name, statement] : statementsOf(setups)) expected[name] = statement;
+    for (const char* name : {"take", "path", "program"}) {
+        std::string& statement = expected[name];
+        statement.replace(statement.size() - 1, 1, setupColumn);
+    }
+}
+
+Result<void> setVersion(Database& file, int version) {
+    return file.execute(("PRAGMA user_version = " + std::to_string(version)).c_str());
+}
+
+} // namespace
+
+Result<void> createSchema(Database& file) {
+    Result<Transaction> whole = Transaction::begin(file, Transaction::Kind::write);
+    if (!whole) return std::move(whole).error();
+    const std::string identity = "PRAGMA application_id = " + std::to_string(projectApplicationId);
+    if (Result<void> done = file.execute(identity.c_str()); !done) return done;
+    if (Result<void> done = setVersion(file, projectVersion); !done) return done;
+    if (Result<void> done = file.execute(tables); !done) return done;
+    for (const Migration& step : projectMigrations) // one form, whichever way a project came to it
+        if (Result<void> done = step.apply(file); !done) return done;
+    return whole->commit();
+}
+
+Result<void> addUndoneStretches(Database& file) {
+    return file.execute(undoneStretch);
+}
+
+Result<void> addSurroundings(Database& file) {
+    return file.execute(surroundings);
+}
+
+Result<void> addSetups(Database& file) {
+    for (const char* part : {beforeSetups, setups, intoSetups})
+        if (Result<void> done = file.execute(part); !done) return done;
+    return {};
+}
+
+Result<void> checkIdentity(Database& file, int newest) {
+    const Result<std::int64_t> application = file.integer("PRAGMA application_id");
+    if (!application) return application.error();
+    if (*application != projectApplicationId)
+        return Error{ErrorCode::projectNotBurin, file.subject(), {}, "application id " + std::to_string(*application)};
+    const Result<std::int64_t> version = file.integer("PRAGMA user_version");
+    if (!version) return version.error();
+    if (*version > newest) return Error{ErrorCode::fileFromNewerBurin, file.subject(), {}, std::to_string(*version)};
+    if (*version < 1) return Error{ErrorCode::fileDamaged, file.subject(), {}, "version " + std::to_string(*version)};
+    return {};
+}
+
+Result<void> checkSchema(Database& file) {
+    const Result<std::int64_t> version = file.integer("PRAGMA user_version");
+    if (!version) return version.error();
+    std::map<std::string, std::string> expected = statementsOf(tables);
+    if (*version >= 2) expected.merge(statementsOf(undoneStretch));
+    if (*version >= 3) expected.merge(statementsOf(surroundings));
+    if (*version >= 4) addSetupsTo(expected);
+    Result<Statement> rows =
+        Statement::prepare(file, "SELECT name, sql FROM sqlite_schema WHERE type IN ('table', 'index')");
+    if (!rows) return std::move(rows).error();
+    for (;;) {
+        const Result<bool> row = rows->step();
+        if (!row) return row.error();
+        if (!*row) break;
+        const std::string name(rows->text(0));
+        const auto known = expected.find(name);
+        const bool own = name.starts_with("sqlite_"); // SQLite's: its names can't be taken
+        if (!own && (known == expected.end() || known->second != withoutSpaces(rows->text(1))))
+            return Error{ErrorCode::fileDamaged, file.subject(), name, "not in the schema"};
+        if (known != expected.end()) expected.erase(known);
+    }
+    if (expected.empty()) return {};
+    return Error{ErrorCode::fileDamaged, file.subject(), expected.begin()->first, "is missing"};
+}
+
+Result<void> upgrade(Database& file, std::span<const Migration> migrations) {
+    const int newest = static_cast<int>(migrations.size()) + 1;
+    if (Result<void> ours = checkIdentity(file, newest); !ours) return ours;
+    const Result<std::int64_t> found = file.integer("PRAGMA user_version");
+    if (!found) return found.error();
+    if (*found == newest) return {};
+    Result<Transaction> whole = Transaction::begin(file, Transaction::Kind::write);
+    if (!whole) return std::move(whole).error();
+    for (const Migration& step : migrations.subspan(static_cast<std::size_t>(*found) - 1))
+        if (Result<void> done = step.apply(file); !done) return done;
+    if (Result<void> done = setVersion(file, newest); !done) return done;
+    return whole->commit();
+}
+
+} // namespace burin

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/text.h"
+#include "core/document/database.h"
+
+#include <array>
+#include <span>
+
+namespace burin {
+
+/// "Brin" in the SQLite header's application id: what `file` and we know a project by.
+inline constexpr std::int32_t projectApplicationId = 0x4272696E;
+
+/// One step of the format, from `user_version` `from` to the next. It works on the stored form: tables, not classes.
+struct Migration {
+    int from = 0;
+    TextId title; ///< one sentence for the user
+    Result<void> (*apply)(Database& file) = nullptr;
+};
+
+/// In order; the first starts from version 1. Every released version has its witness in tests/fixtures/projects.
+Result<void> addUndoneStretches(Database& file); // schema.cpp
+Result<void> addSurroundings(Database& file);
+Result<void> addSetups(Database& file);
+inline constexpr std::array projectMigrations{
+    Migration{1, BURIN_TEXT("Migration", "Strokes of a take can be undone."), addUndoneStretches},
+    Migration{2, BURIN_TEXT("Migration", "Fixtures, the tool axis and guides are kept."), addSurroundings},
+    Migration{3, BURIN_TEXT("Migration", "A job may have several setups."), addSetups},
+};
+inline constexpr int projectVersion = static_cast<int>(projectMigrations.size()) + 1;
+
+/// Makes the tables of the current version in an empty database.
+Result<void> createSchema(Database& file);
+
+/// That a database is a project which this version can read. Errors: projectNotBurin, fileFromNewerBurin,
+/// fileDamaged.
+Result<void> checkIdentity(Database& file, int newest = projectVersion);
+
+/// That a project's tables are those of its version, and that it has no other: no index over an expression and no
+/// column that is worked out, which could make any question to it endless. To be asked before any other. Views and
+/// triggers are switched off (Database::open) and may stay.
+/// Errors: fileDamaged.
+Result<void> checkSchema(Database& file);
+
+/// Takes the steps that are missing; all of them or none. Errors: as `checkIdentity`, and those of the steps.
+Result<void> upgrade(Database& file, std::span<const Migration> migrations = projectMigrations);
+
+} // namespace burin

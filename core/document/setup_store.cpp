@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/clean_text.h"
+#include "core/document/setup_record.h"
+#include "core/document/stores.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+Error noSetup(const Database& database) {
+    return {ErrorCode::projectIncomplete, "embedded stock", "burin embed", database.subject()};
+}
+
+} // namespace
+
+Result<SetupId> storeNewSetup(Database& database, const std::string& name) {
+    if (Result<void> done = run(database, "INSERT INTO setup(name) VALUES(?)", name); !done)
+        return std::move(done).error();
+    const Result<std::int64_t> id = database.integer("SELECT last_insert_rowid()");
+    if (!id) return id.error();
+    return SetupId{*id};
+}
+
+Result<std::vector<SetupName>> loadSetups(Database& database) {
+    Result<Statement> rows = Statement::prepare(database, "SELECT id, name FROM setup ORDER BY id");
+    if (!rows) return std::move(rows).error();
+    std::vector<SetupName> setups;
+    Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
+        setups.push_back({SetupId{rows->integer(0)}, cleanLine(rows->text(1))});
+        return {};
+    });
+    if (!read) return std::move(read).error();
+    if (setups.empty()) return damaged(database, "setup");
+    return setups;
+}
+
+Result<void> requireSetup(Database& database, SetupId id) {
+    const Result<std::vector<SetupName>> setups = loadSetups(database);
+    if (!setups) return setups.error();
+    if (std::ranges::find(*setups, id, &SetupName::id) != setups->end()) return {};
+    return Error{ErrorCode::nameUnknown, "setup", std::to_string(numberOf(id)), {}};
+}
+
+Result<void> storeSetup(Database& database, SetupId id, const Setup& setup) {
+    if (Result<void> known = requireSetup(database, id); !known) return known;
+    const Result<std::string> text = toJson(setup);
+    if (!text) return text.error();
+    return run(database, "UPDATE setup SET json = ? WHERE id = ?", *text, numberOf(id));
+}
+
+Result<Setup> loadSetup(Database& database, SetupId id) {
+    if (Result<void> known = requireSetup(database, id); !known) return std::move(known).error();
+    Result<Statement> row = Statement::prepare(database, "SELECT json FROM setup WHERE id = ?");
+    if (!row) return std::move(row).error();
+    if (Result<void> bound = row->bind(numberOf(id)); !bound) return std::move(bound).error();
+    const Result<bool> found = row->step();
+    if (!found) return found.error();
+    if (!*found || row->isNull(0)) return noSetup(database);
+    std::optional<Setup> setup = setupFromJson(row->text(0));
+    if (!setup) return damaged(database, "setup");
+    return std::move(*setup);
+}
+
+Result<void> storeMaterials(Database& database, const std::vector<Property>& materials) {
+    if (Result<void> done = database.execute("DELETE FROM material"); !done) return done;
+    std::int64_t position = 0;
+    for (const Property& material : materials)
+        if (Result<void> done =
+                run(database, "INSERT INTO material VALUES(?, ?, ?)", position++, material.id, toJson(material));
+            !done)
+            return done;
+    return {};
+}
+
+Result<std::vector<Property>> loadMaterials(Database& database) {
+    Result<Statement> rows = Statement::prepare(database, "SELECT json FROM material ORDER BY position");
+    if (!rows) return std::move(rows).error();
+    std::vector<Property> materials;
+    Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
+        Result<Property> material = propertyFromJson(rows->text(0), database.subject());
+        if (!material) return damaged(database, "material " + std::to_string(materials.size() + 1));
+        materials.push_back(std::move(*material));
+        return {};
+    });
+    if (!read) return std::move(read).error();
+    if (materials.empty()) return noSetup(database);
+    return materials;
+}
+
+Result<void> storeTool(Database& database, const Tool& tool) {
+    return run(database, "INSERT INTO tool(id, json) VALUES(?, ?) ON CONFLICT(id) DO UPDATE SET json = excluded.json",
+               tool.id, toJson(tool));
+}
+
+Result<std::vector<Tool>> loadTools(Database& database) {
+    Result<Statement> rows = Statement::prepare(database, "SELECT json FROM tool ORDER BY position");
+    if (!rows) return std::move(rows).error();
+    std::vector<Tool> tools;
+    Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
+        Result<Tool> tool = toolFromJson(rows->text(0), database.subject());
+        if (!tool) return damaged(database, "tool " + std::to_string(tools.size() + 1));
+        tools.push_back(std::move(*tool));
+        return {};
+    });
+    if (!read) return std::move(read).error();
+    return tools;
+}
+
+} // namespace burin

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/document/database.h"
+#include "core/document/project.h"
+
+#include <string_view>
+#include <vector>
+
+/// Each part of a project between its tables and its class. A store runs within the transaction of its caller and
+/// counts no change. Errors of reading: fileDamaged with the part as place, projectIncomplete; of writing: Database's.
+namespace burin {
+
+// model_store.cpp
+Result<void> storeModel(Database& database, const Model& model);
+Result<Model> loadModel(Database& database);
+
+// setup_store.cpp
+/// Errors of all that takes a setup's id: nameUnknown.
+Result<SetupId> storeNewSetup(Database& database, const std::string& name);
+Result<std::vector<SetupName>> loadSetups(Database& database);
+Result<void> requireSetup(Database& database, SetupId id);
+Result<void> storeSetup(Database& database, SetupId id, const Setup& setup); ///< argumentInvalid: not finite
+Result<Setup> loadSetup(Database& database, SetupId id);
+Result<void> storeMaterials(Database& database, const std::vector<Property>& materials);
+Result<std::vector<Property>> loadMaterials(Database& database);
+Result<void> storeTool(Database& database, const Tool& tool);
+Result<std::vector<Tool>> loadTools(Database& database);
+
+// surroundings_store.cpp
+Result<void> storeObstacles(Database& database, SetupId setup,
+                            const std::vector<Obstacle>& obstacles); ///< those of checkObstacle
+Result<std::vector<Obstacle>> loadObstacles(Database& database, SetupId setup);
+Result<void> storeAxisMode(Database& database, SetupId setup,
+                           const AxisMode& axis); ///< argumentInvalid: no unit length
+Result<AxisMode> loadAxisMode(Database& database, SetupId setup);
+Result<void> storeTravelPlacement(Database& database, SetupId setup,
+                                  const TravelPlacement& placement); ///< argumentInvalid
+Result<TravelPlacement> loadTravelPlacement(Database& database, SetupId setup);
+Result<void> storeProgramTarget(Database& database, SetupId setup, const ProgramTarget& target);
+Result<ProgramTarget> loadProgramTarget(Database& database, SetupId setup);
+Result<void> storeLeftAt(Database& database, const std::string& json);
+Result<std::string> loadLeftAt(Database& database);
+Result<void> storeKeptProgram(Database& database, const std::string& json);
+Result<std::string> loadKeptProgram(Database& database);
+Result<void> storeProgramDraft(Database& database, const std::string& text);
+Result<std::string> loadProgramDraft(Database& database);
+Result<void> storeGuides(Database& database, SetupId setup,
+                         const KeptGuides& kept); ///< those of checkGuide, argumentInvalid
+Result<KeptGuides> loadGuides(Database& database, SetupId setup);
+
+// take_store.cpp
+Result<std::int64_t> storeTake(Database& database, const TakeInfo& info);
+Result<std::vector<TakeInfo>> loadTakes(Database& database);
+Result<Take> loadTake(Database& database, std::int64_t id);
+Result<TakeOutline> loadTakeOutline(Database& database, std::int64_t id);
+Result<void> visitSamples(Database& database, std::int64_t id, const SampleVisitor& visit);
+Result<void> eraseTake(Database& database, std::int64_t id);
+Result<void> storeUndone(Database& database, std::int64_t take, const SampleRange& stretch);
+Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRange& stretch);
+
+// path_store.cpp
+Result<std::int64_t> storePath(Database& database, const StoredPath& path); ///< as a new one; its id
+Result<void> replacePath(Database& database, const StoredPath& path);
+Result<void> erasePath(Database& database, std::int64_t id);
+Result<void> restorePath(Database& database, const StoredPath& path); ///< with its id, as before it was erased
+Result<std::vector<StoredPath>> loadPaths(Database& database);
+Result<void> storeProgram(Database& database, const StoredProgram& program);
+Result<std::vector<StoredProgram>> loadPrograms(Database& database);
+
+/// A fault of the content: `part` can't be read back.
+Error damaged(const Database& database, std::string part);
+/// Calls `read` for each row. Stops at the first error, of the statement or of `read`.
+template <class Read>
+Result<void> forEachRow(Statement& statement, Read read) {
+    for (;;) {
+        Result<bool> row = statement.step();
+        if (!row) return std::move(row).error();
+        if (!*row) return {};
+        if (Result<void> done = read(); !done) return done;
+    }
+}
+
+} // namespace burin

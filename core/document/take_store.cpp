@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/clean_text.h"
+#include "core/document/sample_chunk.h"
+#include "core/document/stores.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+constexpr const char* selectTakes =
+    "SELECT id, name, tool_id, allowance, tick_period, started_unix_time, stylus, complete, "
+    "setup, (SELECT COALESCE(SUM(count), 0) FROM sample_chunk WHERE take = take.id) FROM take";
+constexpr std::int64_t mostSamples = std::int64_t{1} << 62; ///< so that the end of a stretch is a number
+
+// What a recording can have. Earlier versions kept any number, so that others are brought to the nearest.
+constexpr double largestAllowance = 10.0;                // mm, as mill and the window take it
+constexpr double shortestTick = 1e-5, longestTick = 1.0; // s
+constexpr double latestTime = 1e11;                      // s
+
+constexpr double farthestTip = 1e6; // mm; machines travel a tenth of it
+
+double within(double value, double low, double high, double otherwise) {
+    return std::isnan(value) ? otherwise : std::clamp(value, low, high);
+}
+
+/// Whether a recording can have had the tool there: what is worked out from places beyond overflows.
+bool isPlace(const ToolPose& pose) {
+    const auto reached = [](double coordinate) { return std::abs(coordinate) <= farthestTip; };
+    const double length = glm::length(pose.axis);
+    return reached(pose.tip.x) && reached(pose.tip.y) && reached(pose.tip.z) && std::abs(length - 1.0) <= 1e-3;
+}
+
+TakeInfo infoOf(const Statement& row) {
+    TakeInfo info;
+    info.id = row.integer(0);
+    info.name = cleanLine(row.text(1));
+    info.toolId = cleanLine(row.text(2));
+    info.allowance = within(row.real(3), 0.0, largestAllowance, 0.0);
+    info.tickPeriod = within(row.real(4), shortestTick, longestTick, 0.001);
+    info.startedUnixTime = within(row.real(5), 0.0, latestTime, 0.0);
+    info.stylus = cleanLine(row.text(6));
+    info.complete = row.integer(7) != 0;
+    info.setup = SetupId{row.integer(8)};
+    info.sampleCount = static_cast<std::uint64_t>(row.integer(9));
+    return info;
+}
+
+/// The last chunk alone: a take may be an hour long.
+Result<void> loadSeconds(Database& database, TakeInfo& info) {
+    Result<Statement> rows = Statement::prepare(
+        database, "SELECT count, samples FROM sample_chunk WHERE take = ? ORDER BY first DESC LIMIT 1");
+    if (!rows) return std::move(rows).error();
+    if (Result<void> bound = rows->bind(info.id); !bound) return bound;
+    info.seconds = 0.0;
+    return forEachRow(*rows, [&]() -> Result<void> {
+        const std::int64_t count = rows->integer(0);
+        const std::optional<std::vector<Sample>> samples =
+            count < 0 ? std::nullopt : decodeSamples(rows->blob(1), static_cast<std::size_t>(count));
+        info.seconds.reset();
+        if (samples && !samples->empty()) info.seconds = samples->back().time;
+        return {};
+    });
+}
+
+Error unknownTake(Database& database, std::int64_t id) {
+    const Result<std::vector<TakeInfo>> takes = loadTakes(database);
+    if (!takes) return takes.error();
+    if (takes->empty()) return {ErrorCode::projectIncomplete, "recording", "burin mill", database.subject()};
+    std::string known;
+    for (const TakeInfo& take : *takes) known.append(known.empty() ? "" : ", ").append(std::to_string(take.id));
+    return {ErrorCode::nameUnknown, "take", std::to_string(id), known};
+}
+
+/// A stretch may run beyond the samples: those behind its end were lost with their recorder.
+Result<void> loadUndone(Database& database, std::int64_t id, std::uint64_t samples, std::vector<SampleRange>& undone) {
+    Result<Statement> rows =
+        Statement::prepare(database, "SELECT first, count FROM undone_stretch WHERE take = ? ORDER BY first");
+    if (!rows) return std::move(rows).error();
+    if (Result<void> bound = rows->bind(id); !bound) return bound;
+    std::uint64_t end = 0;
+    return forEachRow(*rows, [&]() -> Result<void> {
+        const std::int64_t first = rows->integer(0), count = rows->integer(1);
+        if (count <= 0 || count > mostSamples || first > mostSamples || std::cmp_less(first, end))
+            return damaged(database, "take " + std::to_string(id) + ", undone samples");
+        const auto from = static_cast<std::uint64_t>(first);
+        end = from + static_cast<std::uint64_t>(count);
+        if (from < samples) undone.push_back({from, std::min(end, samples) - from});
+        return {};
+    });
+}
+
+Result<void> loadUndone(Database& database, TakeInfo& info, std::vector<SampleRange>& undone) {
+    if (Result<void> read = loadUndone(database, info.id, info.sampleCount, undone); !read) return read;
+    for (const SampleRange& range : undone) info.undoneCount += range.count;
+    return {};
+}
+
+} // namespace
+
+Result<std::int64_t> storeTake(Database& database, const TakeInfo& info) {
+    if (Result<void> known = requireSetup(database, info.setup); !known) return std::move(known).error();
+    if (Result<void> done =
+            run(database,
+                "INSERT INTO take(name, tool_id, allowance, tick_period, started_unix_time, stylus, complete, setup) "
+                "VALUES(?, ?, ?, ?, ?, ?, 0, ?)",
+                info.name, info.toolId, info.allowance, info.tickPeriod, info.startedUnixTime, info.stylus,
+                numberOf(info.setup));
+        !done)
+        return std::move(done).error();
+    return database.integer("SELECT last_insert_rowid()");
+}
+
+Result<std::vector<TakeInfo>> loadTakes(Database& database) {
+    Result<Statement> rows = Statement::prepare(database, std::string(selectTakes) + " ORDER BY id");
+    if (!rows) return std::move(rows).error();
+    std::vector<TakeInfo> takes;
+    Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
+        takes.push_back(infoOf(*rows));
+        return {};
+    });
+    if (!read) return std::move(read).error();
+    for (TakeInfo& info : takes) {
+        std::vector<SampleRange> undone;
+        if (read = loadUndone(database, info, undone); !read) return std::move(read).error();
+        if (read = loadSeconds(database, info); !read) return std::move(read).error();
+    }
+    return takes;
+}
+
+Result<TakeOutline> loadTakeOutline(Database& database, std::int64_t id) {
+    TakeOutline outline;
+    {
+        Result<Statement> row = Statement::prepare(database, std::string(selectTakes) + " WHERE id = ?");
+        if (!row) return std::move(row).error();
+        if (Result<void> bound = row->bind(id); !bound) return std::move(bound).error();
+        const Result<bool> found = row->step();
+        if (!found) return found.error();
+        if (!*found) return unknownTake(database, id);
+        outline.info = infoOf(*row);
+    }
+    if (Result<void> read = loadUndone(database, outline.info, outline.undone); !read) return std::move(read).error();
+    if (Result<void> read = loadSeconds(database, outline.info); !read) return std::move(read).error();
+    return outline;
+}
+
+Result<void> visitSamples(Database& database, std::int64_t id, const SampleVisitor& visit) {
+    Result<Statement> rows =
+        Statement::prepare(database, "SELECT first, count, samples FROM sample_chunk WHERE take = ? ORDER BY first");
+    if (!rows) return std::move(rows).error();
+    if (Result<void> bound = rows->bind(id); !bound) return bound;
+    std::uint64_t visited = 0;
+    Result<void> done = forEachRow(*rows, [&]() -> Result<void> {
+        const std::int64_t first = rows->integer(0), count = rows->integer(1);
+        std::optional<std::vector<Sample>> samples;
+        if (std::cmp_equal(first, visited) && count >= 0)
+            samples = decodeSamples(rows->blob(2), static_cast<std::size_t>(count));
+        const auto damagedAt = [&](std::uint64_t sample) {
+            return damaged(database, "take " + std::to_string(id) + ", sample " + std::to_string(sample));
+        };
+        if (!samples) return damagedAt(visited);
+        for (std::size_t i = 0; i < samples->size(); ++i)
+            if (!isPlace((*samples)[i].proxy)) return damagedAt(visited + i);
+        visited += samples->size();
+        return visit(*samples);
+    });
+    if (!done || visited > 0) return done;
+    Result<TakeOutline> empty = loadTakeOutline(database, id); // if it is there at all
+    return empty ? Result<void>() : std::move(empty).error();
+}
+
+Result<Take> loadTake(Database& database, std::int64_t id) {
+    Result<TakeOutline> outline = loadTakeOutline(database, id);
+    if (!outline) return std::move(outline).error();
+    Take take{std::move(outline->info), {}, std::move(outline->undone)};
+    Result<void> read = visitSamples(database, id, [&take](std::span<const Sample> samples) -> Result<void> {
+        take.samples.insert(take.samples.end(), samples.begin(), samples.end());
+        return {};
+    });
+    if (!read) return std::move(read).error();
+    return take;
+}
+
+Result<void> eraseTake(Database& database, std::int64_t id) {
+    Result<Statement> user = Statement::prepare(
+        database, "SELECT name FROM path JOIN path_take ON path.id = path_take.path WHERE path_take.take = ?");
+    if (!user) return std::move(user).error();
+    if (Result<void> bound = user->bind(id); !bound) return bound;
+    const Result<bool> used = user->step();
+    if (!used) return used.error();
+    if (*used)
+        return Error{ErrorCode::argumentInvalid, "take", std::to_string(id),
+                     "a take that no path uses (this one: " + std::string(user->text(0)) + ")"};
+    for (const char* table : {"DELETE FROM sample_chunk WHERE take = ?", "DELETE FROM undone_stretch WHERE take = ?"})
+        if (Result<void> done = run(database, table, id); !done) return done;
+    if (Result<void> done = run(database, "DELETE FROM take WHERE id = ?", id); !done) return done;
+    const Result<std::int64_t> erased = database.integer("SELECT changes()");
+    if (!erased) return erased.error();
+    if (*erased == 0) return unknownTake(database, id);
+    return {};
+}
+
+Result<void> storeUndone(Database& database, std::int64_t take, const SampleRange& stretch) {
+    const auto refused = [&] {
+        return Error{ErrorCode::argumentInvalid, "stretch",
+                     std::to_string(stretch.first) + " + " + std::to_string(stretch.count),
+                     "samples of take " + std::to_string(take) + " that were not taken back yet"};
+    };
+    if (stretch.count == 0 || std::cmp_greater(stretch.first, mostSamples) ||
+        std::cmp_greater(stretch.count, mostSamples))
+        return refused();
+    const Result<std::vector<TakeInfo>> takes = loadTakes(database);
+    if (!takes) return takes.error();
+    if (std::ranges::none_of(*takes, [&](const TakeInfo& info) { return info.id == take; }))
+        return unknownTake(database, take);
+    // Unclipped, for the take may still grow.
+    std::vector<SampleRange> undone;
+    if (Result<void> read = loadUndone(database, take, ~std::uint64_t{0}, undone); !read) return read;
+    for (const SampleRange& other : undone)
+        if (other.contains(stretch.first) || stretch.contains(other.first)) return refused();
+    return run(database, "INSERT INTO undone_stretch(take, first, count) VALUES(?, ?, ?)", take, stretch.first,
+               stretch.count);
+}
+
+Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRange& stretch) {
+    if (Result<void> done = run(database, "DELETE FROM undone_stretch WHERE take = ? AND first = ? AND count = ?", take,
+                                stretch.first, stretch.count);
+        !done)
+        return done;
+    const Result<std::int64_t> erased = database.integer("SELECT changes()");
+    if (!erased) return erased.error();
+    if (*erased == 0)
+        return Error{ErrorCode::argumentInvalid, "stretch",
+                     std::to_string(stretch.first) + " + " + std::to_string(stretch.count),
+                     "samples of take " + std::to_string(take) + " that are undone"};
+    return {};
+}
+
+} // namespace burin

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/field/growing_field.h"
+#include "core/haptics/boundary/pose_boundary.h"
+
+#include <memory>
+#include <vector>
+
+namespace burin {
+
+/// A GrowingField as a boundary of one session: the tool has the axis that the field was made for. Where the field is
+/// not fine yet its outline holds the tool, farther from the part than the part would. What has come is in force once
+/// the loop was told so, between two ticks (HapticStep::takeTiles): so a recorded session can be played again.
+class GrowingBoundary final : public PoseBoundary {
+public:
+    using Tiles = std::vector<std::shared_ptr<const BrickField>>; ///< by their number; null: not there
+
+    /// A live session's: what is there comes first, the nearest first; all of it at once from a field that is whole.
+    /// @param turn from the setup frame to the field's
+    GrowingBoundary(std::shared_ptr<GrowingField> field, const glm::dmat3& turn);
+    /// A replayed session's: tiles come into force as they are told, out of these.
+    GrowingBoundary(std::shared_ptr<GrowingField> field, const glm::dmat3& turn, Tiles made);
+
+    PoseSample at(const ToolPose& pose, double enough) noexcept override;
+    double errorBound() const noexcept override { return field_->errorBound(); }
+    double spacing() const noexcept override { return field_->spacing(); }
+    double overlap() const noexcept override { return 0.0; }
+    double reach() const noexcept override { return 0.0; }
+    std::optional<TileChange> nextChange(const ToolPose& tool) noexcept override;
+    void apply(const TileChange& change) noexcept override;
+
+private:
+    const std::shared_ptr<GrowingField> field_;
+    const TileLayout layout_;
+    const glm::dmat3 turn_;
+    const bool turns_;
+    const Tiles made_;
+    std::shared_ptr<TileFeed> feed_;
+    std::vector<const BrickField*> inForce_; ///< by tile; null: the outline
+    TileNews news_;                          ///< the newest that was told
+};
+
+} // namespace burin

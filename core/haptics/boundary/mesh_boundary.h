@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/mesh_distance.h"
+#include "core/haptics/boundary/pose_boundary.h"
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace burin {
+
+/// A solid as a boundary for a tool whose axis turns: its clearance from a closed, outward mesh, exact for the mesh.
+class MeshBoundary final : public PoseBoundary {
+public:
+    /// @param solid never null @param tool pieces(cutter) @param voxel mm, of the workpiece
+    /// @param margin mm that the tool keeps from it
+    MeshBoundary(std::shared_ptr<const MeshDistance> solid, std::vector<RevolvedPiece> tool, double voxel,
+                 double margin = 0.0);
+
+    PoseSample at(const ToolPose& pose, double enough) noexcept override;
+    double errorBound() const noexcept override { return 1e-6; }
+    double spacing() const noexcept override { return voxel_; }
+    double overlap() const noexcept override { return overlap_; }
+    double reach() const noexcept override { return reach_; }
+    std::uint64_t work() const noexcept override { return asker_.work(); }
+
+private:
+    PoseSample ask(const ToolPose& pose, double enough) noexcept;
+
+    std::shared_ptr<const MeshDistance> solid_;
+    std::vector<RevolvedPiece> tool_;
+    double voxel_, margin_, reach_, overlap_; ///< mm
+    ClearanceAsker asker_;
+    ToolPose lastPose_{glm::dvec3(std::numeric_limits<double>::quiet_NaN())};
+    double lastEnough_ = 0.0;
+    PoseSample last_;
+};
+
+} // namespace burin

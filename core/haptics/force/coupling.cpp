@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/force/coupling.h"
+
+#include "core/base/units.h"
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+constexpr double ratedPeriod = 0.001; // s, that a stylus states its stiffness for
+constexpr double dampingShare = 0.3;
+constexpr double restingShare = 0.6; // of what the spring takes
+constexpr double lightHandle = 0.1;  // kg
+constexpr double lagMargin = 0.6;    // of handle mass over lag; from 1 on the damper oscillates
+
+} // namespace
+
+double usableDamping(const StylusDescription& stylus, double period) noexcept {
+    if (!stylus.hasMotors()) return 0.0;
+    return std::min(stylus.maximumDamping.value, lagMargin * lightHandle / (period + stylus.delay.value));
+}
+
+double sampledSpringLoss(double stiffness, double period, double delay) noexcept {
+    return stiffness * (0.5 * period + delay);
+}
+
+CouplingGains couplingGains(const StylusDescription& stylus, double share, double period) noexcept {
+    if (!stylus.hasMotors()) return {};
+    const double slower = std::min(1.0, 0.5 * ratedPeriod / (0.5 * period + stylus.delay.value));
+    CouplingGains gains;
+    gains.stiffness = share * stylus.maximumStiffness.value * slower;
+    gains.damping = dampingShare * usableDamping(stylus, period);
+    gains.restingDamping = std::min(gains.damping, restingShare * sampledSpringLoss(gains.stiffness, period, 0.0));
+    return gains;
+}
+
+glm::dvec3 Coupling::force(const State& state) const noexcept {
+    const double parting = glm::dot(state.handVelocity - state.proxyVelocity, state.normal);
+    return force(state.proxy - state.hand, parting * state.normal, state.rests);
+}
+
+glm::dvec3 Coupling::force(const glm::dvec3& pull, const glm::dvec3& speed, bool rests) const noexcept {
+    const double metresOfDevice = 1.0 / (scale_ * millimetresPerMetre);
+    const double damping = rests ? gains_.restingDamping : gains_.damping;
+    return metresOfDevice * (gains_.stiffness * pull - damping * speed);
+}
+
+} // namespace burin

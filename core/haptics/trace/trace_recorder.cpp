@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/trace/trace_recorder.h"
+
+#include "core/recording/trace_file.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <utility>
+
+namespace burin {
+
+namespace {
+constexpr std::chrono::milliseconds interval{50}; // between two looks at the ring
+}
+
+Result<std::unique_ptr<TraceRecorder>> TraceRecorder::begin(const std::filesystem::path& file, TickSink& next,
+                                                            const std::optional<TracedSession>& session) {
+    Result<StagedFile> staged = StagedFile::begin(file);
+    if (!staged) return std::move(staged).error();
+    return std::unique_ptr<TraceRecorder>(new TraceRecorder(std::move(*staged), next, session));
+}
+
+TraceRecorder::TraceRecorder(StagedFile file, TickSink& next, const std::optional<TracedSession>& session)
+    : file_(std::move(file)), next_(next) {
+    text_.append(tickTraceMark).append("\n").append(tickTraceHeader).append("\n");
+    if (session) text_.append(1, changeMark).append(formatTracedSession(*session)).append("\n");
+    outcome_ = file_.append(text_);
+    thread_ = std::jthread([this](const std::stop_token& stop) { write(stop); });
+}
+
+TraceRecorder::~TraceRecorder() {
+    if (!thread_.joinable()) return;
+    thread_.request_stop();
+    thread_.join();
+}
+
+AtEdge TraceRecorder::edge() noexcept {
+    const AtEdge answer = next_.edge();
+    const bool full = readings_.size() == readings_.capacity() || changeLost_;
+    return answer == AtEdge::tick && full ? AtEdge::full : answer;
+}
+
+void TraceRecorder::changed(const StepChange& change) noexcept {
+    // What finds no room ends the loop at its edge: a trace without it would play another session.
+    if (!changes_.push({read_, change})) changeLost_ = true;
+}
+
+void TraceRecorder::tick(const Sample& sample, const TickTiming& timing) noexcept {
+    StylusState reading = timing.reading;
+    reading.time = sample.time;
+    // 0 would be "not told"; to a tick it is as much a fault as any other that is not above 0.
+    reading.period = timing.period != 0.0 ? timing.period : -1.0;
+    readings_.push(reading); // room was seen at the edge
+    ++read_;
+    next_.tick(sample, timing);
+}
+
+void TraceRecorder::write(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (!stop.stop_requested()) {
+        writeWaiting();
+        woken_.wait_for(lock, stop, interval, [] { return false; });
+    }
+    writeWaiting();
+}
+
+void TraceRecorder::writeWaiting() {
+    std::array<StylusState, 256> batch;
+    while (const std::size_t count = readings_.pop(batch)) {
+        text_.clear();
+        for (std::size_t i = 0; i < count; ++i) {
+            appendChangesBefore(written_++);
+            appendTick(text_, batch[i]);
+        }
+        if (outcome_) outcome_ = file_.append(text_); // after a fault the rest is of no use
+    }
+}
+
+/// What is told before a reading is in its ring before the reading is.
+void TraceRecorder::appendChangesBefore(std::size_t reading) {
+    const std::size_t before = waiting_.size();
+    waiting_.resize(before + changes_.size());
+    changes_.pop(std::span(waiting_).subspan(before));
+    const auto later = std::ranges::find_if(waiting_, [=](const TimedChange& one) { return one.tick > reading; });
+    for (auto change = waiting_.begin(); change != later; ++change)
+        words_.append(text_, std::string_view(&changeMark, 1), change->change);
+    waiting_.erase(waiting_.begin(), later);
+}
+
+Result<StagedFile> TraceRecorder::finish() {
+    thread_.request_stop();
+    thread_.join();
+    if (outcome_) outcome_ = file_.flush();
+    if (!outcome_) return outcome_.error();
+    return std::move(file_);
+}
+
+} // namespace burin

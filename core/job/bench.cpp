@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/bench.h"
+
+#include "core/job/bench_materials.h"
+#include "core/machine/machine_library.h"
+#include "core/recording/stroke_count.h"
+#include "core/setup/material_change.h"
+
+#include <algorithm>
+
+namespace burin {
+
+namespace {
+
+constexpr double travelAboveStock = 5.0; // mm
+
+/// A part that is not there holds nothing back.
+class OpenField final : public ClearanceField {
+public:
+    explicit OpenField(double voxel) noexcept : voxel_(voxel) {}
+    FieldSample at(const glm::dvec3&) const noexcept override { return {1e6, {0.0, 0.0, 0.0}, false}; }
+    double errorBound() const noexcept override { return 0.0; }
+    double spacing() const noexcept override { return voxel_; }
+
+private:
+    double voxel_;
+};
+
+MeshDistance wholePart(const Model& model) {
+    TriangleMesh mesh;
+    for (const Body& body : model.bodies) append(mesh, body.mesh);
+    return MeshDistance(mesh);
+}
+
+/// Of the request's own model, setup and materials, whatever becomes of it.
+std::function<Result<RunVolume>(Progress&)> stockMaker(const BenchRequest& request) {
+    return [model = request.model, setup = request.setup,
+            materials = request.materials](Progress& progress) -> Result<RunVolume> {
+        Result<EmbeddedSetup> embedded = embed(*model, setup, materials, progress);
+        if (!embedded) return std::move(embedded).error();
+        return std::move(embedded->workpiece);
+    };
+}
+
+Error replayCancelled() {
+    return {ErrorCode::cancelled, "replaying takes", {}, {}};
+}
+
+CutFinder::Use cutAgain(CutReplay& replay, const Progress& progress) {
+    return [&](const ToolPose& from, const ToolPose& to) -> Result<void> {
+        if (progress.cancelled()) return replayCancelled();
+        return replay.cut(from, to);
+    };
+}
+
+/// Reports how much of a replay is done, now and then.
+class ReplayedShare {
+public:
+    explicit ReplayedShare(Progress& progress) noexcept : progress_(progress) {}
+    void expect(std::uint64_t count) noexcept { all_ += count; }
+    void did(std::uint64_t count) {
+        constexpr std::uint64_t step = 16384;
+        done_ += count;
+        if (done_ < told_ + step) return;
+        told_ = done_;
+        progress_.report(static_cast<double>(done_) / static_cast<double>(std::max(all_, done_)));
+    }
+
+private:
+    Progress& progress_;
+    std::uint64_t all_ = 0, done_ = 0, told_ = 0;
+};
+
+} // namespace
+
+double Bench::safeHeight() const {
+    const double working = setup.stock.high.z + travelAboveStock;
+    double height = working;
+    for (const Obstacle& obstacle : obstacles) {
+        const Box box = boundsOf(obstacle);
+        if (obstacle.on && box.low.z < working)
+            height = std::max(height, box.high.z + obstacle.margin + travelAboveStock);
+    }
+    return height;
+}
+
+Box Bench::tipRegion() const {
+    return tipRegion(tool);
+}
+
+Box Bench::tipRegion(const Tool& other) const {
+    Box region = setup.stock.grown(2.0 * other.cutter.diameter + travelAboveStock);
+    region.high.z = setup.stock.high.z + 3.0 * travelAboveStock;
+    return region;
+}
+
+double Bench::workpieceVolume() const {
+    const RunVolume& workpiece = embedded.workpiece;
+    std::uint64_t units = 0;
+    for (int property = 1; property < workpiece.properties().size(); ++property)
+        if (!workpiece.properties().isProtected(static_cast<PropertyIndex>(property)))
+            units += workpiece.amounts().units[static_cast<std::size_t>(property)];
+    return static_cast<double>(units) * workpiece.grid().unitVolume();
+}
+
+Result<Tool> toolFor(const Project& project, const std::string& id) {
+    Result<std::vector<Tool>> own = project.tools();
+    if (!own) return std::move(own).error();
+    for (Tool& tool : *own)
+        if (tool.id == id) return std::move(tool);
+    return loadTool(id);
+}
+
+Result<Bench> makeBench(const BenchRequest& request, Progress& progress) {
+    progress.stage(0.0, 0.3);
+    for (const Obstacle& obstacle : request.obstacles)
+        if (Result<void> usable = checkObstacle(obstacle); !usable) return std::move(usable).error();
+    Result<MachineProfile> machine = loadMachine(request.machineId);
+    if (!machine) return std::move(machine).error();
+    MeshDistance part = wholePart(*request.model);
+    progress.stage(0.3, 1.0);
+    Result<EmbeddedSetup> embedded = embed(*request.model, request.setup, request.materials, progress);
+    if (!embedded) return std::move(embedded).error();
+    const Property& material = embedded->workpiece.properties()[embedded->stockProperty];
+    const Result<CuttingConditions> conditions =
+        cuttingConditions(request.tool, material, machine->maximumSpindleSpeed, machine->maximumFeed);
+    if (!conditions) return conditions.error();
+    auto stock = std::make_shared<MilledStock>(stockMaker(request));
+    return Bench{request.model,       request.setup,  request.materials, request.tool,
+                 std::move(*machine), *conditions,    std::move(part),   std::move(*embedded),
+                 request.obstacles,   request.travel, std::move(stock)};
+}
+
+Result<Bench> makeBench(const Project& project, const Tool& tool, const std::string& machineId, Progress& progress) {
+    Result<Model> model = project.model();
+    if (!model) return std::move(model).error();
+    Result<Setup> setup = project.setup();
+    if (!setup) return std::move(setup).error();
+    Result<std::vector<Property>> materials = project.materials();
+    if (!materials && materials.error().code != ErrorCode::projectIncomplete) return std::move(materials).error();
+    Result<std::vector<Obstacle>> obstacles = project.obstacles();
+    if (!obstacles) return std::move(obstacles).error();
+    const Result<TravelPlacement> travel = project.travelPlacement();
+    if (!travel) return travel.error();
+    const Result<ProgramTarget> target = project.programTarget();
+    if (!target) return target.error();
+    BenchRequest request{std::make_shared<const Model>(std::move(*model)),
+                         std::move(*setup),
+                         tool,
+                         machineId.empty() ? target->machine : machineId,
+                         {}};
+    request.obstacles = std::move(*obstacles);
+    request.travel = *travel;
+    if (materials) request.materials = std::move(*materials);
+    return makeBench(request, progress);
+}
+
+Result<void> changeMaterials(Bench& bench, const Setup& setup, const std::vector<Property>& materials) {
+    Result<EmbeddedSetup> embedded = withMaterials(bench.embedded, *bench.model, setup, materials);
+    if (!embedded) return std::move(embedded).error();
+    const Result<CuttingConditions> conditions =
+        cuttingConditions(bench.tool, embedded->workpiece.properties()[embedded->stockProperty],
+                          bench.machine.maximumSpindleSpeed, bench.machine.maximumFeed);
+    if (!conditions) return conditions.error();
+    bench.setup = setup;
+    bench.materials = materials;
+    bench.embedded = std::move(*embedded);
+    bench.conditions = *conditions;
+    bench.stock =
+        std::make_shared<MilledStock>(stockMaker({bench.model, setup, bench.tool, bench.machine.id, materials}));
+    return {};
+}
+
+Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, double maximumAllowance,
+                                                             Progress& progress) {
+    return clearanceField(bench, bench.tool, maximumAllowance, progress);
+}
+
+Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, const Tool& tool,
+                                                             double maximumAllowance, Progress& progress) {
+    using Field = std::unique_ptr<const ClearanceField>;
+    if (bench.model->bodies.empty()) return Field(std::make_unique<OpenField>(bench.setup.voxel));
+    ToolFieldRequest request;
+    request.tool = pieces(tool.cutter);
+    request.tips = bench.tipRegion(tool);
+    request.voxel = bench.setup.voxel;
+    request.maximumAllowance = maximumAllowance;
+    Result<ToolField> field = ToolField::build(bench.part, request, progress);
+    if (!field) return std::move(field).error();
+    return Field(std::make_unique<ToolField>(std::move(*field)));
+}
+
+Result<std::vector<RecordedCuts>> cutsOf(const Project& project) {
+    const Result<std::vector<TakeInfo>> infos = project.takes();
+    if (!infos) return infos.error();
+    std::vector<RecordedCuts> takes;
+    for (const TakeInfo& info : *infos) {
+        const Result<TakeOutline> take = project.takeOutline(info.id);
+        if (!take) return take.error();
+        Result<Tool> tool = toolFor(project, info.toolId);
+        if (!tool) return std::move(tool).error();
+        RecordedCuts cuts{info.id, std::move(*tool), {}, 0};
+        CutFinder finder(take->undone);
+        StrokeCounter counter(take->undone);
+        const auto keep = [&cuts](const ToolPose& from, const ToolPose& to) -> Result<void> {
+            cuts.motions.add(from, to);
+            return {};
+        };
+        Result<void> read = project.visitSamples(info.id, [&](std::span<const Sample> samples) {
+            counter.add(samples);
+            return finder.find(samples, keep);
+        });
+        if (!read) return std::move(read).error();
+        cuts.strokes = counter.strokes();
+        takes.push_back(std::move(cuts));
+    }
+    return takes;
+}
+
+Result<void> replayTake(const Take& take, const Tool& tool, Bench& bench, const Progress& progress) {
+    CutReplay replay(tool, bench.embedded.workpiece);
+    CutFinder finder(take.undone);
+    if (Result<void> cut = finder.find(take.samples, cutAgain(replay, progress)); !cut) return cut;
+    return replay.finish();
+}
+
+Result<void> replayTakes(const std::vector<RecordedCuts>& takes, Bench& bench, Progress& progress) {
+    ReplayedShare share(progress);
+    for (const RecordedCuts& take : takes) share.expect(take.motions.count());
+    for (const RecordedCuts& take : takes) {
+        CutReplay replay(take.tool, bench.embedded.workpiece);
+        const CutFinder::Use cut = cutAgain(replay, progress);
+        Result<void> done = take.motions.visit([&](const ToolPose& from, const ToolPose& to) {
+            share.did(1);
+            return cut(from, to);
+        });
+        if (done) done = replay.finish();
+        if (!done) return done;
+    }
+    progress.report(1.0);
+    return {};
+}
+
+Result<void> replayTakes(const Project& project, Bench& bench, Progress& progress) {
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    ReplayedShare share(progress);
+    for (const TakeInfo& info : *takes) share.expect(info.sampleCount);
+    for (const TakeInfo& info : *takes) {
+        const Result<TakeOutline> take = project.takeOutline(info.id);
+        if (!take) return take.error();
+        const Result<Tool> tool = toolFor(project, info.toolId);
+        if (!tool) return tool.error();
+        CutReplay replay(*tool, bench.embedded.workpiece);
+        CutFinder finder(take->undone);
+        Result<void> done = project.visitSamples(info.id, [&](std::span<const Sample> samples) -> Result<void> {
+            if (progress.cancelled()) return replayCancelled();
+            share.did(samples.size());
+            return finder.find(samples, cutAgain(replay, progress));
+        });
+        if (done) done = replay.finish();
+        if (!done) return done;
+    }
+    progress.report(1.0);
+    return {};
+}
+
+} // namespace burin

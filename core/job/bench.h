@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cutting/cutting_force.h"
+#include "core/document/project.h"
+#include "core/field/tool_field.h"
+#include "core/geometry/mesh_distance.h"
+#include "core/job/cut_motions.h"
+#include "core/job/milled_stock.h"
+#include "core/machine/envelope.h"
+#include "core/machine/machine_profile.h"
+#include "core/setup/obstacle.h"
+#include "core/setup/setup.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// What a project is worked on with: its part on a fine mesh, its workpiece as the takes so far left it, one tool in
+/// one machine. Made from a project in seconds; the project stays the truth.
+/// Thread: one at a time; the haptic loop while it mills.
+struct Bench {
+    std::shared_ptr<const Model> model; ///< never null
+    Setup setup;
+    std::vector<Property> materials; ///< that the project keeps, by id; the library has the others
+    Tool tool;
+    MachineProfile machine;
+    CuttingConditions conditions; ///< of the tool in the stock's material
+    MeshDistance part;            ///< all bodies
+    EmbeddedSetup embedded;
+    std::vector<Obstacle> obstacles; ///< around the stock
+    TravelPlacement travel;
+    std::shared_ptr<MilledStock> stock; ///< as paths leave it; of model, setup and materials; never null
+
+    Box tipRegion() const; ///< where the tip may go: stock grown by the cutter, up to the safe height, mm
+    Box tipRegion(const Tool& other) const; ///< the same for another tool
+    double safeHeight() const;              ///< mm, setup frame: above the stock and what stands beside it
+    double workpieceVolume() const;         ///< mm³ of machinable material
+};
+
+/// What a bench is made of, as values: no project is needed on the thread that makes it.
+struct BenchRequest {
+    std::shared_ptr<const Model> model;
+    Setup setup;
+    Tool tool;
+    std::string machineId;
+    std::vector<Property> materials; ///< by id; the library has the others
+    std::vector<Obstacle> obstacles{};
+    TravelPlacement travel{};
+};
+
+/// Errors: those of loadMaterial, loadMachine, embed, cuttingConditions, checkObstacle, cancelled.
+Result<Bench> makeBench(const BenchRequest& request, Progress& progress);
+/// The same from a project; its own machine where `machineId` is empty. Errors: also projectIncomplete.
+Result<Bench> makeBench(const Project& project, const Tool& tool, const std::string& machineId, Progress& progress);
+
+/// The tool of a project by id, or of the library where the project has none of that name.
+Result<Tool> toolFor(const Project& project, const std::string& id);
+
+/// The field that a tool's proxy moves in; a field without walls where the model has no body.
+/// Errors: cancelled, outOfMemory.
+Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, double maximumAllowance,
+                                                             Progress& progress);
+/// The same for a tool that the bench is about to get: its own stays in force meanwhile.
+Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, const Tool& tool,
+                                                             double maximumAllowance, Progress& progress);
+
+/// What a recording cut, with the cutter that it was made with.
+struct RecordedCuts {
+    std::int64_t take = 0;
+    Tool tool;
+    CutMotions motions;
+    std::size_t strokes = 0; ///< that stand
+};
+
+/// All takes of a project, in order. Errors: those of Project::visitSamples, toolFor.
+Result<std::vector<RecordedCuts>> cutsOf(const Project& project);
+
+/// Cuts again what a take cut, but for what was taken back. Errors: volumeOutOfMemory, cancelled.
+Result<void> replayTake(const Take& take, const Tool& tool, Bench& bench, const Progress& progress);
+/// All of them, in order: the workpiece as it stands.
+Result<void> replayTakes(const std::vector<RecordedCuts>& takes, Bench& bench, Progress& progress);
+/// Those of a project, some thousands of samples at a time in memory. Errors: also fileDamaged.
+Result<void> replayTakes(const Project& project, Bench& bench, Progress& progress);
+
+} // namespace burin

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/cut_motions.h"
+
+#include <algorithm>
+#include <string>
+
+namespace burin {
+
+namespace {
+
+/// Where the hand's tick removed nothing, replaying must not either: braking, forces off, memory full.
+bool didCut(const Sample& sample) noexcept {
+    return std::ranges::any_of(sample.removed, [](const RemovedMaterial& removed) { return removed.units > 0; });
+}
+
+Error noRoomIn(const RunVolume& workpiece) {
+    return {ErrorCode::volumeOutOfMemory, std::to_string(workpiece.reservedBytes()), {}, {}};
+}
+
+} // namespace
+
+Result<void> CutFinder::find(std::span<const Sample> next, const Use& use) {
+    for (const Sample& sample : next) {
+        const std::uint64_t index = index_++;
+        if (before_ && didCut(sample) && !undone_.holds(index))
+            if (Result<void> used = use(*before_, sample.proxy); !used) return used;
+        before_ = sample.proxy;
+    }
+    return {};
+}
+
+void CutMotions::add(const ToolPose& from, const ToolPose& to) {
+    constexpr std::size_t longest = 65536; // so that a run that grows copies little
+    const bool goesOn = !runs_.empty() && runs_.back().tips.size() <= longest && runs_.back().tips.back() == from.tip &&
+                        runs_.back().axis == from.axis && runs_.back().axis == to.axis;
+    if (!goesOn) runs_.push_back({from.axis, to.axis, {from.tip}});
+    runs_.back().tips.push_back(to.tip);
+    ++count_;
+}
+
+Result<void> CutMotions::visit(const CutFinder::Use& use) const {
+    for (const Run& run : runs_)
+        for (std::size_t i = 1; i < run.tips.size(); ++i) {
+            const ToolPose from{run.tips[i - 1], i == 1 ? run.firstAxis : run.axis}, to{run.tips[i], run.axis};
+            if (Result<void> used = use(from, to); !used) return used;
+        }
+    return {};
+}
+
+CutReplay::CutReplay(const Tool& tool, RunVolume& workpiece)
+    : workpiece_(workpiece), removal_(tool.cutter, workpiece.grid(), Writing::deferred) {}
+
+Result<void> CutReplay::cut(const ToolPose& from, const ToolPose& to) {
+    if (removal_.cut(workpiece_, from, to).outOfMemory) return noRoomIn(workpiece_);
+    return {};
+}
+
+Result<void> CutReplay::finish() {
+    if (removal_.settle(workpiece_).outOfMemory) return noRoomIn(workpiece_);
+    return {};
+}
+
+} // namespace burin

@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/job_paths.h"
+
+#include "core/recording/stroke_count.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+constexpr const char* toRecord = "burin mill";
+
+Error withoutTake() {
+    return {ErrorCode::projectIncomplete, "a recording", toRecord, {}};
+}
+
+Result<std::size_t> standingStrokes(const Project& project, std::int64_t id) {
+    const Result<TakeOutline> take = project.takeOutline(id);
+    if (!take) return take.error();
+    StrokeCounter counter(take->undone);
+    Result<void> read = project.visitSamples(id, [&counter](std::span<const Sample> samples) -> Result<void> {
+        counter.add(samples);
+        return {};
+    });
+    if (!read) return std::move(read).error();
+    return counter.strokes();
+}
+
+std::vector<std::size_t> placesOf(const std::vector<ToolPass>& passes) {
+    std::vector<std::size_t> order;
+    for (const OrderedPass& pass : orderPasses(passes)) order.push_back(pass.pass);
+    return order;
+}
+
+/// As their tools first milled: what orderPasses leaves as it was given.
+std::vector<StoredPath> byFirstTake(std::vector<StoredPath> paths, const std::vector<TakeInfo>& takes,
+                                    const std::vector<std::string>& milled) {
+    std::ranges::stable_sort(paths, {}, [&](const StoredPath& path) {
+        return std::ranges::find(milled, toolOf(path, takes)) - milled.begin();
+    });
+    return paths;
+}
+
+/// Places of paths in the order in which they are milled.
+std::vector<std::size_t> milledOrder(const std::vector<PathMatter>& matters) {
+    std::vector<ToolPass> passes;
+    for (const PathMatter& matter : matters) {
+        std::vector<TakeInfo> takes;
+        for (const RecordedStrokes& each : matter.recorded) takes.push_back(each.take);
+        passes.push_back(passOf(matter.path, matter.tool, takes));
+    }
+    return placesOf(passes);
+}
+
+bool comesAfter(const EvaluatedPath& path, const std::vector<MilledPath>& before) {
+    return std::ranges::equal(path.after, before, {}, {}, &MilledPath::evaluated);
+}
+
+/// Paths in a given order, each on the stock as those before it leave it.
+Result<std::vector<MilledPath>> evaluateEach(const Bench& bench, std::vector<PathMatter> matters,
+                                             const std::vector<std::size_t>& order, Progress& progress) {
+    std::vector<MilledPath> milled;
+    for (const std::size_t place : order) {
+        PathMatter& matter = matters[place];
+        const auto count = static_cast<double>(order.size()), done = static_cast<double>(milled.size());
+        const ProgressPart part(progress, done / count, (done + 1.0) / count);
+        if (matter.evaluated && comesAfter(*matter.evaluated, milled)) {
+            milled.push_back({matter.evaluated, matter.tool});
+            continue;
+        }
+        Result<EvaluatedPath> path =
+            evaluateStored(std::move(matter.recorded), bench, matter.tool, matter.path, milled, progress);
+        if (!path) return std::move(path).error();
+        milled.push_back({std::make_shared<const EvaluatedPath>(std::move(*path)), matter.tool});
+    }
+    return milled;
+}
+
+} // namespace
+
+std::vector<std::string> toolsOf(const std::vector<TakeInfo>& takes) {
+    std::vector<std::string> tools;
+    for (const TakeInfo& take : takes)
+        if (std::ranges::find(tools, take.toolId) == tools.end()) tools.push_back(take.toolId);
+    return tools;
+}
+
+std::string toolOf(const StoredPath& path, const std::vector<TakeInfo>& takes) {
+    for (const std::int64_t id : path.takes)
+        if (const auto take = std::ranges::find(takes, id, &TakeInfo::id); take != takes.end()) return take->toolId;
+    return {};
+}
+
+bool isFirstOfItsTool(const StoredPath& path, const std::vector<StoredPath>& paths,
+                      const std::vector<TakeInfo>& takes) {
+    const std::string tool = toolOf(path, takes);
+    const auto first =
+        std::ranges::find_if(paths, [&](const StoredPath& other) { return toolOf(other, takes) == tool; });
+    return first != paths.end() && first->id == path.id;
+}
+
+std::vector<StoredPath> firstPaths(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes) {
+    std::vector<StoredPath> firsts;
+    for (const StoredPath& path : paths)
+        if (!toolOf(path, takes).empty() && isFirstOfItsTool(path, paths, takes)) firsts.push_back(path);
+    return firsts;
+}
+
+std::vector<StoredPath> inMillingOrder(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes,
+                                       const std::vector<std::string>& milled, const std::vector<Tool>& tools) {
+    const std::vector<StoredPath> given = byFirstTake(paths, takes, milled);
+    std::vector<ToolPass> passes;
+    for (StoredPath path : given) {
+        addNewerTakes(path, takes); // it is milled with these
+        const std::string id = toolOf(path, takes);
+        const auto known = std::ranges::find(tools, id, &Tool::id);
+        Tool unknown;
+        unknown.id = id;
+        passes.push_back(passOf(path, known != tools.end() ? *known : unknown, takes));
+    }
+    std::vector<StoredPath> ordered;
+    for (const std::size_t place : placesOf(passes)) ordered.push_back(given[place]);
+    return ordered;
+}
+
+ToolPass passOf(const StoredPath& path, const Tool& tool, const std::vector<TakeInfo>& takes) {
+    double allowance = std::numeric_limits<double>::infinity(); // what the path leaves in the end
+    for (const TakeInfo& take : takes)
+        if (std::ranges::find(path.takes, take.id) != path.takes.end()) allowance = std::min(allowance, take.allowance);
+    return {tool.id, tool.cutter.diameter, std::isfinite(allowance) ? allowance : 0.0};
+}
+
+Result<std::vector<TakeInfo>> standingTakes(const Project& project) {
+    Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes;
+    std::vector<TakeInfo> standing;
+    for (TakeInfo& info : *takes) {
+        if (info.undoneCount > 0) {
+            const Result<std::size_t> strokes = standingStrokes(project, info.id);
+            if (!strokes) return strokes.error();
+            if (*strokes == 0) continue;
+        }
+        standing.push_back(std::move(info));
+    }
+    return standing;
+}
+
+void addNewerTakes(StoredPath& path, const std::vector<TakeInfo>& takes) {
+    const std::string tool = toolOf(path, takes);
+    const auto newest = std::ranges::max_element(path.takes);
+    if (newest == path.takes.end()) return;
+    const std::int64_t last = *newest;
+    for (const TakeInfo& take : takes)
+        if (take.toolId == tool && take.id > last) path.takes.push_back(take.id);
+}
+
+Result<StoredPath> standardPath(const Project& project, const std::string& toolId) {
+    const Result<std::vector<TakeInfo>> takes = standingTakes(project);
+    if (!takes) return takes.error();
+    StoredPath path;
+    for (const TakeInfo& take : *takes)
+        if (take.toolId == toolId) path.takes.push_back(take.id);
+    if (path.takes.empty()) return withoutTake();
+    const Result<std::vector<StoredPath>> others = project.paths();
+    if (!others) return others.error();
+    path.name = "path " + std::to_string(others->size() + 1);
+    path.edits = standardEdits();
+    return path;
+}
+
+Result<std::vector<StoredPath>> jobPaths(Project& project) {
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    const Result<std::vector<TakeInfo>> standing = standingTakes(project);
+    if (!standing) return standing.error();
+    if (standing->empty()) return withoutTake();
+    const Result<std::vector<StoredPath>> kept = project.paths();
+    if (!kept) return kept.error();
+    std::vector<StoredPath> paths;
+    for (const std::string& tool : toolsOf(*standing)) {
+        const auto first =
+            std::ranges::find_if(*kept, [&](const StoredPath& path) { return toolOf(path, *takes) == tool; });
+        if (first != kept->end()) {
+            paths.push_back(*first);
+            continue;
+        }
+        Result<StoredPath> made = standardPath(project, tool);
+        if (!made) return std::move(made).error();
+        const Result<std::int64_t> id = project.addPath(*made);
+        if (!id) return id.error();
+        made->id = *id;
+        paths.push_back(std::move(*made));
+    }
+    return paths;
+}
+
+Result<PathMatter> matterOf(const Project& project, const StoredPath& path) {
+    Result<std::vector<RecordedStrokes>> recorded = recordedOf(project, path);
+    if (!recorded) return std::move(recorded).error();
+    if (recorded->empty()) return withoutTake();
+    Result<Tool> tool = toolFor(project, recorded->front().take.toolId);
+    if (!tool) return std::move(tool).error();
+    return PathMatter{path, std::move(*recorded), std::move(*tool), nullptr};
+}
+
+Result<EvaluatedPaths> evaluateInOrder(const Bench& bench, std::vector<PathMatter> matters, Progress& progress) {
+    const std::vector<std::size_t> order = milledOrder(matters);
+    const Result<std::vector<MilledPath>> milled = evaluateEach(bench, std::move(matters), order, progress);
+    if (!milled) return milled.error();
+    EvaluatedPaths done;
+    for (const MilledPath& each : *milled) {
+        const EvaluatedPath& path = *each.evaluated;
+        done.program.paths.push_back(path.path);
+        done.reports.insert(done.reports.end(), path.reports.begin(), path.reports.end());
+        done.errorBudget = std::max(done.errorBudget, path.errorBudget);
+        if (std::ranges::find(done.program.tools, each.tool.id, &Tool::id) == done.program.tools.end())
+            done.program.tools.push_back(each.tool);
+    }
+    return done;
+}
+
+Result<EvaluatedPath> evaluateInJob(const Project& project, const Bench& bench, const StoredPath& path,
+                                    Progress& progress) {
+    const Result<std::vector<StoredPath>> paths = project.paths();
+    if (!paths) return paths.error();
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    const Result<std::vector<TakeInfo>> standing = standingTakes(project);
+    if (!standing) return standing.error();
+    const std::vector<std::string> milling = toolsOf(*standing);
+    const std::string tool = toolOf(path, *takes);
+    std::vector<PathMatter> matters;
+    std::size_t wanted = 0;
+    for (const StoredPath& each : byFirstTake(firstPaths(*paths, *takes), *takes, milling)) {
+        const std::string toolOfEach = toolOf(each, *takes);
+        const bool itself = toolOfEach == tool;
+        if (!itself && std::ranges::find(milling, toolOfEach) == milling.end()) continue;
+        if (itself) wanted = matters.size();
+        Result<PathMatter> matter = matterOf(project, itself ? path : each);
+        if (!matter) return std::move(matter).error();
+        matters.push_back(std::move(*matter));
+    }
+    if (matters.empty()) return withoutTake();
+    std::vector<std::size_t> order = milledOrder(matters);
+    order.erase(std::ranges::find(order, wanted) + 1, order.end());
+    const Result<std::vector<MilledPath>> milled = evaluateEach(bench, std::move(matters), order, progress);
+    if (!milled) return milled.error();
+    return *milled->back().evaluated;
+}
+
+Result<std::vector<Path>> promisedPaths(const Project& project, const Bench& bench, Progress& progress) {
+    const Result<std::vector<StoredPath>> paths = project.paths();
+    if (!paths) return paths.error();
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    std::vector<PathMatter> matters;
+    std::vector<StoredPath> variants;
+    for (StoredPath path : *paths) {
+        if (toolOf(path, *takes).empty()) continue;
+        addNewerTakes(path, *takes); // as programs are posted
+        if (!isFirstOfItsTool(path, *paths, *takes)) {
+            variants.push_back(std::move(path));
+            continue;
+        }
+        Result<PathMatter> matter = matterOf(project, path);
+        if (!matter) return std::move(matter).error();
+        matters.push_back(std::move(*matter));
+    }
+    if (matters.empty()) return std::vector<Path>{};
+    Result<EvaluatedPaths> job = evaluateInOrder(bench, std::move(matters), progress);
+    if (!job && job.error().code != ErrorCode::pathEmpty) return std::move(job).error();
+    std::vector<Path> promised;
+    if (job) promised = std::move(job->program.paths);
+    for (const StoredPath& variant : variants) {
+        Result<EvaluatedPath> evaluated = evaluateInJob(project, bench, variant, progress);
+        if (!evaluated && evaluated.error().code != ErrorCode::pathEmpty) return std::move(evaluated).error();
+        if (evaluated) promised.push_back(std::move(evaluated->path));
+    }
+    return promised;
+}
+
+} // namespace burin

@@ -1,0 +1,363 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/milling.h"
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/haptics/operator/hostile_stylus.h"
+#include "core/job/milling_session.h"
+#include "core/job/planning_frame.h"
+#include "core/verify/load_limits.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+namespace burin {
+
+namespace {
+
+/// The tip may be led this far above the stock's top and beyond its sides.
+constexpr double travelMargin = 10.0; // mm
+/// A part's surface is pressed on, but the hand needs way below it.
+constexpr double pressMargin = 5.0; // mm
+/// Between two looks at whether a session has ended.
+constexpr std::chrono::milliseconds glance{5};
+
+/// What the samples of a take add up to.
+class TakeFigures {
+public:
+    explicit TakeFigures(std::span<const SampleRange> undone) noexcept : undone_(undone) {}
+
+    void add(std::span<const Sample> next) noexcept {
+        outcome_.samples += next.size();
+        for (const Sample& sample : next)
+            if (!undone_.holds(index_++)) add(sample);
+    }
+    TakeOutcome outcome(const Grid& grid) const {
+        TakeOutcome outcome = outcome_;
+        outcome.removed = static_cast<double>(units_) * grid.unitVolume();
+        return outcome;
+    }
+
+private:
+    void add(const Sample& sample) noexcept {
+        for (const RemovedMaterial& removed : sample.removed) units_ += removed.units;
+        if ((sample.flags & sampleShankContact) != 0) ++outcome_.shankTicks;
+        if ((sample.flags & sampleOnObstacle) != 0) ++outcome_.obstacleTicks;
+        if ((sample.flags & sampleAxisHeld) != 0) ++outcome_.axisHeldTicks;
+        outcome_.largestForce = std::max(outcome_.largestForce, glm::length(sample.force));
+        outcome_.largestCuttingForce = std::max(outcome_.largestCuttingForce, glm::length(sample.cuttingForce));
+    }
+
+    TakeOutcome outcome_;
+    UndoneSamples undone_;
+    std::uint64_t units_ = 0, index_ = 0;
+};
+
+/// Figures of a take out of the project: what is on the disk, not what was meant to be.
+Result<TakeOutcome> outcomeOf(const Project& project, const Bench& bench, std::int64_t id) {
+    const Result<TakeOutline> take = project.takeOutline(id);
+    if (!take) return take.error();
+    TakeFigures figures(take->undone);
+    Result<void> read = project.visitSamples(id, [&](std::span<const Sample> samples) -> Result<void> {
+        figures.add(samples);
+        return {};
+    });
+    if (!read) return std::move(read).error();
+    TakeOutcome outcome = figures.outcome(bench.embedded.workpiece.grid());
+    outcome.take = id;
+    return outcome;
+}
+
+/// Grooves a hand would scribble into a block: a frame, then waves across it, at half the cutter's depth.
+std::vector<IntentPoint> freeHandGrooves(const Bench& bench) {
+    const Box& stock = bench.setup.stock;
+    const double radius = bench.tool.cutter.radius();
+    const double depth = stock.high.z - radius, above = stock.high.z + std::max(1.0, radius);
+    const HandSpeeds speeds;
+    const double cutting = std::min(speeds.cutting, 20.0 * radius); // as long a look at a small block as at a large one
+    const glm::dvec3 centre = stock.centre(), half = 0.5 * stock.size() - glm::dvec3(2.0 * radius);
+    std::vector<IntentPoint> points;
+    const auto at = [&](double x, double y, double z, double speed) {
+        points.push_back({glm::dvec3(centre.x + x * half.x, centre.y + y * half.y, z), speed});
+    };
+    at(-1.0, -1.0, above, speeds.travelling);
+    at(-1.0, -1.0, depth, cutting);
+    for (const auto& [x, y] : {std::pair{1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}, {-1.0, -1.0}}) at(x, y, depth, cutting);
+    at(-1.0, -1.0, above, speeds.travelling);
+    at(-0.8, 0.0, above, speeds.travelling);
+    constexpr int steps = 240;
+    for (int i = 0; i <= steps; ++i) {
+        const double part = static_cast<double>(i) / steps;
+        at(-0.8 + 1.6 * part, 0.6 * std::sin(6.0 * pi * part), depth, cutting);
+    }
+    at(0.8, 0.0, above, speeds.travelling);
+    return points;
+}
+
+/// How deep, of its diameter, a tool is taken through a material in rows nearly as wide as it is, by what cutting takes
+/// in energy: workshop rules of a full diameter and more in wax and board, half of one in aluminium, a quarter in
+/// steel. Estimates; a tool's own limit holds as well.
+double depthShare(const Property& material) {
+    constexpr double soft = 0.2, light = 1.5; // J/mm³
+    const double energy = material.valueOr(specificCuttingEnergy, light);
+    return energy <= soft ? 2.0 : energy <= light ? 0.5 : 0.25;
+}
+
+/// mm that a tool may give way by while stock is left on the part: longer tools that bend by more than a hundredth of
+/// their diameter are heard in the shop. Our estimate.
+double roughingBending(const Tool& tool) {
+    constexpr double share = 0.01, least = 0.02;
+    return std::max(least, share * tool.cutter.diameter);
+}
+
+/// The deepest cut of a width in the stock, as spindle and tool bear it and the tool itself states.
+double deepestCut(const Bench& bench, double width) {
+    const PropertyIndex stock = bench.embedded.stockProperty;
+    const CuttingCoefficients::Entry law =
+        cuttingCoefficients(bench.embedded.workpiece.properties(), bench.tool.cutter.diameter).byProperty[stock];
+    const double borne =
+        bearableDepth(bench.tool, bench.conditions, law, bench.machine, {width, roughingBending(bench.tool)});
+    return bench.tool.maximumDepthOfCut > 0.0 ? std::min(borne, bench.tool.maximumDepthOfCut) : borne;
+}
+
+/// The tool as the operator uses it in the stock.
+Tool operatedTool(const Bench& bench) {
+    Tool tool = bench.tool;
+    const double share = depthShare(bench.embedded.workpiece.properties()[bench.embedded.stockProperty]);
+    tool.maximumDepthOfCut = std::min(share * tool.cutter.diameter, deepestCut(bench, tool.cutter.diameter));
+    return tool;
+}
+
+/// What earlier takes have left of the stock, seen from above; nothing where it is whole.
+StandingStock standingStock(const Bench& bench) {
+    const RunVolume& workpiece = bench.embedded.workpiece;
+    const Grid& grid = workpiece.grid();
+    constexpr double untouched = 1e-6; // of its volume
+    if (grid.axis() != RunAxis::z || bench.workpieceVolume() > (1.0 - untouched) * bench.embedded.stockVolume)
+        return {};
+    StandingStock standing{glm::dvec2(grid.low()), grid.edge(), grid.lineCountU(), grid.lineCountV(), {}};
+    for (std::int32_t v = 0; v < grid.lineCountV(); ++v)
+        for (std::int32_t u = 0; u < grid.lineCountU(); ++u) {
+            double highest = WorkpieceHeights::nothing;
+            for (const Segment& segment : workpiece.line({u, v}))
+                if (segment.property() != airProperty &&
+                    workpiece.properties()[segment.property()].machinability == Machinability::machinable)
+                    highest = std::max(highest, grid.toMillimetres(segment.end()));
+            standing.heights.push_back(highest);
+        }
+    return standing;
+}
+
+Result<MillingPlan> planFor(const Bench& bench, const PlanningFrame& frame, const OperatorRequest& request,
+                            const OperatorSettings& hand, double scale) {
+    if (bench.model->bodies.empty()) {
+        MillingPlan plan;
+        plan.roughing = freeHandGrooves(bench);
+        return plan;
+    }
+    MillingRequest wanted;
+    wanted.stock = frame.stock();
+    wanted.roughing.bottom = frame.part().low.z;
+    wanted.roughing.allowance = request.allowance;
+    wanted.roughing.stepOver = request.roughingStepOver;
+    wanted.roughing.levelDepth = request.levelDepth;
+    wanted.roughing.finishingDepth = request.finishingDepth;
+    wanted.finishing.part = frame.part();
+    wanted.finishing.floor = frame.part().low.z;
+    wanted.finishing.press = request.press;
+    wanted.finishing.stepOver = request.finishingStepOver;
+    const Tool tool = operatedTool(bench);
+    constexpr double allowances = 2.0; // what the levels leave stands out further than the allowance
+    wanted.finishing.deepest = deepestCut(bench, std::max(allowances * request.allowance, 0.1 * tool.cutter.diameter));
+    wanted.finishing.deepestBelow = tool.maximumDepthOfCut;
+    wanted.motion = inSetup(hand.motion, scale);
+    wanted.timeLimit = request.timeLimit;
+    if (frame.upright()) wanted.standing = standingStock(bench);
+    return planMilling(frame.field(), tool, wanted);
+}
+
+/// Where a hand without a plan moves: from a little above the stock down to its middle.
+Box freeRegion(const Bench& bench) {
+    Box region = bench.setup.stock;
+    region.high.z += travelHeight;
+    region.low.z = bench.setup.stock.centre().z;
+    return region;
+}
+
+double freeSeconds(const OperatorRequest& request) {
+    constexpr double usual = 20.0;
+    return request.timeLimit > 0.0 ? request.timeLimit : usual;
+}
+
+std::vector<IntentPoint> inSetupFrame(const PlanningFrame& frame, std::vector<IntentPoint> points) {
+    for (IntentPoint& point : points) point.tip = frame.toSetup(point.tip);
+    return points;
+}
+
+/// Where a tip may be led around a stock, mm.
+Box ledRegion(const Box& stock, const Tool& tool) {
+    Box region = stock.grown(tool.cutter.diameter + travelMargin);
+    region.low.z = stock.low.z - pressMargin;
+    return region;
+}
+
+/// What the operator means to do, and in which takes.
+Result<void> addStages(const Bench& bench, const PlanningFrame& frame, const OperatorRequest& request,
+                       OperatorPlan& planned) {
+    const bool freeHand = bench.model->bodies.empty();
+    if (request.intent == OperatorIntent::scribble) {
+        ScribbleRequest scribble{.region = freeRegion(bench), .seconds = freeSeconds(request), .seed = request.seed};
+        Result<std::vector<IntentPoint>> way = planScribble(scribble);
+        if (!way) return std::move(way).error();
+        planned.stages = {{BURIN_TEXT("Take", "scribble").text, std::move(*way), request.allowance}};
+        return {};
+    }
+    if (request.intent == OperatorIntent::contour && !freeHand) {
+        ContourRequest contour;
+        contour.stock = frame.stock();
+        contour.bottom = frame.part().low.z;
+        contour.levelDepth = request.levelDepth;
+        contour.press = request.press;
+        Result<std::vector<IntentPoint>> way = planContours(frame.field(), bench.tool, contour);
+        if (!way) return std::move(way).error();
+        planned.stages = {{BURIN_TEXT("Take", "contours").text, inSetupFrame(frame, *way), 0.0}};
+        return {};
+    }
+    Result<MillingPlan> plan = planFor(bench, frame, request, planned.hand, planned.mapping.scale);
+    if (!plan) return std::move(plan).error();
+    planned.plan = std::move(*plan);
+    if (!freeHand) {
+        planned.plan.roughing = inSetupFrame(frame, planned.plan.roughing);
+        planned.plan.finishing = inSetupFrame(frame, planned.plan.finishing);
+    }
+    planned.stages = {{(freeHand ? BURIN_TEXT("Take", "free hand") : BURIN_TEXT("Take", "roughing")).text,
+                       planned.plan.roughing, freeHand ? 0.0 : request.allowance},
+                      {BURIN_TEXT("Take", "finishing").text, planned.plan.finishing, 0.0}};
+    return {};
+}
+
+HostileSettings hostility(const Bench& bench, const OperatorRequest& request) {
+    HostileSettings settings;
+    settings.stylus = touchLikeStylus();
+    const WorkspaceMapping mapping = mappingFor(bench, settings.stylus);
+    const Box region = freeRegion(bench);
+    settings.region = {mapping.toDevice(region.low), mapping.toDevice(region.high)};
+    settings.hand = request.hand;
+    settings.seed = request.seed;
+    return settings;
+}
+
+} // namespace
+
+WorkspaceMapping mappingFor(const Bench& bench, const StylusDescription& stylus) {
+    return mappingFor(ledRegion(bench.setup.stock, bench.tool), stylus);
+}
+
+Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ToolBounds& bounds, const StylusHandle& stylus,
+                               const TakeRequest& request, const std::atomic<bool>& stop) {
+    const double volumeBefore = bench.workpieceVolume();
+    SessionRequest session;
+    session.allowance = request.allowance;
+    session.mapping = request.mapping;
+    session.pace = request.pace;
+    session.undoable = false; // nobody is there who could
+    session.takeName = request.name;
+    session.maximumSeconds = request.maximumSeconds;
+    session.period = request.period;
+    session.cutsOnButton = request.cutsOnButton;
+    session.felt = request.felt;
+    session.forceButtons = request.forceButtons;
+    session.trace = request.trace;
+    session.traceOutput = request.traceOutput;
+    session.replayed = request.replayed;
+    session.flights = request.flights;
+    StrokeHistory strokes;
+    const Result<std::unique_ptr<MillingSession>> live =
+        MillingSession::begin(project, bench, bounds, stylus, strokes, session);
+    if (!live) return live.error();
+    const auto tellFaults = [&] {
+        while (const std::optional<Error> fault = (*live)->takeFault())
+            if (request.heardFault) request.heardFault(*fault);
+    };
+    while (!(*live)->ended() && !stop) {
+        tellFaults();
+        std::this_thread::sleep_for(glance);
+    }
+    const Result<LoopStatistics> loop = (*live)->end();
+    tellFaults();
+    if (!loop) return loop.error();
+    if (request.saves)
+        if (const Result<void> saved = project.save(); !saved) return saved.error();
+    Result<TakeOutcome> outcome = outcomeOf(project, bench, (*live)->take());
+    if (!outcome) return outcome;
+    outcome->loop = *loop;
+    outcome->drop = volumeBefore - bench.workpieceVolume();
+    outcome->layerTicks.assign(bounds.layers().size(), 0);
+    if (SessionState last; (*live)->newest(last))
+        std::ranges::transform(last.layers, outcome->layerTicks.begin(), &LayerNews::ticksHeld);
+    return outcome;
+}
+
+Result<OperatorPlan> planOperator(const Bench& bench, const ToolBounds& bounds, const OperatorRequest& request) {
+    std::unique_ptr<const ClearanceField> ownField;
+    if (bounds.field() == nullptr) {
+        Progress unseen;
+        Result<std::unique_ptr<const ClearanceField>> made = clearanceField(bench, request.allowance, unseen);
+        if (!made) return std::move(made).error();
+        ownField = std::move(*made);
+    }
+    const PlanningFrame frame(bench, ownField ? *ownField : *bounds.field(),
+                              ownField ? AxisMode{}.direction : bounds.axis().direction);
+    OperatorPlan planned;
+    planned.hand.seed = request.seed;
+    planned.hand.hand = request.hand;
+    planned.mapping = frame.upright()
+                          ? mappingFor(bench, planned.hand.stylus)
+                          : mappingFor(frame.toSetup(ledRegion(frame.stock(), bench.tool)), planned.hand.stylus);
+    Result<void> made = addStages(bench, frame, request, planned);
+    if (!made) return std::move(made).error();
+    std::erase_if(planned.stages, [](const OperatorStage& stage) { return stage.intent.empty(); });
+    return planned;
+}
+
+Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const ToolBounds& bounds,
+                                         const OperatorRequest& request, const std::atomic<bool>& stop) {
+    OperatorOutcome outcome;
+    const auto record = [&](Stylus& stylus, const OperatorStage& stage, const WorkspaceMapping& mapping,
+                            const FeltCutting& felt) -> Result<void> {
+        if (stop.load()) return Error{ErrorCode::cancelled, "milling", {}, {}};
+        TakeRequest take;
+        take.name = stage.name;
+        take.allowance = stage.allowance;
+        take.mapping = mapping;
+        take.felt = felt;
+        take.pace = request.pace;
+        take.saves = request.saves;
+        if (request.timeLimit > 0.0) take.maximumSeconds = request.timeLimit;
+        if (request.intent == OperatorIntent::hostile) take.maximumSeconds = freeSeconds(request); // it never ends
+        Result<TakeOutcome> recorded = recordTake(project, bench, bounds, stylus, take, stop);
+        if (!recorded) return std::move(recorded).error();
+        outcome.takes.push_back(*recorded);
+        return {};
+    };
+    if (request.intent == OperatorIntent::hostile) {
+        HostileStylus stylus(hostility(bench, request));
+        const WorkspaceMapping mapping = mappingFor(bench, stylus.description());
+        const OperatorStage stage{BURIN_TEXT("Take", "hostile hand").text, {}, request.allowance};
+        if (Result<void> milled = record(stylus, stage, mapping, {}); !milled) return std::move(milled).error();
+        return outcome;
+    }
+    Result<OperatorPlan> planned = planOperator(bench, bounds, request);
+    if (!planned) return std::move(planned).error();
+    for (const OperatorStage& stage : planned->stages) {
+        VirtualOperator stylus(stage.intent, planned->mapping, planned->hand);
+        if (Result<void> milled = record(stylus, stage, planned->mapping, planned->felt); !milled)
+            return std::move(milled).error();
+    }
+    outcome.plan = std::move(planned->plan);
+    return outcome;
+}
+
+} // namespace burin

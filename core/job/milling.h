@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/staged_file.h"
+#include "core/device/stylus_handle.h"
+#include "core/haptics/haptic_step.h"
+#include "core/haptics/loop/servo_loop.h"
+#include "core/haptics/operator/virtual_operator.h"
+#include "core/haptics/trace/session_trace.h"
+#include "core/job/bench.h"
+#include "core/job/bench_boundaries.h"
+#include "core/passes/milling_plan.h"
+#include "core/passes/scripted_intents.h"
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// One recording to make.
+struct TakeRequest {
+    std::string name;
+    double allowance = 0.0; ///< mm of stock that the boundary leaves on the part
+    WorkspaceMapping mapping;
+    Pace pace = Pace::fast;
+    double maximumSeconds = 1e9; ///< s of the session
+    double period = 0.0;         ///< s of a tick; 0: as SessionRequest says
+    bool cutsOnButton = false;   ///< the spindle turns only while the stylus' first button is down
+    FeltCutting felt;
+    std::uint32_t forceButtons = 0;                   ///< as in SessionRequest
+    std::filesystem::path trace, flights;             ///< as in SessionRequest
+    std::optional<StagedFile>* traceOutput = nullptr; ///< as in SessionRequest
+    bool saves = true;                                ///< the project at the end; else the caller does
+    const SessionTrace* replayed = nullptr;           ///< as in SessionRequest
+    std::function<void(const Error&)> heardFault; ///< in the calling thread: a fault after which the session goes on
+};
+
+/// What a recording came to, read back from the project.
+struct TakeOutcome {
+    std::int64_t take = 0;
+    std::uint64_t samples = 0;
+    LoopStatistics loop;
+    double removed = 0.0;            ///< mm³, sum over the recorded samples
+    double drop = 0.0;               ///< mm³ that the workpiece's machinable runs lost meanwhile
+    std::uint64_t shankTicks = 0;    ///< ticks in which shank or holder touched something
+    std::uint64_t obstacleTicks = 0; ///< in which a fixture, a keep-out volume or the machine's travel held the tool
+    std::uint64_t axisHeldTicks = 0; ///< in which the axis could not follow the hand
+    std::vector<std::uint64_t> layerTicks; ///< in which each layer held the tool, by its number in ToolBounds::layers
+    double largestForce = 0.0;             ///< N, rendered
+    double largestCuttingForce = 0.0;      ///< N, unscaled
+};
+
+/// Mills with a stylus and records every tick into the project while it is made; saves the project at the end.
+/// Errors: those of the stylus, the servo loop, the recorder and Project::save; the file is as it was then, and what
+/// was recorded until then is kept as unsaved work.
+Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ToolBounds& bounds, const StylusHandle& stylus,
+                               const TakeRequest& request, const std::atomic<bool>& stop);
+
+/// What the virtual operator is asked to do.
+struct OperatorRequest {
+    OperatorIntent intent = OperatorIntent::passes;
+    HandImpedance hand = firmHand;  ///< that holds the stylus
+    double allowance = 0.5;         ///< mm, roughing
+    double press = 2.0;             ///< mm into the part, finishing
+    double levelDepth = 0.0;        ///< mm, between roughing levels; 0: the plan's own rule
+    double roughingStepOver = 0.0;  ///< mm; 0: the plan's own rule
+    double finishingStepOver = 0.0; ///< mm; 0: the plan's own rule
+    double finishingDepth = 0.0;    ///< mm of stock that finishing may take at once; 0: the distance of the levels
+    double timeLimit = 0.0;         ///< s for all takes; 0: none, and 20 s of a scribble or of hostility
+    std::uint64_t seed = 1;         ///< of the hand's tremor
+    Pace pace = Pace::fast;
+    bool saves = true; ///< the project behind each take; else the caller does
+};
+
+struct OperatorOutcome {
+    MillingPlan plan;
+    std::vector<TakeOutcome> takes; ///< roughing, then finishing; one that has nothing to do is left out
+};
+
+/// One take of a virtual operator.
+struct OperatorStage {
+    std::string name;                ///< of the take
+    std::vector<IntentPoint> intent; ///< tips, setup frame
+    double allowance = 0.0;          ///< mm
+};
+
+/// A planned hand can't look where it was pushed to, and would leave its plan: a share at which what is cut leads a
+/// firm hand off it by less than a finishing cut.
+inline constexpr FeltCutting feltByPlannedHand{.gain = 0.05};
+
+/// What a virtual operator is about to do: a VirtualOperator with a stage's intent, `mapping` and `hand` mills it.
+struct OperatorPlan {
+    MillingPlan plan;
+    WorkspaceMapping mapping;
+    OperatorSettings hand;
+    FeltCutting felt = feltByPlannedHand;
+    std::vector<OperatorStage> stages; ///< in order; one that has nothing to do is left out
+};
+
+/// Plans along the axis where it stands. Where it is free the operator holds its stylus upright; that takes a field of
+/// tips, which is made here. Errors: those of planMilling and clearanceField. Any thread; seconds.
+Result<OperatorPlan> planOperator(const Bench& bench, const ToolBounds& bounds, const OperatorRequest& request);
+
+/// Roughs in levels and finishes in parallel passes with a virtual hand, a take each. A model without bodies is cut in
+/// free-hand grooves instead (paper, figure 13 b). Errors: those of planMilling and recordTake; cancelled.
+Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const ToolBounds& bounds,
+                                         const OperatorRequest& request, const std::atomic<bool>& stop);
+
+/// The mapping that fits where a bench's tip may go into the workspace of a stylus; the same for the same project and
+/// tool, so that a trace means the same in every run.
+WorkspaceMapping mappingFor(const Bench& bench, const StylusDescription& stylus);
+
+} // namespace burin

@@ -1,0 +1,310 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/milling_session.h"
+
+#include "core/base/wall_clock.h"
+#include "core/job/session_settings.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Wish = SessionLoop::Wish;
+
+/// For so long the owner waits for a view; it takes a tick, unless the loop stands.
+constexpr std::chrono::milliseconds viewPatience{3};
+/// Between two looks at what the loop does: a fraction of a tick.
+constexpr std::chrono::microseconds sessionGlance{200};
+
+Error nothingToDo(const char* what, const char* needed) {
+    return {ErrorCode::argumentInvalid, what, {}, needed};
+}
+
+} // namespace
+
+MillingSession::MillingSession(Project& project, Bench& bench, const ToolBounds& bounds, const StylusHandle& stylus,
+                               StrokeHistory& strokes, const SessionRequest& request)
+    : project_(project)
+    , bench_(bench)
+    , stylus_(stylus)
+    , strokes_(strokes)
+    , allowance_(request.allowance)
+    , axis_(bounds.axis())
+    , growth_(bounds.growth())
+    , layerCount_(bounds.layers().size())
+    , traceOutput_(request.traceOutput)
+    , servo_(servoSettings(stylus, request))
+    , step_(bench.embedded.workpiece, bounds.boundaryLayers(), bench.tool,
+            hapticSettings(bench, bounds.axis(), stylus, request))
+    , loop_(step_, bench.embedded.workpiece, request.undoable, stop_)
+    , faults_(stylus.device(), servo_.period, flightFolder(project, request), loop_) {}
+
+MillingSession::~MillingSession() {
+    static_cast<void>(end());
+}
+
+/// Errors: those of startRecording and TraceRecorder::begin.
+Result<void> MillingSession::start(const SessionRequest& request) {
+    TickSink* sink = &faults_.sink();
+    if (request.replayed != nullptr) {
+        replayed_.emplace(*request.replayed, step_, *sink);
+        sink = &*replayed_;
+    }
+    if (!request.trace.empty()) {
+        const TracedSession began{stylus_.device().description(),
+                                  request.mapping,
+                                  request.allowance,
+                                  servo_.period,
+                                  request.cutsOnButton,
+                                  request.forceButtons,
+                                  request.felt,
+                                  axis_,
+                                  growth_};
+        Result<std::unique_ptr<TraceRecorder>> trace = TraceRecorder::begin(request.trace, *sink, began);
+        if (!trace) return std::move(trace).error();
+        trace_ = std::move(*trace);
+        step_.listen(trace_.get());
+        sink = trace_.get();
+    }
+    if (!request.takeName.empty())
+        if (Result<void> begun = beginTake(request.takeName); !begun) {
+            step_.listen(nullptr);
+            trace_.reset(); // of nothing
+            return begun;
+        }
+    thread_ = std::thread([this, sink] {
+        ServoSettings servo = servo_;
+        servo.alarm = faults_.alarm();
+        outcome_ = runServoLoop(stylus_, step_, *sink, servo, stop_);
+        ended_.store(true, std::memory_order_release);
+    });
+    return {};
+}
+
+/// Waits until the loop has done what was wished. False: it ended before.
+bool MillingSession::fulfilled() {
+    while (!loop_.fulfilled()) {
+        if (ended()) {
+            settle();
+            return false;
+        }
+        collectStrokes();
+        std::this_thread::sleep_for(sessionGlance);
+    }
+    return true;
+}
+
+/// One wish after the other; when this returns it is done.
+void MillingSession::ask(Wish wish) {
+    fulfilled();
+    loop_.wish(wish);
+    fulfilled();
+}
+
+/// Once the loop has ended, everything of it is the owner's.
+void MillingSession::settle() {
+    if (!ended() && thread_.joinable()) return;
+    if (thread_.joinable()) thread_.join();
+    collectStrokes();
+    loop_.fulfil();
+    collectStrokes();
+}
+
+void MillingSession::collectStrokes() {
+    for (Stroke stroke; loop_.takeStroke(stroke);) strokes_.add(std::move(stroke));
+}
+
+Result<void> MillingSession::startRecording(const std::string& name) {
+    if (recorder_) return nothingToDo("recording", "one that ended");
+    if (ended()) return nothingToDo("session", "one that has not ended");
+    if (Result<void> begun = beginTake(name); !begun) return begun;
+    if (fulfilled()) return {};
+    static_cast<void>(stopRecording());
+    return nothingToDo("session", "one that has not ended");
+}
+
+Result<void> MillingSession::beginTake(const std::string& name) {
+    if (Result<void> kept = project_.setTool(bench_.tool); !kept) return kept;
+    TakeInfo info;
+    info.name = name;
+    info.toolId = bench_.tool.id;
+    info.allowance = allowance_;
+    info.tickPeriod = servo_.period;
+    info.startedUnixTime = unixTime();
+    info.stylus = stylus_.device().description().name;
+    Result<Project::TakeWriter> writer = project_.beginTake(info);
+    if (!writer) return std::move(writer).error();
+    recorder_ = std::make_unique<Recorder>(loop_.samples(), std::move(*writer));
+    take_ = recorder_->take();
+    loop_.wishTake({take_, recorder_.get()});
+    return {};
+}
+
+Result<void> MillingSession::stopRecording() {
+    if (!recorder_) return nothingToDo("recording", "one under way");
+    ask(Wish::finish);
+    collectStrokes();
+    const std::unique_ptr<Recorder> recorder = std::exchange(recorder_, nullptr);
+    const Result<std::uint64_t> kept = recorder->finish();
+    if (kept && !loop_.gaveUp()) return {};
+    // All of it may be on the disk by now, but the session ended for it.
+    diskFault_ = kept ? recorder->refusal() : kept.error();
+    return *diskFault_;
+}
+
+/// @param change what is to be done while nobody else uses the workpiece
+template <class Change>
+Result<void> MillingSession::changeWorkpiece(Change change) {
+    ask(Wish::stand);
+    collectStrokes();
+    loop_.endStroke();
+    collectStrokes();
+    Result<void> changed = change();
+    if (changed) loop_.workpieceChanged();
+    ask(Wish::goOn);
+    return changed;
+}
+
+Result<void> MillingSession::undoStroke() {
+    collectStrokes();
+    if (!strokes_.canUndo() && !loop_.strokeUnderWay()) return strokes_.undo(project_, bench_.embedded.workpiece);
+    return changeWorkpiece([this] { return strokes_.undo(project_, bench_.embedded.workpiece); });
+}
+
+Result<void> MillingSession::redoStroke() {
+    collectStrokes();
+    if (!strokes_.canRedo()) return strokes_.redo(project_, bench_.embedded.workpiece);
+    return changeWorkpiece([this] { return strokes_.redo(project_, bench_.embedded.workpiece); });
+}
+
+/// What finds no room, as the loop stands or is late, is told later, in its order.
+void MillingSession::tell(const StepChange& change) {
+    untold_.push_back(change);
+    tellWhatWaits();
+}
+
+void MillingSession::tellWhatWaits() {
+    while (!untold_.empty() && loop_.tell(untold_.front())) untold_.pop_front();
+}
+
+void MillingSession::setAllowance(double allowance) {
+    allowance_ = allowance;
+    tell(AllowanceChange{allowance});
+}
+
+Result<void> MillingSession::setLayer(std::size_t layer, bool on) {
+    if (layer == 0 || layer >= layerCount_)
+        return Error{ErrorCode::argumentInvalid, "layer", std::to_string(layer),
+                     layerCount_ > 1 ? "1 to " + std::to_string(layerCount_ - 1) : "none: the part alone is there"};
+    tell(LayerSwitch{layer, on});
+    return {};
+}
+
+Result<void> MillingSession::setGuides(const GuideSettings& guides) {
+    if (Result<void> good = checkGuides(guides); !good) return good;
+    tell(guides);
+    return {};
+}
+
+std::optional<Error> MillingSession::takeFault() {
+    if (std::optional<Error> fault = faults_.take()) return fault;
+    if (!loop_.takeHeat()) return std::nullopt;
+    return Error{ErrorCode::deviceHot, stylus_.device().description().name, {}, {}};
+}
+
+bool MillingSession::newest(SessionState& state) {
+    tellWhatWaits();
+    collectStrokes();
+    strokes_.tidy();
+    loop_.takeFigures(figures_);
+    TickNews news;
+    if (!loop_.takeNews(news)) return false;
+    makeRoom(news);
+    state = sessionState(news, figures_, layerCount_, bench_.embedded.workpiece.grid().unitVolume());
+    return true;
+}
+
+/// Milling is worth more than taking back what was milled long ago.
+void MillingSession::makeRoom(const TickNews& news) {
+    constexpr std::uint64_t patience = 10; // ticks until the loop has heard of it
+    if ((news.sample.flags & sampleMemoryFull) == 0 || news.ticks < roomMade_ + patience) return;
+    if (!strokes_.makeRoom()) return;
+    tell(CutResumption{});
+    roomMade_ = news.ticks;
+}
+
+/// A view that is not shown after all hands what it would have shown on to the next one.
+void MillingSession::noteCut(const WorkpieceView& view) {
+    if (view.oldestCut) unseenCut_ = std::min(unseenCut_.value_or(*view.oldestCut), *view.oldestCut);
+}
+
+bool MillingSession::newestView(WorkpieceView& view) {
+    settle();
+    WorkpieceView newest;
+    if (loop_.takeView(newest)) noteCut(newest); // it came too late the last time
+    if (!thread_.joinable()) {
+        newest = loop_.finalView();
+    } else {
+        loop_.wishView();
+        const Clock::time_point end = Clock::now() + viewPatience;
+        while (!loop_.takeView(newest)) {
+            if (ended() || Clock::now() >= end) return false;
+            std::this_thread::sleep_for(sessionGlance);
+        }
+    }
+    noteCut(newest);
+    view.workpiece = std::move(newest.workpiece);
+    view.oldestCut = std::exchange(unseenCut_, std::nullopt);
+    return true;
+}
+
+void MillingSession::takeTrace(std::vector<TracePoint>& points) {
+    points.clear();
+    std::array<TracePoint, 256> part;
+    while (const std::size_t count = loop_.takeTrace(part))
+        points.insert(points.end(), part.begin(), part.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+Result<void> MillingSession::placeTrace(Result<StagedFile> trace) {
+    if (!trace) return std::move(trace).error();
+    if (traceOutput_ == nullptr) return trace->putInPlace();
+    traceOutput_->emplace(std::move(*trace));
+    return {};
+}
+
+Result<LoopStatistics> MillingSession::end() {
+    if (over_) return outcome_;
+    over_ = true;
+    stop_.store(true, std::memory_order_relaxed);
+    if (thread_.joinable()) thread_.join();
+    ended_.store(true, std::memory_order_release);
+    settle();
+    faults_.finish();
+    // The disk's refusal, not the full ring that came of it.
+    if (recorder_) static_cast<void>(stopRecording());
+    if (diskFault_) outcome_ = *diskFault_;
+    step_.listen(nullptr);
+    if (const std::unique_ptr<TraceRecorder> trace = std::move(trace_)) {
+        const Result<void> written = placeTrace(trace->finish());
+        if (!written && outcome_) outcome_ = written.error();
+    }
+    stylus_.device().close();
+    return outcome_;
+}
+
+Result<std::unique_ptr<MillingSession>> MillingSession::begin(Project& project, Bench& bench, const ToolBounds& bounds,
+                                                              const StylusHandle& stylus, StrokeHistory& strokes,
+                                                              const SessionRequest& request) {
+    if (Result<void> opened = stylus.device().open(); !opened) return std::move(opened).error();
+    std::unique_ptr<MillingSession> session(
+        new MillingSession(project, bench, bounds, stylus, strokes, request)); // its constructor is private
+    if (Result<void> started = session->start(request); !started) return std::move(started).error();
+    return session;
+}
+
+} // namespace burin

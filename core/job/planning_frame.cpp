@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/planning_frame.h"
+
+#include "core/geometry/frame_along.h"
+
+namespace burin {
+
+PlanningFrame::PlanningFrame(const Bench& bench, const ClearanceField& field, const glm::dvec3& axis)
+    : upright_(axis == glm::dvec3(0.0, 0.0, 1.0))
+    , turn_(frameAlong(axis))
+    , setupField_(&field)
+    , seenField_(field, turn_) {
+    if (upright_) {
+        stock_ = bench.setup.stock;
+        part_ = bench.model->box();
+        return;
+    }
+    stock_ = boxAround(bench.setup.stock, turn_);
+    for (const Body& body : bench.model->bodies)
+        for (const glm::dvec3& vertex : body.mesh.vertices) part_.include(turn_ * vertex);
+}
+
+Box PlanningFrame::toSetup(const Box& box) const noexcept {
+    return upright_ ? box : boxAround(box, glm::transpose(turn_));
+}
+
+FieldSample PlanningFrame::SeenField::at(const glm::dvec3& tip) const noexcept {
+    FieldSample sample = field_->at(tip * turn_); // the transposed turn takes it back
+    sample.gradient = turn_ * sample.gradient;
+    return sample;
+}
+
+} // namespace burin

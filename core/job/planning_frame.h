@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/field/tool_field.h"
+#include "core/job/bench.h"
+
+namespace burin {
+
+/// A bench as it is seen along a tool's standing axis (3+2): what plans for an upright tool plans in this frame for a
+/// tilted one. For the axis +Z it is the setup frame, bit by bit. Bench and field outlive it.
+class PlanningFrame {
+public:
+    /// @param field of the bench's tool with that axis. @param axis unit, setup frame, towards the holder
+    PlanningFrame(const Bench& bench, const ClearanceField& field, const glm::dvec3& axis);
+
+    const ClearanceField& field() const noexcept { return upright_ ? *setupField_ : seenField_; }
+    const Box& stock() const noexcept { return stock_; } ///< mm: the box around it
+    const Box& part() const noexcept { return part_; }   ///< mm
+    bool upright() const noexcept { return upright_; }
+    glm::dvec3 toSetup(const glm::dvec3& place) const noexcept { return upright_ ? place : place * turn_; }
+    /// The box around one of this frame, setup frame.
+    Box toSetup(const Box& box) const noexcept;
+
+private:
+    /// The field over tips of this frame.
+    class SeenField final : public ClearanceField {
+    public:
+        SeenField(const ClearanceField& field, const glm::dmat3& turn) noexcept : field_(&field), turn_(turn) {}
+        FieldSample at(const glm::dvec3& tip) const noexcept override;
+        double errorBound() const noexcept override { return field_->errorBound(); }
+        double errorBoundAt(const glm::dvec3& tip) const noexcept override { return field_->errorBoundAt(tip * turn_); }
+        double spacing() const noexcept override { return field_->spacing(); }
+
+    private:
+        const ClearanceField* field_;
+        glm::dmat3 turn_;
+    };
+
+    bool upright_;
+    glm::dmat3 turn_; ///< from the setup frame
+    const ClearanceField* setupField_;
+    SeenField seenField_;
+    Box stock_, part_;
+};
+
+} // namespace burin

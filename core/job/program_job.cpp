@@ -1,0 +1,327 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/program_job.h"
+
+#include "core/base/available_memory.h"
+#include "core/base/numbers.h"
+#include "core/cutting/coolant_advice.h"
+#include "core/job/lower_feeds.h"
+#include "core/nc/dialect_library.h"
+#include "core/path/milling_side.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <set>
+
+namespace burin {
+
+namespace {
+
+/// What was found and why the program is wanted all the same: one line a kind, with its worst amount.
+std::vector<std::string> overrideLines(const CheckedProgram& program, const std::string& reason) {
+    struct Kind {
+        std::size_t count = 0;
+        double worst = 0.0;
+    };
+    std::map<FindingKind, Kind> kinds;
+    for (const Finding& finding : program.report.findings) {
+        Kind& kind = kinds[finding.kind];
+        ++kind.count;
+        kind.worst = std::max(kind.worst, finding.amount);
+    }
+    std::vector<std::string> lines{"REFUSED BY THE CHECK AND EXPORTED ALL THE SAME", "Reason: " + reason};
+    for (const auto& [id, kind] : kinds) {
+        const std::string unit = unitOf(id);
+        lines.push_back("Found: " + std::to_string(kind.count) + " x " + idOf(id) +
+                        (unit.empty() ? "" : ", worst " + formatFixed(kind.worst, 4) + " " + unit));
+    }
+    const auto rejected = std::ranges::count(program.lint, LintSeverity::error, &LintMark::severity);
+    if (rejected > 0) lines.push_back("Found: " + std::to_string(rejected) + " x rejected by the control");
+    return lines;
+}
+
+Result<void> checkNumbers(const std::vector<Tool>& tools) {
+    std::set<int> numbers;
+    for (const Tool& tool : tools)
+        if (!numbers.insert(tool.number).second)
+            return Error{ErrorCode::argumentInvalid, "tool number", std::to_string(tool.number),
+                         "a number of its own for each tool of a program"};
+    return {};
+}
+
+Result<std::string> post(const Bench& bench, const ProgramPaths& paths, const ProgramRequest& request,
+                         Progress& progress) {
+    if (Result<void> numbered = checkNumbers(paths.tools); !numbered) return numbered.error();
+    PostRequest post;
+    post.programName = request.name;
+    post.header = programHeader(bench, paths.tools);
+    post.workOffset = bench.setup.workOffset;
+    post.units = request.units;
+    for (const Tool& tool : paths.tools) post.tools[tool.id] = {tool.number, tool.name};
+    post.safeHeight = bench.safeHeight() - bench.setup.workOffset.z;
+    const Result<NcProgram> program = toProgram(paths.paths, post, bench.machine);
+    if (!program) return program.error();
+    const Result<std::shared_ptr<const PostProcessor>> dialect = loadDialect(request.dialect);
+    if (!dialect) return dialect.error();
+    return writeProgram(*program, bench.machine, **dialect, progress);
+}
+
+Result<CheckedProgram> postAndCheck(const Bench& bench, const ProgramPaths& paths, const ProgramRequest& request,
+                                    Progress& progress) {
+    progress.stage(0.0, 0.1);
+    Result<std::string> text = post(bench, paths, request, progress);
+    if (!text) return std::move(text).error();
+    return checkProgram(bench, std::move(*text), request.name, request, progress);
+}
+
+/// What the program's T numbers mean: one tool for all of them, or several to look up. Errors: argumentInvalid (a
+/// number that several tools have).
+Result<std::vector<Tool>> toolsMeant(const ParsedProgram& program, const Bench& bench, const ProgramRequest& request) {
+    if (request.tools.size() == 1) return request.tools;
+    std::set<int> numbers;
+    for (const NcMotion& motion : program.motions)
+        if (motion.tool != 0) numbers.insert(motion.tool);
+    if (request.tools.empty() || numbers.empty()) return std::vector{bench.tool};
+    std::vector<Tool> called;
+    for (const int number : numbers)
+        std::ranges::copy_if(request.tools, std::back_inserter(called),
+                             [number](const Tool& tool) { return tool.number == number; });
+    if (Result<void> numbered = checkNumbers(called); !numbered) return numbered.error();
+    // With a number that nobody has, all are named beside it.
+    return called.size() < numbers.size() ? request.tools : called;
+}
+
+/// Measured of the edits of the main job on a recording of an hour: its strokes, and what edits hold of them at most.
+constexpr double bytesPerSample = 300.0;
+
+std::string memorySubject(const StoredPath& path, std::uint64_t samples) {
+    return path.name + " (" + std::to_string(samples) + " samples)";
+}
+
+// What is checked takes time with the length of its moves: a slip of some digits would take hours. mm
+constexpr double longestMove = 1e6, longestProgram = 1e7;
+
+/// That a program is of a length that a machine could mill. Errors: programSyntax, with the line where it is not.
+Result<void> checkLength(const ParsedProgram& program, const std::string& origin) {
+    double all = 0.0;
+    for (const NcMotion& motion : program.motions) {
+        const double length = motion.startKnown() ? lengthOf(motion) : 0.0;
+        all += length;
+        if (length <= longestMove && all <= longestProgram) continue;
+        const bool move = !(length <= longestMove);
+        return Error{ErrorCode::programSyntax, origin, "line " + std::to_string(motion.line),
+                     move ? "a move of " + formatShortest(std::round(length)) + " mm, and up to " +
+                                formatShortest(longestMove) + " mm are checked"
+                          : "all moves up to here are longer than the " + formatShortest(longestProgram) +
+                                " mm that are checked"};
+    }
+    return {};
+}
+
+constexpr std::string_view authored = "path authored by hand"; // some dialects write it in capitals
+
+} // namespace
+
+bool isPosted(std::string_view text) {
+    constexpr std::size_t header = 4000; // characters
+    const std::string_view head = text.substr(0, header);
+    return !std::ranges::search(head, authored, [](char a, char b) {
+                return std::tolower(static_cast<unsigned char>(a)) == b;
+            }).empty();
+}
+
+std::vector<std::string> programHeader(const Bench& bench, const std::vector<Tool>& tools) {
+    const auto length = [](double value) { return formatFixed(value, 3); };
+    const auto place = [&](const glm::dvec3& v) { return "X" + length(v.x) + " Y" + length(v.y) + " Z" + length(v.z); };
+    const Box& stock = bench.setup.stock;
+    std::vector<std::string> lines;
+    lines.push_back("Burin: " + std::string(authored) + ", checked by re-simulation before export");
+    if (!bench.model->sourceFile.empty())
+        lines.push_back("Part: " + std::filesystem::path(bench.model->sourceFile).filename().string());
+    lines.push_back("Stock: " + bench.setup.stockMaterial + ", size " + place(stock.size()) + " mm");
+    lines.push_back("Program zero: centre of the stock's top face; in the model's frame " +
+                    place(bench.setup.workOffset) + " mm");
+    lines.push_back("Stock in program coordinates: " + place(stock.low - bench.setup.workOffset) + " to " +
+                    place(stock.high - bench.setup.workOffset) + " mm");
+    const Property& material = bench.embedded.workpiece.properties()[bench.embedded.stockProperty];
+    if (const Coolant advised = advisedCoolant(material); !bench.machine.has(advised))
+        lines.push_back("Coolant: " + std::string(idOf(advised)) + " is advised for " + material.name +
+                        ", the machine has none");
+    for (const Tool& tool : tools)
+        lines.push_back((tools.size() > 1 ? "Tool " + std::to_string(tool.number) + ": " : "Tool: ") + tool.name +
+                        ", stick-out at least " + length(tool.cutter.stickOut) + " mm");
+    return lines;
+}
+
+std::size_t CheckedProgram::errorCount() const noexcept {
+    const auto rejected = std::ranges::count(lint, LintSeverity::error, &LintMark::severity);
+    return report.findings.size() + static_cast<std::size_t>(rejected);
+}
+
+const Tool* CheckedProgram::toolNumbered(int number) const noexcept {
+    if (tools.size() == 1) return &tools.front();
+    const auto found = std::ranges::find(tools, number, &Tool::number);
+    return found == tools.end() ? nullptr : &*found;
+}
+
+Result<std::vector<RecordedStrokes>> recordedOf(const Project& project, const StoredPath& path) {
+    std::uint64_t samples = 0;
+    std::vector<TakeOutline> takes;
+    for (const std::int64_t id : path.takes) {
+        Result<TakeOutline> take = project.takeOutline(id);
+        if (!take) return std::move(take).error();
+        samples += take->info.sampleCount - take->info.undoneCount;
+        takes.push_back(std::move(*take));
+    }
+    if (Result<void> fits = needMemory(memorySubject(path, samples).c_str(),
+                                       bytesPerSample * static_cast<double>(samples), MemoryRemedy::fewerTakes);
+        !fits)
+        return std::move(fits).error();
+    std::vector<RecordedStrokes> recorded;
+    for (const TakeOutline& take : takes) {
+        StrokeReader reader(take);
+        Result<void> read =
+            project.visitSamples(take.info.id, [&reader](std::span<const Sample> part) { return reader.add(part); });
+        if (!read) return std::move(read).error();
+        recorded.push_back(reader.finish());
+    }
+    return recorded;
+}
+
+Result<EvaluatedPath> evaluateStored(std::vector<RecordedStrokes> recorded, const Bench& bench, const Tool& tool,
+                                     const StoredPath& path, std::span<const MilledPath> before, Progress& progress) {
+    const Property& material = bench.embedded.workpiece.properties()[bench.embedded.stockProperty];
+    const Result<CuttingConditions> conditions =
+        cuttingConditions(tool, material, bench.machine.maximumSpindleSpeed, bench.machine.maximumFeed);
+    if (!conditions) return conditions.error();
+    PathContext context;
+    context.part = &bench.part;
+    context.tool = tool;
+    context.conditions = *conditions;
+    context.advisedCoolant = advisedCoolant(material);
+    context.machine = bench.machine;
+    context.stock = bench.setup.stock;
+    context.obstacles = solidsOf(bench.obstacles);
+    context.workOffset = bench.setup.workOffset;
+    context.lendStock = [&bench, before](const StockUse& use, Progress& lending) {
+        return bench.stock->lend(before, use, lending);
+    };
+    if (!before.empty()) context.cleared = before.back().evaluated->cleared;
+    if (!recorded.empty()) context.tickPeriod = recorded.front().take.tickPeriod;
+    constexpr double editing = 0.9; // of the work
+    Result<EvaluatedPath> evaluated = [&] {
+        const ProgressPart part(progress, 0.0, editing);
+        return evaluate(path.name, std::move(recorded), path.edits, context, progress);
+    }();
+    if (!evaluated) return evaluated;
+    const ProgressPart part(progress, editing, 1.0);
+    Result<MilledSides> sides = millingSides(evaluated->path, context, progress);
+    if (!sides) return std::move(sides).error();
+    evaluated->sides = std::move(sides->stretches);
+    evaluated->cleared = std::move(sides->cleared);
+    for (const MilledPath& earlier : before) evaluated->after.push_back(earlier.evaluated);
+    return evaluated;
+}
+
+Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
+                                     Progress& progress) {
+    Result<std::vector<RecordedStrokes>> recorded = recordedOf(project, path);
+    if (!recorded) return std::move(recorded).error();
+    return evaluateStored(std::move(*recorded), bench, bench.tool, path, {}, progress);
+}
+
+Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const ProgramRequest& request,
+                                   Progress& progress) {
+    return makeProgram(bench, ProgramPaths{{path}, {bench.tool}}, request, progress);
+}
+
+Result<CheckedProgram> makeProgram(const Bench& bench, const ProgramPaths& paths, const ProgramRequest& request,
+                                   Progress& progress) {
+    ProgramRequest wanted = request;
+    wanted.tools = paths.tools;
+    Result<CheckedProgram> checked = postAndCheck(bench, paths, wanted, progress);
+    if (!checked) return checked;
+    ProgramPaths slower = paths;
+    if (const std::size_t slowed =
+            lowerFeeds(slower.paths, checked->parsed, checked->report.feedLimits, bench.setup.workOffset);
+        slowed > 0) {
+        checked = postAndCheck(bench, slower, wanted, progress);
+        if (!checked) return checked;
+        checked->slowed = slowed;
+    }
+    checked->moments = momentsOf(checked->parsed, wholeOf(paths.paths), bench.setup.workOffset);
+    if (checked->passed() || request.overrideReason.empty()) return checked;
+    return overrideCheck(std::move(*checked), request.overrideReason, bench.machine);
+}
+
+Result<CheckedProgram> overrideCheck(CheckedProgram program, const std::string& reason, const MachineProfile& machine) {
+    Result<std::string> text =
+        withHeaderComments(program.text, overrideLines(program, reason), program.dialect, machine.maximumLineLength);
+    if (!text) return std::move(text).error();
+    Result<ParsedProgram> parsed = parseProgram(*text, "program", controlOfDialect(program.dialect));
+    if (!parsed) return std::move(parsed).error();
+    const auto lines = [](const std::string& all) { return std::ranges::count(all, '\n'); };
+    const auto added = static_cast<std::uint32_t>(lines(*text) - lines(program.text));
+    for (Finding& finding : program.report.findings)
+        if (finding.line > 0) finding.line += added;
+    for (Finding& warning : program.report.warnings) warning.line += added;
+    for (NearPass& pass : program.report.nearPasses) pass.line += added;
+    for (MotionLoad& load : program.report.loads) load.line += added;
+    for (LintMark& mark : program.lint) mark.line += added;
+    program.text = std::move(*text);
+    program.parsed = std::move(*parsed);
+    program.overridden = true;
+    return program;
+}
+
+Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const std::string& origin,
+                                    const ProgramRequest& request, Progress& progress) {
+    const Control& control = controlOfDialect(request.dialect);
+    Result<ParsedProgram> parsed = parseProgram(text, origin, control);
+    if (!parsed) return std::move(parsed).error();
+    if (Result<void> checkable = checkLength(*parsed, origin); !checkable) return std::move(checkable).error();
+    VerifyRequest verification;
+    verification.program = &*parsed;
+    verification.control = &control;
+    verification.model = bench.model.get();
+    verification.part = &bench.part;
+    verification.setup = bench.setup;
+    verification.materials = bench.materials;
+    verification.obstacles = bench.obstacles;
+    if (bench.travel.zero) // what is only the rule's guess refuses no program
+        verification.travel = travelEnvelope(bench.machine, bench.travel, bench.setup.workOffset).tips;
+    Result<std::vector<Tool>> tools = toolsMeant(*parsed, bench, request);
+    if (!tools) return std::move(tools).error();
+    CheckedProgram checked;
+    checked.tools = std::move(*tools);
+    verification.tool = checked.tools.front();
+    if (!request.tools.empty() && !request.anyNumber) verification.tools = checked.tools;
+    if (request.before) {
+        Result<std::vector<Tool>> before = toolsMeant(*request.before, bench, request);
+        if (!before) return std::move(before).error();
+        verification.before = request.before.get();
+        verification.toolsBefore = std::move(*before);
+    }
+    verification.machine = bench.machine;
+    verification.gougeTolerance = request.gougeTolerance;
+    verification.excessTolerance = request.excessTolerance;
+    verification.promised = request.promised.get();
+    verification.exactSamples = request.exactSamples;
+    verification.import = request.import;
+    Result<VerifyReport> report = verify(verification, progress, &checked.machined);
+    if (!report) return std::move(report).error();
+    checked.lint = lint(text, {&control, &bench.machine});
+    checked.text = std::move(text);
+    checked.dialect = request.dialect;
+    checked.gougeTolerance = request.gougeTolerance;
+    checked.excessTolerance = request.excessTolerance;
+    checked.parsed = std::move(*parsed);
+    checked.report = std::move(*report);
+    return checked;
+}
+
+} // namespace burin

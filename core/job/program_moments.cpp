@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/program_moments.h"
+
+#include "core/path/hand_stretch.h"
+
+#include <algorithm>
+
+namespace burin {
+
+namespace {
+
+/// Points that a program leaves out, as rounding makes them equal to the one before, are few in a row.
+constexpr std::size_t farthestAhead = 1000;
+
+/// Follows a path's points as a program's motions end in them.
+class Follower {
+public:
+    Follower(const Path& path, const glm::dvec3& zero, double tolerance)
+        : path_(path), zero_(zero), tolerance_(tolerance) {}
+
+    /// The point that a motion ends in; nothing: none ahead.
+    std::optional<std::size_t> next(const NcMotion& motion) {
+        if (!motion.toKnown[0] || !motion.toKnown[1] || !motion.toKnown[2]) return std::nullopt;
+        const glm::dvec3 place = motion.to + zero_;
+        const std::size_t end = std::min(path_.points.size(), at_ + farthestAhead);
+        for (std::size_t i = at_; i < end; ++i) {
+            if (glm::distance(path_.points[i].tip, place) > tolerance_) continue;
+            at_ = i + 1;
+            return i;
+        }
+        return std::nullopt;
+    }
+
+private:
+    const Path& path_;
+    glm::dvec3 zero_;
+    double tolerance_;
+    std::size_t at_ = 0;
+};
+
+} // namespace
+
+std::vector<std::optional<std::size_t>> pointsBehind(const ParsedProgram& program, const Path& path,
+                                                     const glm::dvec3& zero, double tolerance) {
+    std::vector<std::optional<std::size_t>> points(program.motions.size());
+    Follower follower(path, zero, tolerance);
+    std::size_t waiting = 0; // motions from here on belong to the next point that is met
+    for (std::size_t i = 0; i < program.motions.size(); ++i) {
+        if (program.motions[i].kind == NcMotionKind::dwell) continue;
+        const auto point = follower.next(program.motions[i]);
+        if (!point) continue;
+        std::fill(points.begin() + static_cast<std::ptrdiff_t>(waiting),
+                  points.begin() + static_cast<std::ptrdiff_t>(i + 1), point);
+        waiting = i + 1;
+    }
+    return points;
+}
+
+std::vector<Moment> momentsOf(const ParsedProgram& program, const Path& path, const glm::dvec3& zero,
+                              double tolerance) {
+    std::vector<Moment> moments;
+    for (const std::optional<std::size_t> point : pointsBehind(program, path, zero, tolerance))
+        moments.push_back(point ? momentOf(path.points[*point]) : Moment{});
+    return moments;
+}
+
+} // namespace burin

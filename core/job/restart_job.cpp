@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/restart_job.h"
+
+#include "core/base/numbers.h"
+#include "core/nc/dialect_library.h"
+#include "core/nc/line_walker.h"
+#include "core/nc/restart.h"
+
+#include <algorithm>
+
+namespace burin {
+
+namespace {
+
+constexpr double clearance = 2.0;                         // mm above the stock, where the tool stops to rapid
+constexpr double largestTouch = 0.001;                    // mm³, as the check allows a rapid
+constexpr double shortestLead = 5.0, leadDiameters = 1.0; // mm; of the cutter
+
+/// The tools that a text may call; without a number, or with one tool for all, it is that one.
+std::map<int, PostTool> postTools(const ParsedProgram& program, const Bench& bench, const ProgramRequest& request) {
+    const Tool& only = request.tools.size() == 1 ? request.tools.front() : bench.tool;
+    std::map<int, PostTool> tools{{0, {only.number, only.name}}};
+    for (const Tool& tool : request.tools) tools[tool.number] = {tool.number, tool.name};
+    if (request.tools.size() == 1)
+        for (const NcMotion& motion : program.motions) tools.try_emplace(motion.tool, PostTool{motion.tool, only.name});
+    return tools;
+}
+
+/// mm, of the cutters that a program calls.
+double widest(const ParsedProgram& program, const Bench& bench, const ProgramRequest& request) {
+    if (request.tools.size() == 1) return request.tools.front().cutter.diameter;
+    double diameter = 0.0;
+    for (const Tool& tool : request.tools)
+        if (std::ranges::find(program.motions, tool.number, &NcMotion::tool) != program.motions.end())
+            diameter = std::max(diameter, tool.cutter.diameter);
+    return diameter > 0.0 ? diameter : bench.tool.cutter.diameter;
+}
+
+/// The way down onto the path takes something away, so that the tool was not there before: a cutter that is wider than
+/// its shank comes down on what it left standing above.
+bool cutsOnTheWayDown(const CheckedProgram& program) {
+    const auto down = std::ranges::find(program.parsed.motions, NcMotionKind::line, &NcMotion::kind);
+    if (down == program.parsed.motions.end()) return false;
+    return std::ranges::any_of(program.report.loads, [&](const MotionLoad& load) {
+        return load.line <= down->line && load.volume > largestTouch;
+    });
+}
+
+class RestartMaker {
+public:
+    RestartMaker(const Bench& bench, const ParsedProgram& interrupted, std::uint32_t line,
+                 const ProgramRequest& request)
+        : bench_(bench), interrupted_(interrupted), request_(request) {
+        const double zero = bench.setup.workOffset.z;
+        wanted_.line = line;
+        wanted_.lead = std::max(shortestLead, leadDiameters * widest(interrupted, bench, request));
+        wanted_.freeHeight = bench.setup.stock.high.z - zero + clearance;
+        wanted_.safeHeight = bench.safeHeight() - zero;
+        wanted_.programName = request.name;
+        wanted_.units = request.units;
+        wanted_.tools = postTools(interrupted, bench, request);
+    }
+
+    Result<RestartedProgram> make(RestartEntry entry, Progress& progress) {
+        wanted_.entry = entry;
+        wanted_.header.clear();
+        Result<Restart> restart = restartAt(interrupted_, wanted_);
+        if (!restart) return std::move(restart).error();
+        restart->program.header = header(*restart);
+        descends_ = restart->place.z < wanted_.freeHeight;
+        const Result<std::shared_ptr<const PostProcessor>> dialect = loadDialect(request_.dialect);
+        if (!dialect) return dialect.error();
+        Result<std::string> text = writeProgram(restart->program, bench_.machine, **dialect, progress);
+        if (!text) return std::move(text).error();
+        ProgramRequest check = request_;
+        auto done = std::make_shared<ParsedProgram>(interrupted_);
+        done->motions.resize(restart->done);
+        check.before = std::move(done);
+        Result<CheckedProgram> checked = checkProgram(bench_, std::move(*text), request_.name, check, progress);
+        if (!checked) return std::move(checked).error();
+        return RestartedProgram{std::move(*checked), wanted_.line, restart->cut, restart->lead, restart->place};
+    }
+
+    /// The tool of the one made last goes down onto the path at feed.
+    bool descends() const noexcept { return descends_; }
+
+private:
+    std::vector<std::string> header(const Restart& restart) const {
+        std::vector<Tool> called;
+        for (const NcSection& section : restart.program.sections) {
+            const auto tool = std::ranges::find(request_.tools, section.toolNumber, &Tool::number);
+            const Tool& one = tool == request_.tools.end() ? bench_.tool : *tool;
+            if (std::ranges::find(called, one.id, &Tool::id) == called.end()) called.push_back(one);
+        }
+        std::vector<std::string> lines = programHeader(bench_, called);
+        lines.insert(lines.begin(), {"RESTART at line " + std::to_string(wanted_.line) +
+                                         " of the interrupted program: all lines before it are done",
+                                     "The path is repeated from " + formatFixed(restart.lead, 1) + " mm before line " +
+                                         std::to_string(restart.cut) + ". Measure the new tool first"});
+        return lines;
+    }
+
+    const Bench& bench_;
+    const ParsedProgram& interrupted_;
+    const ProgramRequest& request_;
+    RestartRequest wanted_;
+    bool descends_ = false;
+};
+
+} // namespace
+
+Result<RestartedProgram> makeRestart(const Bench& bench, const std::string& text, std::uint32_t line,
+                                     const ProgramRequest& request, Progress& progress) {
+    if (const std::uint32_t lines = lineCount(text); line < 1 || line > lines)
+        return Error{ErrorCode::argumentInvalid, "restart line", std::to_string(line), "1 to " + std::to_string(lines)};
+    const Result<ParsedProgram> interrupted =
+        parseProgram(text, "interrupted program", controlOfDialect(request.dialect));
+    if (!interrupted) return interrupted.error();
+    RestartMaker maker(bench, *interrupted, line, request);
+    Result<RestartedProgram> near = [&] {
+        const ProgressPart part(progress, 0.0, 0.5);
+        return maker.make(RestartEntry::lead, progress);
+    }();
+    if (!near) return near;
+    const bool cuts = maker.descends() && cutsOnTheWayDown(near->program);
+    if (near->program.passed() && !cuts) return near;
+    const ProgressPart part(progress, 0.5, 1.0);
+    Result<RestartedProgram> far = maker.make(RestartEntry::retract, progress);
+    if (!far || cuts) return far;
+    return far->program.errorCount() < near->program.errorCount() ? std::move(far) : std::move(near);
+}
+
+} // namespace burin

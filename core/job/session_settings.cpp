@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/session_settings.h"
+
+#include "core/job/session_faults.h"
+
+namespace burin {
+
+namespace {
+
+/// s of a tick.
+double periodOf(const StylusHandle& stylus, const SessionRequest& request) {
+    const double rate = stylus.device().description().rate.value;
+    if (stylus.selfPaced() != nullptr && rate > 0.0) return 1.0 / rate; // nobody else can
+    return request.period > 0.0 ? request.period : ServoSettings{}.period;
+}
+
+} // namespace
+
+HapticSettings hapticSettings(const Bench& bench, const AxisMode& axis, const StylusHandle& stylus,
+                              const SessionRequest& request) {
+    HapticSettings settings;
+    settings.axis = axis;
+    settings.mapping = request.mapping;
+    settings.stylus = stylus.device().description();
+    settings.tickPeriod = periodOf(stylus, request);
+    settings.allowance = request.allowance;
+    settings.cuttingSpeed = bench.conditions.surfaceSpeed;
+    settings.cutsOnButton = request.cutsOnButton;
+    settings.forceButtons = request.forceButtons;
+    settings.felt = request.felt;
+    return settings;
+}
+
+ServoSettings servoSettings(const StylusHandle& stylus, const SessionRequest& request) {
+    ServoSettings settings;
+    settings.period = periodOf(stylus, request);
+    settings.pace = request.pace;
+    settings.maximumSeconds = request.maximumSeconds;
+    settings.ticksPerEdge = request.ticksPerEdge;
+    return settings;
+}
+
+std::filesystem::path flightFolder(const Project& project, const SessionRequest& request) {
+    if (request.pace != Pace::realtime || request.ticksPerEdge > 1) return {};
+    return request.flights.empty() ? SessionFaults::folderBeside(project.file()) : request.flights;
+}
+
+SessionState sessionState(const TickNews& news, const LiveFigures& figures, std::size_t layerCount, double unitVolume) {
+    SessionState state;
+    state.sample = news.sample;
+    state.wallTime = std::chrono::steady_clock::time_point(std::chrono::nanoseconds(news.timing.over));
+    state.recording = news.take != 0;
+    state.take = news.take;
+    state.recordedSeconds = state.recording ? news.sample.time : 0.0;
+    state.cutting = news.cutting;
+    state.rateHz = figures.rateHz;
+    state.cpuP999 = figures.cpuP999;
+    state.workP999 = figures.workP999;
+    state.intervalP999 = figures.intervalP999;
+    state.late = figures.late;
+    state.ticks = news.ticks;
+    state.missed = news.timing.missed;
+    state.scheduling = news.timing.scheduling;
+    state.removalRate = news.removalRate * unitVolume;
+    state.shankPiece = news.shank.piece;
+    state.shankTouches = news.shank.property;
+    state.guides = news.guides;
+    for (std::size_t i = 0; i < layerCount; ++i)
+        state.layers.push_back({news.layers.state(i), news.layers.holds(i), news.layers.ticksHeld[i]});
+    state.workspaceScale = news.workspaceScale;
+    state.clutched = news.clutched;
+    return state;
+}
+
+} // namespace burin

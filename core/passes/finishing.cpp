@@ -1,0 +1,301 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/numbers.h"
+#include "core/passes/rims.h"
+#include "core/passes/stroke_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+
+namespace {
+
+/// A rise that gets steeper by so much at once holds a tool that is pressed into its corner.
+constexpr double kinkSlope = 0.15;
+constexpr int mostRepeats = 100;       // of a pass, to and fro
+constexpr double leastProgress = 0.02; // mm of depth that a repeat gains
+
+/// A place of a pass: where the hand aims and where the part stops the tool.
+struct Touch {
+    double x = 0.0;
+    double reached = 0.0; ///< mm, lowest tip
+};
+
+class Finishing {
+public:
+    Finishing(const ClearanceField& field, const Tool& tool, const FinishingRequest& request, WorkpieceHeights& heights)
+        : field_(field)
+        , tool_(tool)
+        , request_(request)
+        , heights_(heights)
+        , writer_(heights, request.speeds)
+        , rims_(field, writer_.travelLevel(), request.floor)
+        , sampling_(passSampling(tool.cutter)) {}
+
+    std::vector<IntentPoint> plan() {
+        const EvenPlaces rows = passesOver(request_, tool_.cutter, 1, request_.stepOver);
+        bool forward = true;
+        for (int i = 0; i <= rows.intervals; ++i) {
+            std::vector<std::vector<Touch>> stretches = pass(rows.at(i));
+            if (stretches.empty()) continue;
+            if (!forward) {
+                std::reverse(stretches.begin(), stretches.end());
+                for (std::vector<Touch>& stretch : stretches) std::reverse(stretch.begin(), stretch.end());
+            }
+            for (const std::vector<Touch>& stretch : stretches) mill(stretch, rows.at(i));
+            forward = !forward;
+        }
+        writer_.finish();
+        return writer_.take();
+    }
+
+private:
+    double reachedAt(double x, double y) const { return rims_.reachedAt({x, y}); }
+
+    /// The stretches of the pass at y that lie over the part or close beside it.
+    std::vector<std::vector<Touch>> pass(double y) const {
+        const EvenPlaces places = passesOver(request_, tool_.cutter, 0, sampling_);
+        std::vector<std::vector<Touch>> stretches;
+        std::vector<Touch> gap; // floor since the part was near; crossed where it is short
+        bool touchesPart = false;
+        const std::size_t longestGap = static_cast<std::size_t>(4.0 * tool_.cutter.radius() / sampling_);
+        for (int i = 0; i <= places.intervals; ++i) {
+            const Touch touch{places.at(i), reachedAt(places.at(i), y)};
+            const bool over = touch.reached > request_.floor + heightTolerance;
+            const double beside = over ? 0.0 : field_.at({touch.x, y, request_.floor}).clearance;
+            touchesPart = touchesPart || beside < request_.stepOver;
+            const bool idle = request_.restOnly && !heights_.hasRest({touch.x, y, touch.reached});
+            if (beside > request_.floorMargin || !std::isfinite(touch.reached) || idle) {
+                gap.push_back(touch);
+                continue;
+            }
+            if (stretches.empty() || gap.size() > longestGap)
+                stretches.emplace_back();
+            else
+                stretches.back().insert(stretches.back().end(), gap.begin(), gap.end());
+            stretches.back().push_back(touch);
+            gap.clear();
+        }
+        if (!touchesPart) stretches.clear(); // a pass over floor alone
+        for (std::vector<Touch>& stretch : stretches) endBeforeRims(stretch, y);
+        return stretches;
+    }
+
+    /// The tool is wide: what lies at a rim it mills from before it.
+    void endBeforeRims(std::vector<Touch>& stretch, double y) const {
+        const auto isAtRim = [&](const Touch& touch, double side) {
+            return rims_.isTurnAtRim({touch.x, y}, touch.reached, {side, 0.0});
+        };
+        std::size_t first = 0, end = stretch.size();
+        while (first < end && isAtRim(stretch[first], -1.0)) ++first;
+        while (end > first && isAtRim(stretch[end - 1], 1.0)) --end;
+        if (first == end) return; // it is no wider than what it turns in
+        stretch.erase(stretch.begin() + static_cast<std::ptrdiff_t>(end), stretch.end());
+        stretch.erase(stretch.begin(), stretch.begin() + static_cast<std::ptrdiff_t>(first));
+    }
+
+    void mill(const std::vector<Touch>& stretch, double y) {
+        const glm::dvec2 start(stretch.front().x, y);
+        if (writer_.empty() || glm::distance(glm::dvec2(writer_.tip()), start) > 4.0 * tool_.cutter.radius())
+            enter(stretch, y);
+        else
+            cross(start);
+        std::size_t held = stretch.size(); // first place of an interval at which stock is left
+        for (std::size_t i = 0; i < stretch.size(); ++i) {
+            const Touch& touch = stretch[i];
+            if (!std::isfinite(touch.reached)) continue;
+            touchAt({touch.x, y}, touch.reached);
+            if (left_ > 0.0) held = std::min(held, i);
+            if (held > i || (left_ > 0.0 && i + 1 < stretch.size())) continue;
+            deepen(stretch, y, held, i);
+            held = stretch.size();
+        }
+    }
+
+    /// To and fro between two places, at the second of which it stands, until it is down or gets no deeper.
+    void deepen(const std::vector<Touch>& stretch, double y, std::size_t first, std::size_t last) {
+        double before = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < mostRepeats; ++i) {
+            double left = 0.0;
+            const auto touch = [&](const Touch& at) {
+                if (!std::isfinite(at.reached)) return;
+                touchAt({at.x, y}, at.reached);
+                left = std::max(left, left_);
+            };
+            for (std::size_t k = last; k-- > first;) touch(stretch[k]);
+            left = 0.0;
+            for (std::size_t k = first; k <= last; ++k) touch(stretch[k]);
+            if (left <= 0.0 || left > before - leastProgress) return;
+            before = left;
+        }
+    }
+
+    /// From the end of one pass to the start of the next, along the surface.
+    void cross(const glm::dvec2& to) {
+        const glm::dvec2 from(writer_.tip());
+        const int steps = static_cast<int>(std::ceil(glm::distance(from, to) / sampling_));
+        for (int i = 1; i < steps; ++i) {
+            const glm::dvec2 place = glm::mix(from, to, static_cast<double>(i) / steps);
+            const double reached = reachedAt(place.x, place.y);
+            if (std::isfinite(reached)) touchAt(place, reached);
+        }
+    }
+
+    /// The lowest tip at a place, on the way from the last one, that takes no more stock at once than is wanted.
+    double lowestByStock(const glm::dvec2& place) const {
+        double lowest = WorkpieceHeights::nothing;
+        constexpr double margins = 2.5; // beside a wall that it has cut the raster leaves stock at the edge of the tool
+        const double inset = margins * trembleMargin(tool_.cutter);
+        if (request_.deepest > 0.0) lowest = heights_.freeTip(place.x, place.y, inset) - request_.deepest;
+        if (request_.deepestBelow > 0.0) {
+            const double stock = heights_.freeTip(place.x, place.y, 0.5 * tool_.cutter.radius());
+            const glm::dvec3& from = writer_.tip();
+            const double way = glm::distance(place, glm::dvec2(from));
+            lowest = std::max(lowest, std::min(from.z, stock - request_.deepestBelow) - rampSlope * way);
+        }
+        return lowest;
+    }
+
+    /// Where the hand aims over a place at which the part stops the tip at `reached`.
+    glm::dvec3 aimAt(const glm::dvec2& place, double reached) {
+        const double pressed = reached - rims_.pressAt(place, reached, request_.press);
+        // On its way between two places of a pass the tip rises and sinks along walls: either may hold while it does.
+        const double safe = heights_.safeHeight({place, pressed}, sampling_);
+        heldUp_ = safe > pressed;
+        return {place, safe};
+    }
+
+    /// Where the part holds the tip while the hand aims at `aim`: at its nearest place, down the slope from `reached`.
+    glm::dvec3 tipAt(const glm::dvec3& aim, double reached) const {
+        if (aim.z >= reached) return aim;
+        glm::dvec3 tip = aim;
+        for (int i = 0; i < 3; ++i) {
+            const FieldSample sample = field_.at(tip);
+            const double square = glm::dot(sample.gradient, sample.gradient);
+            if (!(square > 0.25)) break; // deep inside, where two faces are equally near
+            tip -= sample.gradient * (sample.clearance / square);
+        }
+        const bool found =
+            std::abs(field_.at(tip).clearance) < surfaceTolerance && glm::distance(tip, aim) <= reached - aim.z;
+        return found ? tip : glm::dvec3(aim.x, aim.y, reached);
+    }
+
+    /// Comes down at the first place of a stretch: where stock stands there, down a ramp over the places behind it, and
+    /// back on the ground of what it cut.
+    void enter(const std::vector<Touch>& stretch, double y) {
+        const glm::dvec2 start(stretch.front().x, y);
+        climbing_ = false;
+        slope_ = 0.0;
+        const double reached = reached_ = stretch.front().reached;
+        aim_ = aimAt(start, reached);
+        const double depth = writer_.depthAt(tipAt(aim_, reached));
+        if (depth <= plungeDepth) {
+            writer_.enterAt(aim_, tipAt(aim_, reached));
+            return;
+        }
+        double height = tipAt(aim_, reached).z + depth;
+        aim_ = {start, height};
+        writer_.enterAt(aim_, aim_);
+        std::size_t end = 0;
+        for (std::size_t i = 1; i < stretch.size() && std::isfinite(stretch[i].reached); ++i) {
+            const Touch& touch = stretch[i];
+            if (touch.reached > height) break; // a wall
+            height -= rampSlope * std::abs(touch.x - stretch[i - 1].x);
+            const bool down = height <= touch.reached;
+            const glm::dvec3 ground = aimAt({touch.x, y}, touch.reached);
+            aim_ = {touch.x, y, std::max({height, touch.reached, ground.z})};
+            writer_.cutTo(aim_);
+            reached_ = touch.reached;
+            end = i;
+            if (down) break;
+        }
+        while (end-- > 0) touchAt({stretch[end].x, y}, stretch[end].reached);
+    }
+
+    /// Over the rim of a wall that it climbed, or what it was held by in a corner, slowly: a hand rounds its corners.
+    void goOverRim(const glm::dvec2& place, double reached) {
+        aim_.z = std::max({aim_.z, reached_ + overRim, reached + overRim});
+        writer_.cutTo(aim_);
+        aim_ = {place, aim_.z};
+        writer_.creepTo(aim_);
+    }
+
+    void touchAt(const glm::dvec2& place, double reached) {
+        const double slope = (reached - reached_) / std::max(1e-6, glm::distance(place, glm::dvec2(aim_)));
+        const bool climbs = rims_.isWall(glm::dvec2(aim_), reached_, place, reached) ||
+                            (slope - slope_ > kinkSlope && reached - reached_ > heightTolerance);
+        if (climbing_ && !climbs) goOverRim(place, reached);
+        climbing_ = climbs;
+        slope_ = slope;
+        reached_ = reached;
+        const glm::dvec3 from = aim_;
+        const bool wasHeldUp = heldUp_;
+        const double byStock = lowestByStock(place);
+        left_ = byStock > reached + heightTolerance ? byStock - reached : 0.0;
+        aim_ = aimAt(place, reached);
+        if (left_ > 0.0) aim_.z = std::max(aim_.z, byStock);
+        heldUp_ = heldUp_ || (left_ > 0.0 && aim_.z > from.z);
+        // Where standing stock keeps the shank up, the tool rises before it comes there and sinks after it has left.
+        if (heldUp_ && aim_.z > from.z)
+            writer_.cutTo({from.x, from.y, aim_.z}, liftedTo(aim_.z));
+        else if (wasHeldUp && aim_.z < from.z)
+            writer_.cutTo({place, from.z}, tipAt({place, from.z}, reached));
+        writer_.cutTo(aim_, tipAt(aim_, reached));
+    }
+
+    glm::dvec3 liftedTo(double height) const {
+        const glm::dvec3& tip = writer_.tip();
+        return {tip.x, tip.y, std::max(tip.z, height)};
+    }
+
+    const ClearanceField& field_;
+    const Tool& tool_;
+    FinishingRequest request_;
+    WorkpieceHeights& heights_;
+    StrokeWriter writer_;
+    OperatorRims rims_;
+    double sampling_;       ///< mm along a pass
+    glm::dvec3 aim_{0.0};   ///< of the last stroke
+    double reached_ = 0.0;  ///< mm, where the part stops the tool at the last place
+    double slope_ = 0.0;    ///< of what stops it, on the way to there
+    double left_ = 0.0;     ///< mm of stock that the last place keeps: more stood there than is taken at once
+    bool heldUp_ = false;   ///< it was kept above where the hand would have pressed
+    bool climbing_ = false; ///< the last place is higher than the one before it, behind a wall or corner
+};
+
+} // namespace
+
+Result<void> checkFinishing(const Tool& tool, const FinishingRequest& request) {
+    if (Result<void> valid = checkSpeeds(request.speeds); !valid) return valid.error();
+    const Cutter& cutter = tool.cutter;
+    if (Result<void> valid = checkAbove({{"cutter diameter", cutter.diameter}, {"flute length", cutter.fluteLength}});
+        !valid)
+        return valid.error();
+    if (Result<void> valid = checkNotBelow({{"step-over", request.stepOver},
+                                            {"crosswise step-over", request.crosswiseStepOver},
+                                            {"press", request.press},
+                                            {"floor margin", request.floorMargin},
+                                            {"deepest", request.deepest},
+                                            {"deepest below", request.deepestBelow}});
+        !valid)
+        return valid.error();
+    if (request.part.empty() || !isFinite(request.part.size()) || !std::isfinite(request.floor))
+        return Error{ErrorCode::argumentInvalid, "part", "", "a box that is not empty, and a finite floor"};
+    return {};
+}
+
+FinishingRequest withStepOvers(FinishingRequest request, const Cutter& cutter) {
+    if (request.stepOver <= 0.0) request.stepOver = cutter.diameter / 15.0;
+    if (request.crosswiseStepOver <= 0.0) request.crosswiseStepOver = 1.5 * request.stepOver;
+    return request;
+}
+
+Result<std::vector<IntentPoint>> planFinishing(const ClearanceField& field, const Tool& tool,
+                                               const FinishingRequest& request, WorkpieceHeights& heights) {
+    if (Result<void> valid = checkFinishing(tool, request); !valid) return valid.error();
+    return Finishing(field, tool, withStepOvers(request, tool.cutter), heights).plan();
+}
+
+} // namespace burin

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/path/edit_field.h"
+
+#include <tuple>
+
+namespace burin {
+
+/// What every area has.
+inline constexpr std::tuple areaFields{
+    places("outline_mm", &Area::outline, 3.0,
+           {BURIN_TEXT("EditParameterTexts", "Outline"),
+            BURIN_TEXT("EditParameterTexts", "Corners of the area, seen from above")}),
+    number("low_mm", &Area::low, -farthestPlace, farthestPlace,
+           {BURIN_TEXT("EditParameterTexts", "From"),
+            BURIN_TEXT("EditParameterTexts", "Lowest height of the area, from program zero")}),
+    number("high_mm", &Area::high, -farthestPlace, farthestPlace,
+           {BURIN_TEXT("EditParameterTexts", "Up to"),
+            BURIN_TEXT("EditParameterTexts", "Greatest height of the area, from program zero")})};
+
+} // namespace burin

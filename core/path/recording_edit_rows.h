@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/units.h"
+#include "core/path/area_fields.h"
+#include "core/path/edit_row.h"
+
+#include <tuple>
+
+/// Rows of the table of edits (edit_rows.h).
+namespace burin {
+
+template <>
+struct EditRow<DropAirCuts> {
+    static constexpr EditTraits traits{.id = "drop-air-cuts", .title = BURIN_TEXT("Edit", "Drop air cuts")};
+    static constexpr std::tuple fields{number(
+        "shortest_mm", &DropAirCuts::shortest, 0.0, 1000.0,
+        {BURIN_TEXT("EditParameterTexts", "Shortest"), BURIN_TEXT("EditParameterTexts", "Shorter air cuts are kept")})};
+};
+template <>
+struct EditRow<DropDwells> {
+    static constexpr EditTraits traits{.id = "drop-dwells", .title = BURIN_TEXT("Edit", "Drop dwells")};
+    static constexpr std::tuple fields{
+        number("speed_mm_s", &DropDwells::speed, 0.0, 100.0,
+               {BURIN_TEXT("EditParameterTexts", "Slower than"),
+                BURIN_TEXT("EditParameterTexts", "Tool speed below which the hand counts as resting")}),
+        number("time_s", &DropDwells::time, 0.0, 60.0,
+               {BURIN_TEXT("EditParameterTexts", "Longer than"),
+                BURIN_TEXT("EditParameterTexts", "Shorter dwells are kept")})};
+};
+template <>
+struct EditRow<SmoothShape> {
+    static constexpr EditTraits traits{.id = "smooth-shape",
+                                       .title = BURIN_TEXT("Edit", "Smooth"),
+                                       .group = EditGroup::smoothing,
+                                       .approximates = true,
+                                       .mayEnter = true};
+    static constexpr std::tuple fields{
+        number("wavelength_mm", &SmoothShape::wavelength, 0.05, 1000.0,
+               {BURIN_TEXT("EditParameterTexts", "Cut-off wavelength"),
+                BURIN_TEXT("EditParameterTexts", "Tremor across the path with a shorter wavelength is removed")}),
+        number("tolerance_mm", &SmoothShape::tolerance, 0.0, 10.0, recordingTolerance)};
+};
+template <>
+struct EditRow<Smooth> {
+    static constexpr EditTraits traits{.id = "smooth",
+                                       .title = BURIN_TEXT("Edit", "Smooth in time (earlier version)"),
+                                       .group = EditGroup::smoothing,
+                                       .approximates = true,
+                                       .mayEnter = true,
+                                       .superseded = true};
+    static constexpr std::tuple fields{number("cut_off_hz", &Smooth::cutOff, 0.1, 500.0, cutOffFrequency),
+                                       number("tolerance_mm", &Smooth::tolerance, 0.0, 10.0, recordingTolerance)};
+};
+template <>
+struct EditRow<SmoothSpline> {
+    static constexpr EditTraits traits{.id = "smooth-spline",
+                                       .title = BURIN_TEXT("Edit", "Smooth by a spline in time (earlier version)"),
+                                       .group = EditGroup::smoothing,
+                                       .approximates = true,
+                                       .mayEnter = true,
+                                       .superseded = true};
+    static constexpr std::tuple fields{number("cut_off_hz", &SmoothSpline::cutOff, 0.1, 500.0, cutOffFrequency),
+                                       number("tolerance_mm", &SmoothSpline::tolerance, 0.0, 10.0, recordingTolerance)};
+};
+template <>
+struct EditRow<CutOut> {
+    static constexpr EditTraits traits{.id = "cut-out", .title = BURIN_TEXT("Edit", "Delete part of the path")};
+    static constexpr std::tuple fields{
+        stretch("stretch", &CutOut::stretch,
+                {BURIN_TEXT("EditParameterTexts", "Applies to"),
+                 BURIN_TEXT("EditParameterTexts", "Part of the path to delete. Select it in the view first")})};
+};
+template <>
+struct EditRow<Trim> {
+    static constexpr EditTraits traits{.id = "trim", .title = BURIN_TEXT("Edit", "Trim")};
+    static constexpr std::tuple fields{stretch("stretch", &Trim::stretch, strokesToEdit),
+                                       number("from_start_mm", &Trim::fromStart, 0.0, 10000.0,
+                                              {BURIN_TEXT("EditParameterTexts", "From the start"),
+                                               BURIN_TEXT("EditParameterTexts", "Cut off where each stroke begins")}),
+                                       number("from_end_mm", &Trim::fromEnd, 0.0, 10000.0,
+                                              {BURIN_TEXT("EditParameterTexts", "From the end"),
+                                               BURIN_TEXT("EditParameterTexts", "Cut off where each stroke ends")})};
+};
+template <>
+struct EditRow<Split> {
+    static constexpr EditTraits traits{.id = "split", .title = BURIN_TEXT("Edit", "Split")};
+    static constexpr std::tuple fields{moment(
+        "at", &Split::at,
+        {BURIN_TEXT("EditParameterTexts", "Position"), BURIN_TEXT("EditParameterTexts", "The stroke is split here")})};
+};
+template <>
+struct EditRow<Join> {
+    static constexpr EditTraits traits{.id = "join", .title = BURIN_TEXT("Edit", "Join"), .mayEnter = true};
+    static constexpr std::tuple fields{
+        stretch("stretch", &Join::stretch, strokesToEdit),
+        number("longest_mm", &Join::longest, 0.0, 1000.0,
+               {BURIN_TEXT("EditParameterTexts", "Largest gap"),
+                BURIN_TEXT("EditParameterTexts", "Ends no farther apart than this are joined")})};
+};
+template <>
+struct EditRow<Reorder> {
+    static constexpr EditTraits traits{
+        .id = "reorder", .title = BURIN_TEXT("Edit", "Reorder"), .group = EditGroup::arrangement};
+    static constexpr std::tuple fields{
+        moment("stroke", &Reorder::stroke,
+               {BURIN_TEXT("EditParameterTexts", "Stroke"),
+                BURIN_TEXT("EditParameterTexts", "The stroke that is moved in the order")}),
+        moment("before", &Reorder::before,
+               {BURIN_TEXT("EditParameterTexts", "Before"),
+                BURIN_TEXT("EditParameterTexts", "The stroke that it comes before; none: it comes last")})};
+};
+template <>
+struct EditRow<Reverse> {
+    static constexpr EditTraits traits{
+        .id = "reverse", .title = BURIN_TEXT("Edit", "Reverse"), .group = EditGroup::arrangement};
+    static constexpr std::tuple fields{stretch("stretch", &Reverse::stretch, strokesToEdit)};
+};
+template <>
+struct EditRow<Mirror> {
+    static constexpr EditTraits traits{
+        .id = "mirror", .title = BURIN_TEXT("Edit", "Mirror"), .group = EditGroup::arrangement, .mayEnter = true};
+    static constexpr std::array<EditChoice, 2> planes{
+        {{"x", BURIN_TEXT("EditParameterTexts", "X")}, {"y", BURIN_TEXT("EditParameterTexts", "Y")}}};
+    static constexpr std::tuple fields{
+        stretch("stretch", &Mirror::stretch, strokesToEdit),
+        choice("across", &Mirror::across, planes,
+               {BURIN_TEXT("EditParameterTexts", "Across"),
+                BURIN_TEXT("EditParameterTexts", "Axis perpendicular to the mirror plane")}),
+        number("at_mm", &Mirror::at, -farthestPlace, farthestPlace,
+               {BURIN_TEXT("EditParameterTexts", "Plane at"),
+                BURIN_TEXT("EditParameterTexts",
+                           "Position of the mirror plane, from program zero; it can be drawn in the view, as a line")}),
+        onOff("keep", &Mirror::keep,
+              {BURIN_TEXT("EditParameterTexts", "Keep the originals"),
+               BURIN_TEXT("EditParameterTexts", "They are cut before their images")})};
+};
+template <>
+struct EditRow<Rotate> {
+    static constexpr EditTraits traits{
+        .id = "rotate", .title = BURIN_TEXT("Edit", "Rotate"), .group = EditGroup::arrangement, .mayEnter = true};
+    static constexpr std::tuple fields{stretch("stretch", &Rotate::stretch, strokesToEdit),
+                                       place("centre_mm", &Rotate::centre, turnCentre),
+                                       number("angle_rad", &Rotate::angle, -2.0 * pi, 2.0 * pi,
+                                              {BURIN_TEXT("EditParameterTexts", "Angle"),
+                                               BURIN_TEXT("EditParameterTexts", "Anticlockwise as seen from above")})};
+};
+template <>
+struct EditRow<Array> {
+    static constexpr EditTraits traits{
+        .id = "array", .title = BURIN_TEXT("Edit", "Array"), .group = EditGroup::arrangement, .mayEnter = true};
+    static constexpr std::tuple fields{
+        stretch("stretch", &Array::stretch, strokesToEdit),
+        place(
+            "step_mm", &Array::step,
+            {BURIN_TEXT("EditParameterTexts", "Step"), BURIN_TEXT("EditParameterTexts", "From each copy to the next")}),
+        place("centre_mm", &Array::centre, turnCentre),
+        number("turn_rad", &Array::turn, -2.0 * pi, 2.0 * pi,
+               {BURIN_TEXT("EditParameterTexts", "Rotation"),
+                BURIN_TEXT("EditParameterTexts", "From each copy to the next, anticlockwise as seen from above")}),
+        count("copies", &Array::copies, 1.0, 1000.0,
+              {BURIN_TEXT("EditParameterTexts", "Copies"), BURIN_TEXT("EditParameterTexts", "Besides the original")})};
+};
+template <>
+struct EditRow<MovePoints> {
+    static constexpr EditTraits traits{
+        .id = "move-points", .title = BURIN_TEXT("Edit", "Move points"), .group = EditGroup::places, .mayEnter = true};
+    static constexpr std::array<EditChoice, 2> ways{
+        {{"free", BURIN_TEXT("EditParameterTexts", "freely")},
+         {"surface", BURIN_TEXT("EditParameterTexts", "the part's surface")}}};
+    static constexpr std::tuple fields{
+        stretch("stretch", &MovePoints::stretch,
+                {BURIN_TEXT("EditParameterTexts", "Applies to"),
+                 BURIN_TEXT("EditParameterTexts", "Points that are moved")}),
+        place(
+            "by_mm", &MovePoints::by,
+            {BURIN_TEXT("EditParameterTexts", "By"), BURIN_TEXT("EditParameterTexts", "How far the points are moved")}),
+        number(
+            "falloff_mm", &MovePoints::falloff, 0.0, 1000.0,
+            {BURIN_TEXT("EditParameterTexts", "Falloff"),
+             BURIN_TEXT("EditParameterTexts", "Points along the stroke within this distance follow by less and less")}),
+        choice(
+            "along", &MovePoints::along, ways,
+            {BURIN_TEXT("EditParameterTexts", "Along"),
+             BURIN_TEXT("EditParameterTexts", "Freely, or along the part's surface with the same distance from it")})};
+};
+template <>
+struct EditRow<ReplaceStretch> {
+    static constexpr EditTraits traits{.id = "replace-stretch",
+                                       .title = BURIN_TEXT("Edit", "Replace part of the path"),
+                                       .group = EditGroup::places,
+                                       .mayEnter = true};
+    static constexpr std::tuple fields{
+        stretch("stretch", &ReplaceStretch::stretch,
+                {BURIN_TEXT("EditParameterTexts", "Applies to"),
+                 BURIN_TEXT("EditParameterTexts", "Part of the path that the drawn stroke replaces")}),
+        places("places_mm", &ReplaceStretch::places, 2.0,
+               {BURIN_TEXT("EditParameterTexts", "Points"),
+                BURIN_TEXT("EditParameterTexts", "Points of the drawn stroke")})};
+};
+template <>
+struct EditRow<RemoveArea> {
+    static constexpr EditTraits traits{
+        .id = "remove-area", .title = BURIN_TEXT("Edit", "Delete in an area"), .group = EditGroup::places};
+    static constexpr std::tuple fields = areaFields;
+};
+template <>
+struct EditRow<LiftArea> {
+    static constexpr EditTraits traits{.id = "lift-area",
+                                       .title = BURIN_TEXT("Edit", "Retract in an area"),
+                                       .group = EditGroup::places,
+                                       .mayEnter = true};
+    static constexpr std::tuple fields = std::tuple_cat(
+        areaFields,
+        std::tuple{number("lift_mm", &LiftArea::lift, 0.0, 1000.0,
+                          {BURIN_TEXT("EditParameterTexts", "Retract"),
+                           BURIN_TEXT("EditParameterTexts", "How far the tool retracts inside the area")})});
+};
+
+} // namespace burin

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/runs/run_volume.h"
+
+#include <array>
+#include <vector>
+
+namespace burin {
+
+/// Neighbouring voxels first … last (inclusive) of one scanline.
+struct VoxelStretch {
+    std::int32_t first = 0, last = 0;
+    friend bool operator==(VoxelStretch, VoxelStretch) = default;
+};
+
+/// The boundary voxels of an object: those with at least one empty voxel among their 26 neighbours (Chen & Yang 2004,
+/// eq. 2, by the run criteria of section 4.2). Beyond the grid everything is empty. Kept as stretches of the scanlines
+/// and refreshed where material came or went. Holds the snapshot that it was made of.
+/// Thread: one at a time; reading from several.
+class BoundaryList {
+public:
+    /// Of the whole volume. Parallel; cost: its runs, not its voxels.
+    /// @throws std::bad_alloc
+    explicit BoundaryList(const VolumeSnapshot& volume);
+
+    /// Follows a later (or earlier) state of the same volume: only bricks of 8 × 8 scanlines that differ, and those
+    /// beside them, are looked at again. A snapshot of another volume is taken up whole.
+    /// @return bricks that were looked at
+    /// @throws std::bad_alloc
+    std::size_t update(const VolumeSnapshot& now);
+
+    const VolumeSnapshot& shown() const noexcept { return shown_; }
+    /// Stretches of a scanline, in order; two of them never touch. Valid until the next update.
+    std::span<const VoxelStretch> line(LineIndex line) const noexcept;
+    std::uint64_t voxelCount() const noexcept;
+    /// One by one, by scanlines (v, then u), then along them. Parallel.
+    /// @throws std::bad_alloc
+    std::vector<VoxelIndex> voxels() const;
+
+private:
+    struct Brick {
+        std::array<std::uint32_t, 65> begin{}; ///< by line, u counts faster
+        std::vector<VoxelStretch> stretches;
+    };
+    class Surrounding;
+    class Finder;
+
+    std::size_t brickAt(std::int32_t brickU, std::int32_t brickV) const noexcept {
+        return static_cast<std::size_t>(brickV) * static_cast<std::size_t>(bricksU_) + static_cast<std::size_t>(brickU);
+    }
+    void findAll();
+
+    VolumeSnapshot shown_;
+    std::int32_t bricksU_ = 0, bricksV_ = 0;
+    std::vector<Brick> bricks_;
+};
+
+/// Boundary voxels of one scanline, in order. Cost: runs of the line and of its eight neighbours.
+std::vector<VoxelStretch> boundaryOfLine(const VolumeSnapshot& volume, LineIndex line);
+
+/// All boundary voxels one by one; BoundaryList without the list that can be kept.
+std::vector<VoxelIndex> boundaryVoxels(const VolumeSnapshot& volume);
+
+} // namespace burin

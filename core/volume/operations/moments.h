@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/runs/run_volume.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace burin {
+
+/// Volume and its moments of one body, as its runs describe it: every run a square prism of one voxel's width that ends
+/// at 1/256 voxel. Setup frame.
+struct BodyMoments {
+    double volume = 0.0;      ///< mm³
+    glm::dvec3 centroid{0.0}; ///< mm; meaningless when volume is 0
+    /// Integral of (r - c)(r - c)ᵀ over the body, c its centroid, mm⁵; symmetric.
+    glm::dmat3 secondMoments{0.0};
+
+    /// Inertia about the centroid at density 1, mm⁵: trace of the second moments on the diagonal, less the moments.
+    glm::dmat3 inertia() const noexcept;
+};
+
+struct VolumeMoments {
+    std::vector<BodyMoments> byProperty; ///< by entry of the property list; air's is empty
+    BodyMoments material;                ///< everything but air
+};
+
+/// Volume, centroid and second moments of every material. Sums are whole numbers, so that the result does not depend on
+/// how the work was shared; exact but for the last rounding to double. Parallel; cost: the volume's runs.
+/// @throws std::bad_alloc
+VolumeMoments moments(const VolumeSnapshot& volume);
+
+} // namespace burin

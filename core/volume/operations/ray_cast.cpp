@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/volume/operations/ray_cast.h"
+
+#include "core/geometry/pose.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// A ray in the grid's own frame: u, v in scanlines, along the runs in voxels, from the grid's low corner.
+struct LocalRay {
+    glm::dvec3 origin, way; ///< `way` for one millimetre of the ray
+};
+
+LocalRay localRay(const Grid& grid, const glm::dvec3& origin, const glm::dvec3& direction) {
+    const glm::dvec3 from = (origin - grid.low()) / grid.edge(), way = glm::normalize(direction) / grid.edge();
+    const std::array axes{grid.axisOfU(), grid.axisOfV(), grid.axisOfRuns()};
+    return {{from[axes[0]], from[axes[1]], from[axes[2]]}, {way[axes[0]], way[axes[1]], way[axes[2]]}};
+}
+
+bool isRay(const LocalRay& ray) noexcept {
+    return isFinite(ray.origin) && isFinite(ray.way) && ray.way != glm::dvec3(0.0);
+}
+
+/// Part of a ray, by its distance from the origin.
+struct Stretch {
+    double from = 0.0, to = never;
+    void clip(double origin, double way, double low, double high) {
+        if (way == 0.0) {
+            if (origin < low || origin > high) to = -1.0;
+            return;
+        }
+        const double a = (low - origin) / way, b = (high - origin) / way;
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
+    }
+};
+
+/// Where a ray meets a scanline's runs first between two distances.
+class LineTest {
+public:
+    LineTest(const VolumeSnapshot& workpiece, const LocalRay& ray, RayTarget target)
+        : workpiece_(workpiece), ray_(ray), target_(target) {}
+
+    struct Meeting {
+        double distance = never;
+        PropertyIndex property = airProperty;
+    };
+
+    Meeting first(LineIndex line, Stretch within) const {
+        Meeting found;
+        double begin = 0.0;
+        for (const Segment segment : workpiece_.line(line)) {
+            const double end = static_cast<double>(segment.end()) / unitsPerVoxel;
+            Stretch inside = within;
+            inside.clip(ray_.origin.z, ray_.way.z, begin, end);
+            begin = end;
+            if (!stops(segment.property()) || inside.from > inside.to || inside.from >= found.distance) continue;
+            found = {inside.from, segment.property()};
+        }
+        return found;
+    }
+
+private:
+    bool stops(PropertyIndex property) const {
+        return property != airProperty &&
+               (target_ == RayTarget::anything || workpiece_.properties().isProtected(property));
+    }
+
+    const VolumeSnapshot& workpiece_;
+    const LocalRay& ray_;
+    RayTarget target_;
+};
+
+/// Walks along one axis across the runs: which column, and where the next one begins.
+struct Walk {
+    std::int32_t column = 0, step = 0;
+    double next = never; ///< distance
+
+    Walk(double origin, double way, double start, std::int32_t count) {
+        const double at = origin + way * start;
+        column = static_cast<std::int32_t>(std::clamp(std::floor(at), 0.0, count - 1.0));
+        if (way == 0.0) return;
+        step = way > 0.0 ? 1 : -1;
+        findNext(origin, way);
+    }
+    void advance(double origin, double way) {
+        column += step;
+        findNext(origin, way);
+    }
+
+private:
+    void findNext(double origin, double way) { next = (column + (step > 0 ? 1 : 0) - origin) / way; }
+};
+
+} // namespace
+
+std::optional<RayHit> castRay(const VolumeSnapshot& workpiece, const glm::dvec3& origin, const glm::dvec3& direction,
+                              RayTarget target) {
+    const Grid& grid = workpiece.grid();
+    const LocalRay ray = localRay(grid, origin, direction);
+    if (!isRay(ray)) return std::nullopt;
+    Stretch inGrid;
+    inGrid.clip(ray.origin.x, ray.way.x, 0.0, grid.lineCountU());
+    inGrid.clip(ray.origin.y, ray.way.y, 0.0, grid.lineCountV());
+    inGrid.clip(ray.origin.z, ray.way.z, 0.0, grid.voxelsPerLine());
+    if (inGrid.from > inGrid.to) return std::nullopt;
+
+    const LineTest test(workpiece, ray, target);
+    Walk alongU(ray.origin.x, ray.way.x, inGrid.from, grid.lineCountU());
+    Walk alongV(ray.origin.y, ray.way.y, inGrid.from, grid.lineCountV());
+    for (double from = inGrid.from; grid.contains(LineIndex{alongU.column, alongV.column});) {
+        const double to = std::min({alongU.next, alongV.next, inGrid.to});
+        const LineTest::Meeting meeting = test.first({alongU.column, alongV.column}, {from, to});
+        if (meeting.property != airProperty)
+            return RayHit{origin + glm::normalize(direction) * meeting.distance, meeting.distance, meeting.property};
+        if (to >= inGrid.to) break;
+        if (alongU.next <= alongV.next)
+            alongU.advance(ray.origin.x, ray.way.x);
+        else
+            alongV.advance(ray.origin.y, ray.way.y);
+        from = std::max(from, to);
+    }
+    return std::nullopt;
+}
+
+double highestWithin(const VolumeSnapshot& workpiece, const glm::dvec2& place, double radius) {
+    const Grid& grid = workpiece.grid();
+    const glm::dvec2 low(grid.low()[grid.axisOfU()], grid.low()[grid.axisOfV()]);
+    const glm::dvec2 centre = (place - low) / grid.edge();
+    const double reach = radius / grid.edge();
+    RunPosition highest = 0;
+    if (!isFinite(glm::dvec3(centre, reach))) return grid.toMillimetres(highest);
+    const glm::dvec2 lines(grid.lineCountU(), grid.lineCountV()), none(0.0);
+    const glm::ivec2 first(glm::clamp(glm::floor(centre - reach), none, lines));
+    const glm::ivec2 last(glm::clamp(glm::floor(centre + reach), none - 1.0, lines - 1.0));
+    for (std::int32_t v = first.y; v <= last.y; ++v)
+        for (std::int32_t u = first.x; u <= last.x; ++u) {
+            const glm::dvec2 nearest = glm::clamp(centre, glm::dvec2(u, v), glm::dvec2(u + 1, v + 1));
+            if (glm::length(nearest - centre) > reach) continue;
+            for (const Segment segment : workpiece.line({u, v}))
+                if (segment.property() != airProperty) highest = std::max(highest, segment.end());
+        }
+    return grid.toMillimetres(highest);
+}
+
+} // namespace burin

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/runs/run_volume.h"
+
+#include <optional>
+
+namespace burin {
+
+/// Which runs stop a ray.
+enum class RayTarget : std::uint8_t { anything, protectedOnly };
+
+/// Where a ray meets a workpiece first.
+struct RayHit {
+    glm::dvec3 place{0.0}; ///< mm, setup frame
+    double distance = 0.0; ///< mm from the ray's origin
+    PropertyIndex property = airProperty;
+};
+
+/// The first run on a ray's way: exact on run ends, to the scanline's own column across them.
+/// @param origin mm, setup frame  @param direction of any length but 0
+/// @return nothing when the ray misses, or is none: an origin or a direction that is not finite, a direction without
+///         length
+/// Thread   any.
+/// Cost     grows with the scanlines on its way, and with their runs.
+std::optional<RayHit> castRay(const VolumeSnapshot& workpiece, const glm::dvec3& origin, const glm::dvec3& direction,
+                              RayTarget target = RayTarget::anything);
+
+/// The highest end of any run within a distance of a place, across the runs.
+/// @param place  mm, setup frame, along the grid's axes of u and v (runs along z: x, y)  @param radius mm
+/// @return mm along the runs, setup frame; the grid's low end where there is no run, or where place or radius is no
+///         finite number
+/// Thread   any.
+/// Cost     grows with the scanlines within the radius, and with their runs.
+double highestWithin(const VolumeSnapshot& workpiece, const glm::dvec2& place, double radius);
+
+} // namespace burin

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/surface/surface_field.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace burin {
+
+/// Cubes of eight nodes that the surface crosses and whose lowest node lies in one row of a field. They are told by
+/// whole words, a bit a node, and listed without a branch that depends on the shape.
+class SurfaceCubes {
+public:
+    /// A cube by its lowest node: in the upper half its column, in the lower half the node's place in its row of the
+    /// field.
+    static constexpr std::uint32_t cube(std::uint32_t column, std::uint32_t place) { return column << 16 | place; }
+    static constexpr std::uint32_t placeOf(std::uint32_t cube) { return cube & 0xffff; }
+
+    /// What is looked for.
+    struct Owned {
+        int firstColumn = 0, endColumn = 0;
+        std::uint64_t nodes = 0; ///< a bit each: lowest nodes
+    };
+
+    /// @param rows   the one that is looked at and the next; neither is read after
+    /// @param stride from column to column
+    void find(const std::array<SurfaceField::Row, 2>& rows, int stride, const Owned& owned);
+    std::span<const std::uint32_t> listed() const { return {cubes_.data(), count_}; }
+
+private:
+    static constexpr std::size_t spare = 2; ///< there are always so many that are written but not listed
+    std::array<std::uint32_t, SurfaceField::mostPlaces + spare> cubes_;
+    std::size_t count_ = 0;
+};
+
+} // namespace burin

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/surface/surface_window.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// Finds the windows of a tile that hold surface: those that see both air and material. Keeps its working storage.
+class SurfaceSearch {
+public:
+    /// Pieces along the runs (`SurfaceWindow::of`), rising. Looks at all runs of the tile and its margin.
+    std::span<const int> pieces(const VolumeSnapshot& workpiece, SurfaceTile tile, int level);
+
+private:
+    void mark(std::span<const Segment> line, RunPosition lineEnd);
+    void markStretch(std::vector<int>& steps, std::int64_t from, std::int64_t to) const;
+
+    std::int64_t cell_ = unitsPerVoxel; ///< run units
+    std::vector<int> solid_, air_;      ///< by piece: how many more scanlines it sees some of than the piece before
+    std::vector<int> found_;
+};
+
+} // namespace burin

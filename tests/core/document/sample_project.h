@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/document/project.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+/// Contents for projects in tests: small, made by formula, the same in every run.
+namespace burin::fixture {
+
+/// Samples `first` … `first + count - 1` of a hand that mills in circles, with the noise of a device.
+std::vector<Sample> handSamples(std::size_t first, std::size_t count);
+TakeInfo takeInfo(const char* name);
+/// Two bodies, one without a colour, with notes and bytes that pose as a B-rep.
+Model model();
+/// The same, told from others by the name of its first body.
+Model modelNamed(const std::string& name);
+/// That name in a project; "none" and why, where there is no model.
+std::string nameIn(const Project& project);
+Setup setup();
+std::vector<Property> materials();
+Tool tool();
+/// A fixture as a mesh, another as a cylinder, and a space to be kept clear that is off.
+std::vector<Obstacle> obstacles();
+AxisMode axisMode();
+TravelPlacement travelPlacement();
+/// One of each kind.
+KeptGuides guides();
+
+/// A saved project with one of everything, and whether a project holds just that (whole_project.cpp).
+bool fillProject(const std::filesystem::path& file);
+/// @param version that wrote it: an old one knew less
+bool holdsFixture(const Project& project, int version = 4);
+/// What `fillProject` takes back of its first take, since version 2.
+inline constexpr SampleRange undoneInFixture{100, 50};
+
+/// Equal bit for bit; padding apart.
+bool identical(const Sample& one, const Sample& other);
+bool identical(const std::vector<Sample>& one, const std::vector<Sample>& other);
+bool identical(const Model& one, const Model& other);
+/// Guides by what they are and where their curves lead; tangents to the last digit but one.
+bool identical(const KeptGuides& one, const KeptGuides& other);
+
+} // namespace burin::fixture

@@ -1,0 +1,415 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/document/project.h"
+#include "core/document/setup_record.h"
+#include "tests/core/document/sample_project.h"
+#include "tests/places.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <span>
+
+using namespace burin;
+namespace fs = std::filesystem;
+
+namespace {
+
+QByteArray contentOf(const fs::path& file) {
+    QFile stream(QString::fromStdString(file.string()));
+    return stream.open(QIODevice::ReadOnly) ? stream.readAll() : QByteArray();
+}
+
+fs::path fileIn(const QTemporaryDir& folder, const char* name = "p.burin") {
+    return folder.filePath(name).toStdString();
+}
+
+/// As text: equal exactly when the stored forms are. What the forms themselves keep is tested where they are made.
+template <class Value>
+std::vector<std::string> texts(const std::vector<Value>& values) {
+    std::vector<std::string> result;
+    for (const Value& value : values) result.push_back(toJson(value));
+    return result;
+}
+
+bool same(const Setup& one, const Setup& other) {
+    return one.voxel == other.voxel && one.marginLow == other.marginLow && one.marginHigh == other.marginHigh &&
+           one.stockMaterial == other.stockMaterial && one.bodyMaterials == other.bodyMaterials &&
+           one.stock.low == other.stock.low && one.stock.high == other.stock.high && one.workOffset == other.workOffset;
+}
+
+} // namespace
+
+class TestProject : public QObject {
+    Q_OBJECT
+private slots:
+    /// Everything that a project holds comes back from a second program's point of view: saved, closed, opened.
+    void everythingComesBack() {
+        const QTemporaryDir folder;
+        QVERIFY(fixture::fillProject(fileIn(folder)));
+        Result<Project> project = Project::open(fileIn(folder));
+        QVERIFY(project && !project->recovered() && !*project->unsaved());
+        QVERIFY(fixture::holdsFixture(*project));
+    }
+
+    /// Files that each version wrote, kept in the repository.
+    void aProjectOfEachVersionOpens_data() {
+        QTest::addColumn<int>("version");
+        QTest::newRow("first") << 1;
+        QTest::newRow("with strokes that were taken back") << 2;
+        QTest::newRow("with fixtures, a chosen axis and guides") << 3;
+        QTest::newRow("with several setups") << 4;
+    }
+    void aProjectOfEachVersionOpens() {
+        QFETCH(int, version);
+        const QTemporaryDir folder;
+        fs::copy_file(fs::path(BURIN_FIXTURES) / ("projects/v" + std::to_string(version)) / "small.burin",
+                      fileIn(folder));
+        const QByteArray written = contentOf(fileIn(folder));
+        Result<Project> project = Project::open(fileIn(folder));
+        QVERIFY(project);
+        QVERIFY(fixture::holdsFixture(*project, version));
+        // And takes what only today's version knows.
+        const std::int64_t take = project->takes()->front().id;
+        QVERIFY(project->undoStretch(take, {200, 10}) && project->setObstacles(fixture::obstacles()) &&
+                project->save());
+        QCOMPARE(project->take(take)->undone.back(), (SampleRange{200, 10}));
+        QVERIFY(*project->obstacles() == fixture::obstacles());
+        // The file as it was is there for who still has the version that wrote it.
+        const fs::path kept = project->keptEarlier();
+        QCOMPARE(kept.empty(), version == 4);
+        if (!kept.empty()) QCOMPARE(kept.filename().string(), "p.format-" + std::to_string(version) + ".burin");
+        if (!kept.empty()) QCOMPARE(contentOf(kept), written);
+        QVERIFY(project->setAxisMode({}) && project->save());
+        QVERIFY(project->keptEarlier().empty()); // once
+    }
+
+    /// Nothing is stored in a setup that isn't there, and a path's takes are of its own setup.
+    void setupsAreKeptApart() {
+        const QTemporaryDir folder;
+        QVERIFY(fixture::fillProject(fileIn(folder)));
+        Result<Project> project = Project::open(fileIn(folder));
+        const SetupId second = project->setups()->back().id, unknown{99};
+        const std::int64_t take = project->takes()->front().id;
+        const StoredPath astray{0, "a", {take}, {}, second}, nowhere{0, "b", {}, {}, unknown};
+        QCOMPARE(project->addPath(astray).error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(project->addPath(nowhere).error().code, ErrorCode::nameUnknown);
+        QCOMPARE(project->setAxisMode({}, unknown).error().code, ErrorCode::nameUnknown);
+        QCOMPARE(project->setup(unknown).error().code, ErrorCode::nameUnknown);
+        TakeInfo info = fixture::takeInfo("c");
+        info.setup = unknown;
+        QCOMPARE(project->beginTake(info).error().code, ErrorCode::nameUnknown);
+        info.setup = second;
+        QVERIFY(project->beginTake(info) && project->takes()->back().setup == second);
+        QVERIFY(project->setObstacles({}, second) && *project->obstacles() == fixture::obstacles());
+        QCOMPARE(project->setup(*project->addSetup("d")).error().code, ErrorCode::projectIncomplete);
+    }
+
+    /// A loop that misses ticks has fewer samples than periods, in one chunk or in several.
+    void howLongATakeIsComesFromItsTimes() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        Result<Project::TakeWriter> writer = project->beginTake(fixture::takeInfo("late"));
+        QCOMPARE(project->takes()->front().seconds, std::optional(0.0));
+        std::vector<Sample> samples = fixture::handSamples(0, 40);
+        for (std::size_t i = 0; i < samples.size(); ++i) samples[i].time = 0.0025 * static_cast<double>(i);
+        QVERIFY(writer->append(std::span(samples).first(15)));
+        QCOMPARE(project->takes()->front().seconds, std::optional(0.0025 * 14.0));
+        QVERIFY(writer->append(std::span(samples).subspan(15)) && writer->finish());
+        QCOMPARE(project->takes()->front().seconds, std::optional(0.0025 * 39.0));
+        QCOMPARE(project->take(writer->id())->info.seconds, std::optional(0.0025 * 39.0));
+    }
+
+    /// Hours of samples are looked at in parts; who looks may break off.
+    void aTakeIsVisitedInItsOrder() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        Result<Project::TakeWriter> writer = project->beginTake(fixture::takeInfo("long"));
+        const std::int64_t id = writer->id();
+        const std::vector<Sample> hand = fixture::handSamples(0, 40000);
+        QVERIFY(writer->append(std::span(hand).first(100)) && writer->append(std::span(hand).subspan(100)));
+        QVERIFY(project->undoStretch(id, {90, 60}));
+        std::vector<Sample> seen;
+        std::size_t largest = 0;
+        QVERIFY(project->visitSamples(id, [&](std::span<const Sample> part) -> Result<void> {
+            seen.insert(seen.end(), part.begin(), part.end());
+            largest = std::max(largest, part.size());
+            return {};
+        }));
+        QVERIFY(fixture::identical(seen, hand));
+        QVERIFY(largest < hand.size());
+        const Result<TakeOutline> outline = project->takeOutline(id);
+        QVERIFY(outline);
+        QCOMPARE(outline->info.sampleCount, std::uint64_t{40000});
+        QCOMPARE(outline->undone, (std::vector<SampleRange>{{90, 60}}));
+        QCOMPARE(outline->info.seconds, project->take(id)->info.seconds);
+
+        int calls = 0;
+        const Result<void> broken = project->visitSamples(id, [&](std::span<const Sample>) -> Result<void> {
+            ++calls;
+            return Error{ErrorCode::cancelled, "looking", {}, {}};
+        });
+        QVERIFY(!broken);
+        QCOMPARE(broken.error().subject, std::string("looking"));
+        QCOMPARE(calls, 1);
+        const SampleVisitor nobody = [](std::span<const Sample>) -> Result<void> { return {}; };
+        QCOMPARE(project->visitSamples(id + 1, nobody).error().code, ErrorCode::nameUnknown);
+        QCOMPARE(project->takeOutline(id + 1).error().code, ErrorCode::nameUnknown);
+    }
+
+    /// What is taken back stays in the file, is told, and comes again.
+    void whatIsTakenBackIsKept() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        Result<Project::TakeWriter> writer = project->beginTake(fixture::takeInfo("a"));
+        const std::int64_t id = writer->id();
+        QVERIFY(writer->append(fixture::handSamples(0, 100)));
+        // While it is recorded, and ahead of what the disk has.
+        QVERIFY(project->undoStretch(id, {90, 60}) && project->undoStretch(id, {10, 5}));
+        QVERIFY(writer->append(fixture::handSamples(100, 30)));
+        Result<Take> take = project->take(id);
+        QVERIFY(take);
+        QCOMPARE(take->samples.size(), std::size_t{130});
+        QCOMPARE(take->undone, (std::vector<SampleRange>{{10, 5}, {90, 40}})); // no more than there is
+        QCOMPARE(project->takes()->front().undoneCount, std::uint64_t{45});
+        QVERIFY(writer->append(fixture::handSamples(130, 70)) && writer->finish() && project->save());
+        QCOMPARE(project->take(id)->undone.back(), (SampleRange{90, 60}));
+        QVERIFY(project->redoStretch(id, {10, 5}));
+        take = project->take(id);
+        QCOMPARE(take->undone, (std::vector<SampleRange>{{90, 60}}));
+        QVERIFY(fixture::identical(take->samples, fixture::handSamples(0, 200)));
+        QVERIFY(*project->unsaved());
+        QVERIFY(project->removeTake(id) && project->save());
+    }
+
+    void aStretchThatCantBeTakenBackChangesNothing() {
+        const QTemporaryDir folder;
+        QVERIFY(fixture::fillProject(fileIn(folder)));
+        Result<Project> project = Project::open(fileIn(folder));
+        const std::int64_t id = project->takes()->front().id;
+        constexpr std::uint64_t beyond = ~std::uint64_t{0};
+        for (const SampleRange& wrong :
+             {SampleRange{5, 0}, SampleRange{149, 10}, SampleRange{90, 11}, SampleRange{0, 500}, SampleRange{120, 5},
+              SampleRange{beyond, 1}, SampleRange{1, beyond}})
+            QCOMPARE(project->undoStretch(id, wrong).error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(project->undoStretch(99, {0, 1}).error().code, ErrorCode::nameUnknown);
+        QCOMPARE(project->redoStretch(id, {100, 49}).error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(project->redoStretch(99, {100, 50}).error().code, ErrorCode::argumentInvalid);
+        QVERIFY(fixture::holdsFixture(*project) && !*project->unsaved());
+    }
+
+    void obstaclesThatCantBeAreRefusedAndNothingChanges() {
+        const QTemporaryDir folder;
+        QVERIFY(fixture::fillProject(fileIn(folder)));
+        Result<Project> project = Project::open(fileIn(folder));
+        std::vector<Obstacle> wrong = fixture::obstacles();
+        wrong.back().shape = Box{{0.0, 0.0, 0.0}, {1.0, 0.0, 1.0}};
+        QCOMPARE(project->setObstacles(wrong).error().code, ErrorCode::argumentInvalid);
+        wrong = fixture::obstacles();
+        std::get<TriangleMesh>(wrong.front().shape).triangles.pop_back();
+        const Result<void> open = project->setObstacles(wrong);
+        QCOMPARE(open.error().code, ErrorCode::modelNotWatertight);
+        QCOMPARE(open.error().subject, wrong.front().name);
+        QCOMPARE(project->setAxisMode({false, {0.0, 0.0, 2.0}}).error().code, ErrorCode::argumentInvalid);
+        KeptGuides guides = fixture::guides();
+        guides.guides.front().lead = std::numeric_limits<double>::infinity(); // a plane has no use for it
+        QCOMPARE(project->setGuides(guides).error().code, ErrorCode::argumentInvalid);
+        QVERIFY(fixture::holdsFixture(*project) && !*project->unsaved());
+    }
+
+    void anUnplacedStockComesBackEmpty() {
+        const auto setup = setupFromJson(*toJson(Setup{}));
+        QVERIFY(setup && setup->stock.empty());
+        QVERIFY(same(*setup, Setup{}));
+    }
+
+    void theRunAxisComesBack() {
+        Setup setup;
+        for (const RunAxis axis : {RunAxis::x, RunAxis::y, RunAxis::z}) {
+            setup.runs = axis;
+            const auto back = setupFromJson(*toJson(setup));
+            QVERIFY(back && back->runs == axis);
+        }
+        std::string text = *toJson(setup); // along z
+        const std::string key = R"("run_axis":"z",)";
+        const std::size_t at = text.find(key);
+        QVERIFY(at != std::string::npos);
+        std::string older = text, wrong = text;
+        QVERIFY(setupFromJson(older.erase(at, key.size()))->runs == RunAxis::z);
+        QVERIFY(!setupFromJson(wrong.replace(at, key.size(), R"("run_axis":"w",)")));
+    }
+
+    void aSetupThatIsNotFiniteIsRefused() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        Setup setup = fixture::setup();
+        setup.voxel = std::numeric_limits<double>::quiet_NaN();
+        const Result<void> stored = project->setSetup(setup);
+        QVERIFY(!stored);
+        QCOMPARE(stored.error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(stored.error().subject, std::string("voxel_mm"));
+        QVERIFY(!*project->unsaved());
+    }
+
+    void anEmptyProjectSaysWhatIsMissing() {
+        const QTemporaryDir folder;
+        const Result<Project> project = Project::create(fileIn(folder));
+        QVERIFY(project);
+        const Error model = project->model().error(), setup = project->setup().error();
+        QCOMPARE(model.code, ErrorCode::projectIncomplete);
+        QCOMPARE(model.subject, std::string("model"));
+        QCOMPARE(setup.code, ErrorCode::projectIncomplete);
+        QCOMPARE(setup.place, std::string("burin embed"));
+        QCOMPARE(project->materials().error().code, ErrorCode::projectIncomplete);
+        QCOMPARE(project->take(1).error().subject, std::string("recording"));
+        QVERIFY(project->takes()->empty() && project->tools()->empty() && project->paths()->empty() &&
+                project->programs()->empty());
+    }
+
+    void whatIsThereOnceIsReplaced() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        Model smaller = fixture::model();
+        smaller.bodies.pop_back();
+        smaller.notes.clear();
+        QVERIFY(project->setModel(fixture::model()) && project->setModel(smaller));
+        QVERIFY(fixture::identical(*project->model(), smaller));
+        QVERIFY(project->setMaterials(fixture::materials()) && project->setMaterials({fixture::materials().front()}));
+        QCOMPARE(project->materials()->size(), std::size_t{1});
+        Tool longer = fixture::tool();
+        longer.cutter.stickOut = 40.0;
+        QVERIFY(project->setTool(fixture::tool()) && project->setTool(longer));
+        QCOMPARE(texts(*project->tools()), texts(std::vector{longer}));
+    }
+
+    void whatProgramsAreForComesBack() {
+        const QTemporaryDir folder;
+        const ProgramTarget wanted{"haas-mill", "fanuc", NcUnits::inch};
+        const std::string draft = "G21\n(\"Gr\xc3\xbc\xc3\x9f\" \\ 100 %)\nM2\n";
+        {
+            Result<Project> project = Project::create(fileIn(folder));
+            QVERIFY(project->programTarget()->units == NcUnits::millimetre && project->programDraft()->empty());
+            QVERIFY(project->setProgramTarget(wanted) && project->setProgramDraft(draft) && project->save());
+        }
+        Result<Project> project = Project::open(fileIn(folder));
+        QVERIFY(*project->programTarget() == wanted);
+        QCOMPARE(*project->programDraft(), draft);
+        QVERIFY(project->setProgramDraft({}));
+        QVERIFY(project->programDraft()->empty());
+    }
+
+    /// Where the user is goes with a save, and asks for none.
+    void whereItWasLeftComesBack() {
+        const QTemporaryDir folder;
+        const auto file = std::filesystem::path(folder.filePath("left.burin").toStdString());
+        {
+            Result<Project> project = Project::create(file);
+            QVERIFY(project && project->save());
+            QCOMPARE(project->leftAt().value(), std::string());
+            QVERIFY(project->setLeftAt("{\"step\":\"mill\"}"));
+            QVERIFY(!*project->unsaved());
+        }
+        {
+            Result<Project> project = Project::open(file); // nothing was to be saved, so nothing was
+            QVERIFY(project && !project->recovered());
+            QCOMPARE(project->leftAt().value(), std::string());
+            QVERIFY(project->setLeftAt("{\"step\":\"path\"}") && project->save());
+        }
+        const Result<Project> project = Project::open(file);
+        QVERIFY(project && !*project->unsaved());
+        QCOMPARE(project->leftAt().value(), std::string("{\"step\":\"path\"}"));
+    }
+
+    void pathsKnowTheirTakes() {
+        const QTemporaryDir folder;
+        QVERIFY(fixture::fillProject(fileIn(folder)));
+        Result<Project> project = Project::open(fileIn(folder));
+        QVERIFY(project);
+        StoredPath path = project->paths()->front();
+        const std::int64_t used = path.takes.front();
+
+        const Result<void> removed = project->removeTake(used);
+        QVERIFY(!removed);
+        QCOMPARE(removed.error().code, ErrorCode::argumentInvalid);
+        path.takes = {used, 99};
+        QCOMPARE(project->setPath(path).error().code, ErrorCode::nameUnknown);
+        QCOMPARE(project->addPath(path).error().place, std::string("99"));
+        QVERIFY(fixture::holdsFixture(*project)); // nothing of all that was kept
+
+        path.takes.clear();
+        path.edits.pop_back();
+        QVERIFY(project->setPath(path));
+        QCOMPARE(project->paths()->front().edits.size(), path.edits.size());
+        QVERIFY(project->removeTake(used));
+        QCOMPARE(project->take(used).error().code, ErrorCode::nameUnknown);
+        QCOMPARE(project->removeTake(used).error().code, ErrorCode::nameUnknown);
+        path.id = 77;
+        QCOMPARE(project->setPath(path).error().subject, std::string("path"));
+    }
+
+    /// With its number, its takes and its edits, so that what names it means it again; the file reads it all back.
+    void aPathGoesAndComesBackAsItWas() {
+        const QTemporaryDir folder;
+        QVERIFY(fixture::fillProject(fileIn(folder)));
+        {
+            Result<Project> project = Project::open(fileIn(folder));
+            const StoredPath path = project->paths()->front();
+            const std::size_t all = project->paths()->size();
+            QVERIFY(project->removePath(path.id));
+            QCOMPARE(project->paths()->size(), all - 1);
+            QCOMPARE(project->removePath(path.id).error().code, ErrorCode::nameUnknown);
+            QVERIFY(project->restorePath(path));
+            QVERIFY(fixture::holdsFixture(*project));
+            QVERIFY(!project->restorePath(path)); // it is there
+            QVERIFY(project->removePath(path.id));
+            const std::int64_t newer = *project->addPath(path);
+            QVERIFY(newer > path.id);
+            for (const std::int64_t take : path.takes) QVERIFY(!project->removeTake(take)); // the new one uses it
+            QVERIFY(project->removePath(newer));
+            QVERIFY(project->restorePath(path));
+        }
+        Result<Project> again = Project::open(fileIn(folder));
+        QVERIFY(fixture::holdsFixture(*again));
+    }
+
+    /// A take's number is never given again, so that no path and no program can mean another one by it.
+    void numbersOfTakesAreNotReused() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        const std::int64_t first = project->beginTake(fixture::takeInfo("a"))->id();
+        QVERIFY(project->removeTake(first));
+        QVERIFY(project->beginTake(fixture::takeInfo("b"))->id() > first);
+    }
+
+    /// A minute at 1 kHz, journalled every 50 ms, stays below 8 MB (five minutes below 40).
+    void aMinuteOfRecordingStaysSmall() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        Result<Project::TakeWriter> writer = project->beginTake(fixture::takeInfo("long"));
+        const std::vector<Sample> hand = fixture::handSamples(0, 60000);
+        for (std::size_t first = 0; first < hand.size(); first += 50)
+            QVERIFY(writer->append(std::span(hand).subspan(first, 50)));
+        QVERIFY(writer->finish() && project->save());
+        const auto size = fs::file_size(fileIn(folder));
+        qInfo("%.1f bytes a sample", static_cast<double>(size) / static_cast<double>(hand.size()));
+        QVERIFY(size < 8'000'000);
+        QVERIFY(fixture::identical(project->take(writer->id())->samples, hand));
+    }
+
+    void oneAppendMayBringManySamples() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        Result<Project::TakeWriter> writer = project->beginTake(fixture::takeInfo("fast"));
+        const std::vector<Sample> hand = fixture::handSamples(0, 40000); // more than a chunk holds
+        QVERIFY(writer->append(hand) && writer->append({}) && writer->append(std::span(hand).first(1)));
+        const Result<Take> take = project->take(writer->id());
+        QVERIFY(take);
+        QCOMPARE(take->samples.size(), hand.size() + 1);
+        QCOMPARE(take->info.sampleCount, std::uint64_t{hand.size() + 1});
+    }
+};
+
+QTEST_APPLESS_MAIN(TestProject)
+#include "tst_project.moc"

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/core/document/sample_project.h"
+
+namespace burin::fixture {
+
+namespace {
+
+/// Every kind of edit, none with its first parameters.
+std::vector<Edit> edits() {
+    return {{DropAirCuts{2.5}, true},
+            {DropDwells{0.7, 0.2}, false},
+            {Smooth{4.5, 1.0 / 64.0}, true},
+            {HoldOut{0.006, 0.125}, true},
+            {Simplify{0.004}, true},
+            {Link{6.5, 1.25}, true},
+            {SetFeed{}, true}};
+}
+
+StoredPath path(std::vector<std::int64_t> takes) {
+    return {0, "Schlichten", std::move(takes), edits(), firstSetup};
+}
+
+StoredProgram program() {
+    return {"mouse", "linuxcnc", "example-3-axis", "%\nG21 (¼ Stück)\nM2\n", R"({"gouge_max_mm": 0.004})", firstSetup};
+}
+
+bool same(const StoredPath& one, const StoredPath& other) {
+    if (one.name != other.name || one.takes != other.takes || one.edits.size() != other.edits.size()) return false;
+    for (std::size_t i = 0; i < one.edits.size(); ++i)
+        if (toJson(one.edits[i]) != toJson(other.edits[i]) || one.edits[i].enabled != other.edits[i].enabled)
+            return false;
+    return true;
+}
+
+bool same(const StoredProgram& one, const StoredProgram& other) {
+    return one.name == other.name && one.dialect == other.dialect && one.machine == other.machine &&
+           one.text == other.text && one.reportJson == other.reportJson;
+}
+
+bool same(const Setup& one, const Setup& other) {
+    return one.voxel == other.voxel && one.marginLow == other.marginLow && one.marginHigh == other.marginHigh &&
+           one.stockMaterial == other.stockMaterial && one.bodyMaterials == other.bodyMaterials &&
+           one.stock.low == other.stock.low && one.stock.high == other.stock.high && one.workOffset == other.workOffset;
+}
+
+/// What stands around the setup and leads the hand, since version 3.
+bool holdsSurroundings(const Project& project, int version) {
+    const Result<std::vector<Obstacle>> stored = project.obstacles();
+    const Result<AxisMode> axis = project.axisMode();
+    const Result<TravelPlacement> travel = project.travelPlacement();
+    const Result<KeptGuides> kept = project.guides();
+    if (!stored || !axis || !travel || !kept) return false;
+    if (version < 3)
+        return stored->empty() && !axis->free && axis->direction == glm::dvec3(0.0, 0.0, 1.0) &&
+               *travel == TravelPlacement{} && identical(*kept, KeptGuides{});
+    return *stored == obstacles() && axis->free == axisMode().free && axis->direction == axisMode().direction &&
+           *travel == travelPlacement() && identical(*kept, guides());
+}
+
+bool storeSurroundings(Project& project) {
+    return project.setObstacles(obstacles()) && project.setAxisMode(axisMode()) &&
+           project.setTravelPlacement(travelPlacement()) && project.setGuides(guides());
+}
+
+/// A second clamping with a stock, a fixture, a machine, a path and a program of its own, since version 4.
+bool storeSecondSetup(Project& project) {
+    const Result<SetupId> second = project.addSetup("Rückseite");
+    if (!second) return false;
+    Setup turned = setup();
+    turned.voxel *= 0.5;
+    StoredPath back{0, "Planen", {}, edits(), *second};
+    StoredProgram posted = program();
+    posted.setup = *second;
+    return project.setSetup(turned, *second) && project.setObstacles({obstacles().front()}, *second) &&
+           project.setProgramTarget({"shapeoko-like", "grbl", NcUnits::inch}, *second) && project.addPath(back) &&
+           project.addProgram(posted);
+}
+
+/// That it holds what storeSecondSetup stored, or, before version 4, one setup alone.
+bool holdsSetups(const Project& project, int version) {
+    const Result<std::vector<SetupName>> setups = project.setups();
+    const Result<std::vector<StoredPath>> paths = project.paths();
+    const Result<std::vector<StoredProgram>> programs = project.programs();
+    if (!setups || !paths || !programs || setups->front().id != firstSetup || !setups->front().name.empty())
+        return false;
+    if (paths->front().setup != firstSetup || programs->front().setup != firstSetup) return false;
+    if (version < 4) return setups->size() == 1 && paths->size() == 1 && programs->size() == 1;
+    if (setups->size() != 2 || paths->size() != 2 || programs->size() != 2) return false;
+    const SetupId second = setups->back().id;
+    const Result<Setup> turned = project.setup(second);
+    const Result<std::vector<Obstacle>> stored = project.obstacles(second);
+    const Result<ProgramTarget> target = project.programTarget(second);
+    return setups->back().name == "Rückseite" && turned && turned->voxel == 0.5 * setup().voxel && stored &&
+           *stored == std::vector<Obstacle>{obstacles().front()} && target && target->machine == "shapeoko-like" &&
+           paths->back().setup == second && programs->back().setup == second;
+}
+
+bool holdsTakes(const Project& project, int version) {
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes || takes->size() != 2) return false;
+    const TakeInfo& first = takes->front();
+    const TakeInfo original = takeInfo("Schruppen");
+    const Result<Take> take = project.take(first.id);
+    const std::vector<SampleRange> undone =
+        version < 2 ? std::vector<SampleRange>{} : std::vector<SampleRange>{undoneInFixture};
+    if (first.undoneCount != (undone.empty() ? 0 : undoneInFixture.count)) return false;
+    return take && take->undone == undone && identical(take->samples, handSamples(0, 500)) &&
+           first.name == original.name && first.toolId == original.toolId && first.allowance == original.allowance &&
+           first.tickPeriod == original.tickPeriod && first.startedUnixTime == original.startedUnixTime &&
+           first.stylus == original.stylus && first.sampleCount == 500 && first.complete && !takes->back().complete;
+}
+
+bool holdsResources(const Project& project) {
+    const Result<std::vector<Property>> stored = project.materials();
+    const Result<std::vector<Tool>> tools = project.tools();
+    if (!stored || stored->size() != 2 || !tools || tools->size() != 1) return false;
+    for (std::size_t i = 0; i < stored->size(); ++i)
+        if (toJson((*stored)[i]) != toJson(materials()[i])) return false;
+    return toJson(tools->front()) == toJson(tool());
+}
+
+} // namespace
+
+bool fillProject(const std::filesystem::path& file) {
+    Result<Project> project = Project::create(file);
+    if (!project || !project->setModel(model()) || !project->setSetup(setup()) || !project->setMaterials(materials()) ||
+        !project->setTool(tool()) || !storeSurroundings(*project))
+        return false;
+    Result<Project::TakeWriter> writer = project->beginTake(takeInfo("Schruppen"));
+    for (std::size_t first = 0; first < 500; first += 50)
+        if (!writer || !writer->append(handSamples(first, 50))) return false;
+    if (!project->undoStretch(writer->id(), undoneInFixture)) return false;
+    if (!writer->finish() || !project->beginTake(takeInfo("broken off"))) return false;
+    return project->addPath(path({writer->id()})) && project->addProgram(program()) && storeSecondSetup(*project) &&
+           project->save();
+}
+
+bool holdsFixture(const Project& project, int version) {
+    const Result<Model> storedModel = project.model();
+    const Result<Setup> storedSetup = project.setup();
+    if (!storedModel || !identical(*storedModel, model()) || !storedSetup || !same(*storedSetup, setup())) return false;
+    const Result<std::vector<StoredPath>> paths = project.paths();
+    const Result<std::vector<StoredProgram>> programs = project.programs();
+    return holdsTakes(project, version) && holdsResources(project) && holdsSurroundings(project, version) &&
+           holdsSetups(project, version) && same(paths->front(), path({project.takes()->front().id})) &&
+           same(programs->front(), program());
+}
+
+} // namespace burin::fixture
