@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/device/resampled_stylus.h"
 #include "plugins/devices/open_stylus/driver.h"
 #include "plugins/devices/open_stylus/open_stylus.h"
 #include "tests/oracles/allocation_count.h"
@@ -294,23 +293,6 @@ private slots:
         stylus.stop();
         QVERIFY(counter.early > 0U);
         QCOMPARE(counter.late.load(), counter.early.load());
-    }
-
-    void aLoopWithItsOwnClockCanDriveItToo() {
-        Fixture test;
-        const auto stylus = calledByLoop(AnyStylus(test.make()));
-        QVERIFY(stylus->open());
-        test.plugged->x = -10.0;
-        bool felt = false;
-        for (int tick = 0; tick < 5000 && !felt; ++tick) {
-            const StylusState state = stylus->read(0.001 * tick);
-            stylus->write(
-                {{state.valid && state.pose.position.x < 0.0 ? -0.1 * state.pose.position.x : 0.0, 0.0, 0.0}, {}});
-            felt = test.plugged->force.load() == 1.0;
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-        QVERIFY(felt);
-        stylus->close();
     }
 };
 

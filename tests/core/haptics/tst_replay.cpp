@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/device/resampled_stylus.h"
 #include "tests/core/haptics/own_stylus.h"
 #include "tests/core/haptics/replayed_session.h"
 
@@ -58,18 +57,13 @@ bool isEventful(const SessionEvents& events) {
 }
 
 /// Records a session with a stylus of a kind, and plays it from its trace.
-void playTwice(int kind, double seconds, SessionEvents& events) {
+void playTwice(bool selfPaced, double seconds, SessionEvents& events) {
     QTemporaryDir folder;
     const std::filesystem::path file = folder.filePath("trace.csv").toStdString();
     CalledHand called;
     OwnStylus own(ownDescription(), roughHand);
-    ResampledStylus resampled(std::make_unique<OwnStylus>(ownDescription(), roughHand));
-    if (kind == 2) QVERIFY(resampled.open());
-    const StylusHandle stylus = kind == 0   ? StylusHandle(called)
-                                : kind == 1 ? StylusHandle(own)
-                                            : StylusHandle(static_cast<Stylus&>(resampled));
+    const StylusHandle stylus = selfPaced ? StylusHandle(own) : StylusHandle(called);
     const RecordedSession original = recordSession(stylus, settings(), file, seconds);
-    resampled.close();
     const std::string difference = differenceOf(original, replaySession(settings(), file));
     QVERIFY2(difference.empty(), difference.c_str());
     events = eventsOf(original.samples);
@@ -83,16 +77,15 @@ class TestReplay : public QObject {
     Q_OBJECT
 private slots:
     void aTraceIsPlayedToTheBit_data() {
-        QTest::addColumn<int>("kind");
-        QTest::newRow("called by us") << 0;
-        QTest::newRow("self-paced") << 1;
-        QTest::newRow("resampled") << 2;
+        QTest::addColumn<bool>("selfPaced");
+        QTest::newRow("called by us") << false;
+        QTest::newRow("self-paced") << true;
     }
     void aTraceIsPlayedToTheBit() {
-        QFETCH(int, kind);
+        QFETCH(bool, selfPaced);
         SessionEvents events;
         for (const double seconds : {1.5, 4.0, 10.0}) { // a busy machine has had few ticks by then
-            playTwice(kind, seconds, events);
+            playTwice(selfPaced, seconds, events);
             if (QTest::currentTestFailed() || isEventful(events)) return;
         }
         QFAIL(qPrintable(QString("%1 cut, %2 held, %3 guided, %4 faults, %5 felt: the session was none")

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/file.h"
 #include "core/recording/take_csv.h"
-#include "core/recording/take_statistics.h"
 #include "core/recording/trace_file.h"
 
 #include <QTemporaryDir>
@@ -57,10 +56,6 @@ QList<QByteArray> lines(const std::string& text) {
 class TakeTest final : public QObject {
     Q_OBJECT
 private slots:
-    void figuresOfATake();
-    void everyAlarmIsCounted();
-    void whatWasTakenBackCountsAsThatAlone();
-    void figuresOfNothing();
     void valuesStandUnderTheirNames();
     void longTakesAreWrittenWhole();
     void aMaterialThatIsRemovedLateHasItsColumnFromTheStart();
@@ -68,66 +63,6 @@ private slots:
     void whatEndsTheSamplesLeavesNoFile();
     void aFolderThatIsMissingIsNamed();
 };
-
-void TakeTest::figuresOfATake() {
-    const TakeStatistics figures = takeStatistics(samples());
-    QCOMPARE(figures.samples, std::uint64_t{4});
-    QCOMPARE(figures.missingTicks, std::uint64_t{2});
-    QCOMPARE(figures.seconds, 0.006);
-    QCOMPARE(figures.travelled, 3.0);
-    QVERIFY(std::abs(figures.greatestSpeed - 500.0) < 1e-9);
-    QCOMPARE(figures.greatestForce, 1.5);
-    QCOMPARE(figures.greatestCuttingForce, 50.0);
-    QCOMPARE(figures.greatestPress, 2.0);
-    QCOMPARE(figures.reportedRemoval, 0.25);
-    QCOMPARE(figures.removedUnits.size(), std::size_t{2});
-    QCOMPARE(figures.removedUnits.at(3), std::uint64_t{123});
-    QCOMPARE(figures.removedUnits.at(2), std::uint64_t{7});
-    QCOMPARE(figures.cutting, std::uint64_t{2});
-    QCOMPARE(figures.onBoundary, std::uint64_t{1});
-    QCOMPARE(figures.forceSaturated, std::uint64_t{1});
-    QCOMPARE(figures.shankContact, std::uint64_t{0});
-}
-
-void TakeTest::everyAlarmIsCounted() {
-    using Count = std::uint64_t TakeStatistics::*;
-    for (const auto& [flag, count] :
-         std::initializer_list<std::pair<SampleFlag, Count>>{{sampleShankContact, &TakeStatistics::shankContact},
-                                                             {sampleOnObstacle, &TakeStatistics::onObstacle},
-                                                             {sampleAxisHeld, &TakeStatistics::axisHeld},
-                                                             {sampleForceSaturated, &TakeStatistics::forceSaturated},
-                                                             {sampleMemoryFull, &TakeStatistics::memoryFull}}) {
-        std::vector<Sample> take(5);
-        take[1].flags = take[3].flags = flag;
-        QCOMPARE(takeStatistics(take).*count, std::uint64_t{2});
-        take[3].flags = 0;
-        QCOMPARE(takeStatistics(take).*count, std::uint64_t{1});
-    }
-}
-
-void TakeTest::whatWasTakenBackCountsAsThatAlone() {
-    Take take;
-    take.samples = samples();
-    take.samples[3].flags |= sampleSpindleOff;
-    take.undone = {{1, 2}};
-    const TakeStatistics figures = standingStatistics(take);
-    QCOMPARE(figures.samples, std::uint64_t{2});
-    QCOMPARE(figures.undone, std::uint64_t{2});
-    QCOMPARE(figures.travelled, 0.0); // the way there and back was taken back with it
-    QCOMPARE(figures.cutting, std::uint64_t{0});
-    QVERIFY(figures.removedUnits.empty());
-    QCOMPARE(figures.greatestForce, 1.5); // of the last one
-    QCOMPARE(figures.spindleOff, std::uint64_t{1});
-    take.undone = {{0, 4}};
-    QCOMPARE(standingStatistics(take).samples, std::uint64_t{0});
-    take.undone.clear();
-    QCOMPARE(standingStatistics(take).travelled, takeStatistics(take.samples).travelled);
-}
-
-void TakeTest::figuresOfNothing() {
-    QCOMPARE(takeStatistics({}).samples, std::uint64_t{0});
-    QCOMPARE(takeStatistics(std::vector<Sample>(1)).seconds, 0.0);
-}
 
 void TakeTest::valuesStandUnderTheirNames() {
     const QTemporaryDir folder;
