@@ -85,4 +85,3 @@ void fieldSample(benchmark::State& state) {
 BENCHMARK(fieldSample);
 
 } // namespace
-
