@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "tests/architecture/arrows.h"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -9,9 +11,17 @@
 
 namespace burin::architecture {
 
+/// The header of an #include line with its opening mark, `<vector` or `"core/base/error.h`; empty for another line.
+std::string includedBy(std::string_view line);
+
 /// What the sources of a tree include that they may not, one sentence each; empty when all is well.
 /// Reads every #include line of core, ui, app and plugins.
-std::vector<std::string> forbiddenIncludes(const std::filesystem::path& root);
+std::vector<std::string> forbiddenIncludes(const std::filesystem::path& root, const Arrows& arrows);
+/// The libraries of others whose headers `forbiddenIncludes` knows, sorted.
+std::vector<std::string> watchedForeignLibraries();
+
+/// Libraries of core that link what their room may not use, one sentence each. Reads every CMakeLists.txt of core.
+std::vector<std::string> forbiddenLinks(const std::filesystem::path& root, const Arrows& arrows);
 
 /// Types of one name, in the same namespace, that two files of core, ui or app define; empty when there are none. The
 /// linker takes the functions of either for both, and no compiler says a word.

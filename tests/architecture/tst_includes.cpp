@@ -1,33 +1,27 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/architecture/include_rules.h"
+#include "tests/architecture/tree_of_files.h"
 #include "tests/places.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 using namespace burin::architecture;
 namespace fs = std::filesystem;
 
 namespace {
 
-QStringList listed(const std::vector<std::string>& faults) {
-    QStringList result;
-    for (const std::string& fault : faults) result.append(QString::fromStdString(fault));
-    return result;
+/// core/README.md of this tree.
+Arrows ourArrows() {
+    return Arrows::read(fs::path(BURIN_SOURCE_DIRECTORY) / "core/README.md");
 }
 
-/// All faults in one text, so that a failure shows each of them.
-QString told(const std::vector<std::string>& faults) {
-    return listed(faults).join(QLatin1Char('\n'));
-}
-
-void place(const QTemporaryDir& tree, const QString& file, const QString& content) {
-    const fs::path path = tree.filePath(file).toStdString();
-    fs::create_directories(path.parent_path());
-    std::ofstream(path) << content.toStdString();
+Arrows arrowsOf(const QTemporaryDir& tree, const QString& tables) {
+    place(tree, QStringLiteral("core/README.md"), tables);
+    return Arrows::read(tree.filePath(QStringLiteral("core/README.md")).toStdString());
 }
 
 const QString licence = QStringLiteral("// SPDX-FileCopyrightText: 2026 The Burin authors\n"
@@ -38,7 +32,27 @@ const QString licence = QStringLiteral("// SPDX-FileCopyrightText: 2026 The Buri
 class TestIncludes : public QObject {
     Q_OBJECT
 private slots:
-    void ourSourcesKeepToTheDesign() { QCOMPARE(told(forbiddenIncludes(BURIN_SOURCE_DIRECTORY)), QString()); }
+    void ourSourcesKeepToTheArrows() {
+        QCOMPARE(told(forbiddenIncludes(BURIN_SOURCE_DIRECTORY, ourArrows())), QString());
+    }
+
+    void ourLibrariesLinkWhatTheyMayUse() {
+        QCOMPARE(told(forbiddenLinks(BURIN_SOURCE_DIRECTORY, ourArrows())), QString());
+    }
+
+    /// The page names every room that there is, and no other.
+    void thePageNamesTheRooms() {
+        QCOMPARE(told(ourArrows().faults()), QString());
+        const fs::path root(BURIN_SOURCE_DIRECTORY);
+        std::vector<std::string> rooms{"app", "plugins"};
+        for (const char* top : {"core", "ui"})
+            for (const fs::directory_entry& entry : fs::directory_iterator(root / top))
+                if (entry.is_directory()) rooms.push_back(fs::relative(entry.path(), root).generic_string());
+        std::ranges::sort(rooms);
+        QCOMPARE(listed(ourArrows().libraries()), listed(rooms));
+        QStringList foreign = listed(ourArrows().foreignLibraries());
+        QCOMPARE(foreign, listed(watchedForeignLibraries()));
+    }
 
     void ourTypesHaveNamesOfTheirOwn() { QCOMPARE(told(typesDefinedTwice(BURIN_SOURCE_DIRECTORY)), QString()); }
 
@@ -63,7 +77,7 @@ private slots:
         };
         row("a library uses itself", "core/volume/a.cpp", "#include \"core/volume/b.h\"", "");
         row("a library uses what it names", "core/volume/a.h", "#include \"core/geometry/box.h\"", "");
-        row("a library uses what those use", "core/project/a.cpp", "#include \"core/field/tool_field.h\"", "");
+        row("a library uses what those use", "core/job/a.cpp", "#include \"core/field/tool_field.h\"", "");
         row("upwards", "core/volume/a.h", "#include \"core/setup/setup.h\"", "core/volume may not use core/setup");
         row("sideways", "core/cutting/a.cpp", "#include \"core/cad/model.h\"", "core/cutting may not use core/cad");
         row("spaces hide nothing", "core/base/a.cpp", "  #  include  \"core/geometry/box.h\"",
@@ -104,7 +118,8 @@ private slots:
         row("a file that is handed out names our tree", "plugins/devices/open_stylus/firmware/a.c",
             "#include \"core/device/stylus.h\"", "what is handed out stands alone");
         row("a name from nowhere", "core/nc/a.cpp", "#include \"parser.h\"", "our headers are named from the root");
-        row("a library from nowhere", "core/utils/a.cpp", "#include <vector>", "core/utils is not in the design");
+        row("a library from nowhere", "core/utils/a.cpp", "#include <vector>",
+            "core/utils has no row in core/README.md");
         row("a comment includes nothing", "core/base/a.cpp", "// #include <QString>", "");
     }
     void eachRuleIsWatched() {
@@ -113,13 +128,51 @@ private slots:
         QFETCH(QString, fault);
         const QTemporaryDir tree;
         place(tree, file, licence + QStringLiteral("#include <vector>\n") + line + QStringLiteral("\n"));
-        const QStringList faults = listed(forbiddenIncludes(tree.path().toStdString()));
+        const QStringList faults = listed(forbiddenIncludes(tree.path().toStdString(), ourArrows()));
         if (fault.isEmpty()) {
             QCOMPARE(faults, QStringList());
         } else {
             QCOMPARE(faults.size(), 1);
             QVERIFY2(faults.front().startsWith(file) && faults.front().endsWith(fault), qPrintable(faults.front()));
         }
+    }
+
+    /// The tables of a page, and what is wrong with them.
+    void aPageThatContradictsItselfIsSeen_data() {
+        QTest::addColumn<QString>("rows");
+        QTest::addColumn<QString>("fault");
+        const auto row = [](const char* name, const char* rows, const char* fault) {
+            QTest::newRow(name) << QString::fromLatin1(rows) << QString::fromLatin1(fault);
+        };
+        row("in order", "| `core/a` | - | x |\n| `core/b` | `core/a` | x |\n| `app` | `core` | x |\n", "");
+        row("a room twice", "| `core/a` | - | x |\n| `core/a` | - | x |\n", "core/a stands in two rows");
+        row("a room that is not there", "| `core/a` | `core/z` | x |\n", "core/a may use core/z, which has no row");
+        row("a circle", "| `core/a` | `core/b` | x |\n| `core/b` | `core/a` | x |\n",
+            "core/a and core/b make a circle\ncore/b and core/a make a circle");
+    }
+    void aPageThatContradictsItselfIsSeen() {
+        QFETCH(QString, rows);
+        QFETCH(QString, fault);
+        const QTemporaryDir tree;
+        const Arrows arrows = arrowsOf(tree, QStringLiteral("text\n\n| room | may use | for |\n|---|---|---|\n") +
+                                                 rows + QStringLiteral("\ntext\n"));
+        QCOMPARE(told(arrows.faults()), fault);
+    }
+
+    /// A library of core, what it links, and what is wrong with that.
+    void aForbiddenLinkIsSeen() {
+        const QTemporaryDir tree;
+        const Arrows arrows =
+            arrowsOf(tree, QStringLiteral("| room | may use | for |\n|---|---|---|\n"
+                                          "| `core/a` | - | |\n| `core/b` | `core/a` | |\n| `core/c` | - | |\n"));
+        place(tree, QStringLiteral("core/a/CMakeLists.txt"), QStringLiteral("burin_library(a\n    SOURCES a.cpp)\n"));
+        place(tree, QStringLiteral("core/b/CMakeLists.txt"),
+              QStringLiteral("burin_library(b UNITY\n    SOURCES b.cpp\n    PUBLIC burin::a\n    PRIVATE burin::c)\n"
+                             "burin_library(b_interface\n    PUBLIC burin::a)\n"));
+        place(tree, QStringLiteral("core/c/CMakeLists.txt"), QStringLiteral("burin_library(c\n    PUBLIC burin::d)\n"));
+        QCOMPARE(listed(forbiddenLinks(tree.path().toStdString(), arrows)),
+                 (QStringList{QStringLiteral("core/b: burin::b may not link burin::c"),
+                              QStringLiteral("core/c: burin::c may not link burin::d")}));
     }
 
     /// Two files of a tree, each with a definition in Burin's namespace.

@@ -120,7 +120,8 @@ private slots:
         QVERIFY2(std::abs(reported / exact - 1.0) < 0.03, qPrintable(QString::number(reported / exact)));
     }
 
-    /// Scanlines across the spindle, as design.md section 3 asks: the worst of phases of the way against them.
+    /// Scanlines across the spindle, within what core/cutting/README.md states: the worst of phases of the motion
+    /// against them.
     void itDoesNotRattleAcrossTheRuns_data() {
         QTest::addColumn<QString>("cutter");
         QTest::addColumn<bool>("half");
