@@ -26,6 +26,7 @@ std::optional<std::vector<Column>> decodeColumns(std::string_view bytes, std::si
 /// Words in the order of the numbers that they stand for, so that neighbouring doubles differ little as words. Every
 /// bit pattern has its own word, not-a-numbers and negative zero included.
 std::uint64_t wordOf(double value) noexcept;
+/// Back, to the bit.
 double doubleOf(std::uint64_t word) noexcept;
 
 } // namespace burin

@@ -15,6 +15,7 @@ namespace burin {
 /// room for them are shortened (nameWithRoom), so that any name works that the file system takes.
 struct Companions {
     std::filesystem::path working, lock;
+    /// @param file absolute
     static Companions of(const std::filesystem::path& file);
     /// As Burin named them before names were shortened; the same where that needs none.
     static Companions unshortened(const std::filesystem::path& file);

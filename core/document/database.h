@@ -32,6 +32,7 @@ public:
     /// that works far longer than the file's size explains ends with fileDamaged.
     /// Errors: as `error` maps SQLite's codes.
     static Result<Database> open(const std::filesystem::path& file, std::string subject, Access access);
+    /// An empty one that nobody else sees.
     static Result<Database> inMemory(std::string subject);
 
     /// Runs statements that give no rows, or whose rows don't matter.
@@ -78,6 +79,7 @@ struct BlobView {
 /// A prepared statement. Texts and blobs that were bound must live until the row or the end was reached.
 class Statement {
 public:
+    /// Errors: as Database::error maps SQLite's codes, here and below. The database outlives the statement.
     static Result<Statement> prepare(Database& database, std::string_view sql);
 
     /// Forgets what an earlier use left behind and binds the parameters, first to last.
@@ -149,6 +151,8 @@ public:
     ~Transaction();
     Transaction(Transaction&& other) noexcept : database_(std::exchange(other.database_, nullptr)) {}
     Transaction& operator=(Transaction&&) = delete;
+    /// What was written is on the disk when this returns, in a database that flushes its commits. Once. Errors: as
+    /// Database::error; nothing is written then.
     Result<void> commit();
 
 private:

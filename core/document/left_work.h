@@ -20,6 +20,8 @@ struct FoundWork {
     bool inUse = false;
 };
 
+/// Looks into each working copy of a folder, and holds its lock meanwhile. A folder that can't be read has none. Not
+/// for the window's thread: it waits for the disk.
 FoundWork leftWork(const std::filesystem::path& folder);
 
 } // namespace burin

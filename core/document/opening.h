@@ -18,8 +18,9 @@ struct OpenedCopy {
     std::shared_ptr<WorkingCopy> lock = nullptr; ///< of a project that is open for reading alone, where it could be had
 };
 
-/// @param file absolute. Errors: as Project::create and Project::open.
+/// @param file absolute, here and below. Errors: as Project::create.
 Result<OpenedCopy> createWorkingCopy(const std::filesystem::path& file);
+/// Errors: as Project::open.
 Result<OpenedCopy> openWorkingCopy(const std::filesystem::path& file);
 /// As Project::openForReading.
 Result<OpenedCopy> openForReading(const std::filesystem::path& file);

@@ -73,6 +73,7 @@ public:
     Project(Project&&) noexcept;
     Project& operator=(Project&&) noexcept;
 
+    /// The user's file, absolute; the name that `saveAs` gave it last.
     const std::filesystem::path& file() const noexcept;
     /// True when `open` took up a working copy that an earlier run left behind.
     bool recovered() const noexcept;
@@ -147,6 +148,7 @@ public:
     Result<void> setGuides(const KeptGuides& guides, SetupId setup = firstSetup);
     Result<KeptGuides> guides(SetupId setup = firstSetup) const;
 
+    /// All of them, complete or not, in the order in which they were made.
     Result<std::vector<TakeInfo>> takes() const;
     /// Errors: nameUnknown, projectIncomplete (there is no recording at all).
     Result<Take> take(std::int64_t id) const;
@@ -175,6 +177,7 @@ public:
     Result<void> restorePath(const StoredPath& path);
     Result<std::vector<StoredPath>> paths() const;
 
+    /// Behind those that are there.
     Result<void> addProgram(const StoredProgram& program);
     Result<std::vector<StoredProgram>> programs() const;
 
@@ -197,10 +200,10 @@ public:
     TakeWriter(TakeWriter&&) noexcept;
     TakeWriter& operator=(TakeWriter&&) noexcept;
 
-    std::int64_t id() const noexcept;
+    std::int64_t id() const noexcept; ///< TakeInfo::id of what is recorded
     /// One transaction, flushed to the disk. Errors: diskFull, fileNotWritable; nothing of this call is kept then.
     Result<void> append(std::span<const Sample> samples);
-    /// Marks the take complete.
+    /// Marks the take complete. Errors: as `append`; the take is incomplete then.
     Result<void> finish();
 
 private:

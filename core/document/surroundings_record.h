@@ -24,6 +24,7 @@ struct RecordWithBlob {
     std::string blob;
 };
 
+/// A box or cylinder stands in the JSON, a mesh in the blob.
 RecordWithBlob recordOf(const Obstacle& obstacle);
 std::optional<Obstacle> obstacleFrom(std::string_view json, std::string_view blob);
 

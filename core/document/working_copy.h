@@ -18,9 +18,9 @@ namespace burin {
 /// connections must be closed by then.
 class WorkingCopy {
 public:
-    /// A lock or a copy that is a link, or no regular file, is not ours and is not touched.
-    /// Errors: projectInUse, fileNotWritable, diskFull.
     enum class Purpose : std::uint8_t { working, reading };
+    /// @param file the user's, absolute. A lock or a copy that is a link, or no regular file, is not ours and is not
+    /// touched. Never waits. Errors: projectInUse, fileNotWritable, diskFull.
     static Result<std::shared_ptr<WorkingCopy>> lock(const std::filesystem::path& file,
                                                      Purpose purpose = Purpose::working);
     /// Of a projectInUse: whether its lock is held by one who only reads work that was left.
@@ -33,6 +33,7 @@ public:
     WorkingCopy& operator=(const WorkingCopy&) = delete;
 
     const std::filesystem::path& file() const noexcept { return file_; } ///< the user's
+    /// Where the copy of a file stands, whether or not it is there.
     static std::filesystem::path pathBeside(const std::filesystem::path& file);
     std::filesystem::path path() const { return pathBeside(file_); }
     bool exists() const;
@@ -51,6 +52,7 @@ public:
     Result<void> place(const std::function<Result<void>(Database& empty)>& fill);
     /// Moves the copy to a name that the user sees, as a project of its own where it can be read, and returns it.
     Result<std::filesystem::path> setAside();
+    /// Removes the copy with its journals now, whatever it holds. No connection to it may be open.
     void discard();
     /// Nobody needs the copy any more: it goes with the last of its owners, saved or not.
     void abandon() noexcept { abandoned_ = true; }

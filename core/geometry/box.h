@@ -8,12 +8,13 @@
 
 namespace burin {
 
-/// Axis-aligned box, mm. Starts empty (low > high); `include` grows it.
+/// Axis-aligned box, mm, in whatever frame its points are in. Starts empty (low > high); `include` grows it.
 struct Box {
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 
     bool empty() const noexcept { return low.x > high.x || low.y > high.y || low.z > high.z; }
+    /// mm; without meaning for an empty box, as its centre is.
     glm::dvec3 size() const noexcept { return high - low; }
     glm::dvec3 centre() const noexcept { return 0.5 * (low + high); }
     void include(const glm::dvec3& point) noexcept {
@@ -28,7 +29,9 @@ struct Box {
     glm::dvec3 corner(unsigned i) const noexcept {
         return {(i & 1U) != 0 ? high.x : low.x, (i & 2U) != 0 ? high.y : low.y, (i & 4U) != 0 ? high.z : low.z};
     }
+    /// @param margin mm to each side; below 0 it shrinks, and may be empty
     Box grown(double margin) const noexcept { return {low - glm::dvec3(margin), high + glm::dvec3(margin)}; }
+    /// Its faces belong to it.
     bool contains(const glm::dvec3& p) const noexcept {
         return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z;
     }

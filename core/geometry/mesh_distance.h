@@ -49,8 +49,9 @@ struct ClearanceTolerance {
 /// What a ClearanceAsker keeps of its last answers.
 struct ClearanceMemory;
 
-/// Distance queries against one triangle mesh, exact for its triangles (Burin's judge of gouges; the mesh is made with
-/// a chord of 0.005 mm or finer). Copies what it needs; immutable after construction, so any number of threads may ask.
+/// Distance queries against one triangle mesh, mm, in the mesh's frame, exact for its triangles (Burin's judge of
+/// gouges; the mesh is made with a chord of 0.005 mm or finer). Copies what it needs; immutable after construction, so
+/// any number of threads may ask.
 class MeshDistance {
 public:
     /// Cost: O(n log n) for n triangles. An empty mesh answers an infinite distance. Triangles with a corner that is
@@ -88,6 +89,7 @@ public:
     std::vector<std::uint8_t> entered(std::span<const RevolvedPiece> tool, const glm::dvec3& axis,
                                       std::span<const glm::dvec3> tips, double depth, const Progress& progress) const;
 
+    /// mm, the mesh's frame; empty for an empty mesh.
     Box bounds() const noexcept;
     /// What is measured to, in an order in which neighbours are near each other.
     std::span<const Triangle> triangles() const noexcept;

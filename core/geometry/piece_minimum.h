@@ -16,13 +16,15 @@ public:
     PlacedPiece(const RevolvedPiece& piece, const ToolPose& pose) noexcept : piece_(piece), pose_(pose) {}
 
     struct Value {
-        double distance = 0.0;
+        double distance = 0.0;    ///< mm, signed: negative inside
         glm::dvec3 gradient{0.0}; ///< a subgradient of the signed distance, at most unit length
     };
+    /// @param point mm, in the frame of the pose
     Value at(const glm::dvec3& point) const noexcept;
 
     const RevolvedPiece& piece() const noexcept { return piece_; }
     const ToolPose& pose() const noexcept { return pose_; }
+    /// It is a cylinder with a hemisphere for its end.
     bool ballEnd() const noexcept {
         return piece_.cornerRadius > 0.0 && piece_.cornerRadius == piece_.bottomRadius &&
                piece_.bottomRadius == piece_.topRadius;

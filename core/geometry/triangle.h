@@ -15,9 +15,11 @@ using Triangle = std::array<glm::dvec3, 3>;
 /// Which part of a triangle a point of it belongs to; edge ab runs from corner 0 to corner 1, and so on.
 enum class TriangleFeature : std::uint8_t { face, edgeAB, edgeBC, edgeCA, cornerA, cornerB, cornerC };
 
+/// @param edge 0 … 2, from its corner of that number on
 constexpr TriangleFeature edgeFeature(int edge) noexcept {
     return static_cast<TriangleFeature>(1 + edge);
 }
+/// @param corner 0 … 2
 constexpr TriangleFeature cornerFeature(int corner) noexcept {
     return static_cast<TriangleFeature>(4 + corner);
 }

@@ -47,8 +47,8 @@ public:
     std::span<const TreeNode> nodes() const noexcept { return nodes_; } ///< the root is the first
     std::span<const Triangle> triangles() const noexcept { return {triangles_.get(), order_.size()}; }
     std::span<const std::uint32_t> order() const noexcept { return order_; }
-    const glm::dvec3& origin() const noexcept { return origin_; }
-    const Box& bounds() const noexcept { return bounds_; }
+    const glm::dvec3& origin() const noexcept { return origin_; } ///< of the nodes' boxes, mm, the mesh's frame
+    const Box& bounds() const noexcept { return bounds_; }        ///< mm, the mesh's frame
 
 private:
     std::vector<TreeNode> nodes_;

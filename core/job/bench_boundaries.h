@@ -93,8 +93,8 @@ public:
     BoundaryLayers boundaryLayers() const;
     /// By their number.
     const std::vector<BoundLayer>& layers() const noexcept { return layers_; }
-    const AxisMode& axis() const noexcept { return axis_; }
-    const Envelope& envelope() const noexcept { return envelope_; }
+    const AxisMode& axis() const noexcept { return axis_; }         ///< that the layers were made for
+    const Envelope& envelope() const noexcept { return envelope_; } ///< setup frame; without limits where none is on
     /// The part's clearance where the axis stands, over tips; null where it is free.
     const ClearanceField* field() const noexcept { return field_.get(); }
 

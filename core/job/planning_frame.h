@@ -14,10 +14,12 @@ public:
     /// @param field of the bench's tool with that axis. @param axis unit, setup frame, towards the holder
     PlanningFrame(const Bench& bench, const ClearanceField& field, const glm::dvec3& axis);
 
+    /// Over tips of this frame; lives as long as this object.
     const ClearanceField& field() const noexcept { return upright_ ? *setupField_ : seenField_; }
     const Box& stock() const noexcept { return stock_; } ///< mm: the box around it
     const Box& part() const noexcept { return part_; }   ///< mm
     bool upright() const noexcept { return upright_; }
+    /// @param place mm, this frame
     glm::dvec3 toSetup(const glm::dvec3& place) const noexcept { return upright_ ? place : place * turn_; }
     /// The box around one of this frame, setup frame.
     Box toSetup(const Box& box) const noexcept;

@@ -23,6 +23,7 @@ struct LayersNews {
     std::uint64_t held = 0;                                      ///< held the tool in this tick
     std::array<std::uint64_t, ToolBounds::capacity> ticksHeld{}; ///< of the take
 
+    /// @param layer below 64
     static bool has(std::uint64_t bits, std::size_t layer) noexcept { return (bits >> layer & 1) != 0; }
     bool holds(std::size_t layer) const noexcept { return has(held, layer); }
     BoundaryLayers::State state(std::size_t layer) const noexcept {
@@ -37,7 +38,7 @@ struct TickNews {
     TickTiming timing;
     std::uint64_t ticks = 0;
     std::int64_t take = 0;
-    double removalRate = 0.0; ///< run units a second
+    double removalRate = 0.0; ///< run units (Grid::unitVolume) a second
     bool cutting = false;
     ShankContact shank;
     std::array<GuideNews, GuideSettings::capacity> guides{};
@@ -69,19 +70,24 @@ public:
     /// The loop fulfils a wish at one of its next edges; one at a time.
     void wish(Wish what) noexcept { wish_.store(what, std::memory_order_release); }
     void wishTake(const Recording& recording) noexcept;
+    /// The last wish is done: what it changed of the workpiece and of the step is visible to the owner.
     bool fulfilled() const noexcept { return wish_.load(std::memory_order_acquire) == Wish::none; }
     /// What the step is told before the next tick, in the order in which it was said here. False, and nothing was
     /// said: too much waits, since the loop stands; ask again later.
     bool tell(const StepChange& change) noexcept { return changes_.push(change); }
+    /// Any thread.
     bool strokeUnderWay() const noexcept { return strokeOpen_.load(std::memory_order_acquire); }
+    /// False: there is nothing since the last call; what was overtaken is lost.
     bool takeNews(TickNews& news) noexcept { return news_.take(news); }
     bool takeFigures(LiveFigures& figures) noexcept { return figuresOut_.take(figures); }
     /// True once for each time that the device's motors began to be spared.
     bool takeHeat() noexcept { return heated_.exchange(false, std::memory_order_relaxed); }
     /// True once the loop has ended because the recorder failed.
     bool gaveUp() const noexcept { return gaveUp_.load(std::memory_order_relaxed); }
+    /// The oldest that has ended. False: there is none. Strokes that nobody takes grow together.
     bool takeStroke(Stroke& stroke) noexcept { return strokes_.take(stroke); }
     std::size_t takeTrace(std::span<TracePoint> points) noexcept { return trace_.pop(points); }
+    /// A view of the workpiece is made at one of the next edges; `takeView` gets it, and owns it.
     void wishView() noexcept { viewWish_.store(true, std::memory_order_release); }
     bool takeView(WorkpieceView& view) noexcept { return views_.take(view); }
 

@@ -33,7 +33,7 @@ public:
     const Stroke& newest() const noexcept { return done_.back(); }
     /// What the strokes hold of the volume's memory and beside it.
     VolumeHistory::Cost cost() const noexcept { return workpiece_.totalCost(); }
-    void clear();
+    void clear(); ///< gives back what it holds of the volume's memory
 
     /// For the session alone: a stroke that was just ended. What could be redone is forgotten.
     void add(Stroke stroke);

@@ -19,6 +19,7 @@ public:
     /// @param tangents one a point, not zero. Errors: argumentInvalid.
     static Result<GuideCurve> make(std::vector<glm::dvec3> points, std::vector<glm::dvec3> tangents);
 
+    /// mm, setup frame.
     std::span<const glm::dvec3> points() const noexcept { return points_; }
     /// Unit, one a point. A curve made of both again is the same to the bit.
     std::span<const glm::dvec3> tangents() const noexcept { return tangents_; }

@@ -33,6 +33,7 @@ struct EmbeddingSize {
     glm::ivec3 voxels{0};
     double megabytes = 0.0; ///< reserved memory of the volume, MB (1e6 bytes)
 };
+/// Errors: stockInvalid (a voxel or a stock box that is none), volumeTooLarge.
 Result<EmbeddingSize> embeddingSize(const Setup& setup);
 
 /// Something doubtful about a body, and how it was filled all the same (rules of voxelise()).

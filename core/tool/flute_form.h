@@ -19,6 +19,7 @@ struct TaperForm {
     double arcEndRadius = 0.0, arcEnd = 0.0; ///< mm, where the cone begins
     double coneEnd = 0.0;                    ///< mm, height at which it has the full diameter; may be above the flutes
 };
+/// @param cutter valid; a taper, taper ball, drill or chamfer
 TaperForm taperForm(const Cutter& cutter) noexcept;
 
 } // namespace burin

@@ -43,10 +43,11 @@ public:
     /// Errors: argumentInvalid (edge not finite or not > 0), volumeTooLarge (an axis beyond 1 … 32,768 voxels).
     static Result<Grid> make(const glm::dvec3& low, double edge, const glm::ivec3& count, RunAxis axis = RunAxis::z);
 
-    const glm::dvec3& low() const noexcept { return low_; }
-    double edge() const noexcept { return edge_; }
-    const glm::ivec3& count() const noexcept { return count_; }
+    const glm::dvec3& low() const noexcept { return low_; }     ///< mm, setup frame
+    double edge() const noexcept { return edge_; }              ///< mm
+    const glm::ivec3& count() const noexcept { return count_; } ///< voxels along x, y, z
     RunAxis axis() const noexcept { return axis_; }
+    /// mm, setup frame.
     Box box() const noexcept { return {low_, low_ + glm::dvec3(count_) * edge_}; }
 
     /// Index (0, 1, 2 for x, y, z) of the axis that u, v and the runs lie along.
@@ -54,6 +55,7 @@ public:
     int axisOfV() const noexcept { return (static_cast<int>(axis_) + 2) % 3; }
     int axisOfRuns() const noexcept { return static_cast<int>(axis_); }
 
+    /// Scanlines along u and v, and what lies on one of them; `lineEnd` in run units (1/256 voxel).
     std::int32_t lineCountU() const noexcept { return count_[axisOfU()]; }
     std::int32_t lineCountV() const noexcept { return count_[axisOfV()]; }
     std::int32_t voxelsPerLine() const noexcept { return count_[axisOfRuns()]; }
@@ -72,7 +74,7 @@ public:
     double toMillimetres(RunPosition position) const noexcept {
         return low_[axisOfRuns()] + edge_ * (static_cast<double>(position) / unitsPerVoxel);
     }
-    /// Scanline and voxel along it.
+    /// The scanline that a voxel lies on and its count along it, and back. Indices outside of the grid are not refused.
     LineIndex lineOf(VoxelIndex voxel) const noexcept;
     std::int32_t alongOf(VoxelIndex voxel) const noexcept;
     VoxelIndex voxel(LineIndex line, std::int32_t along) const noexcept;

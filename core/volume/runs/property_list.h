@@ -67,8 +67,10 @@ public:
     /// Errors: argumentInvalid (an id that stands already, a list that is full, a grade of what is not in the list, is
     /// a grade itself or has another machinability).
     Result<PropertyIndex> add(Property property);
+    /// @param index below `size`, not checked. The reference ends with the next `add`.
     const Property& operator[](PropertyIndex index) const { return entries_[index]; }
     int size() const noexcept { return static_cast<int>(entries_.size()); } ///< air included
+    /// Never cut: a part or a fixture. False for air, and for an index that no entry has.
     bool isProtected(PropertyIndex index) const noexcept { return protected_[index]; }
     /// The material that an entry is a grade of; itself when it is none.
     PropertyIndex baseOf(PropertyIndex index) const noexcept { return base_[index]; }

@@ -22,6 +22,7 @@ namespace burin {
 class Segment {
 public:
     Segment() = default;
+    /// @param end run units from the line's start, below 2^24
     Segment(RunPosition end, PropertyIndex property) noexcept : packed_((end << 8) | property) {}
     RunPosition end() const noexcept { return packed_ >> 8; }
     PropertyIndex property() const noexcept { return static_cast<PropertyIndex>(packed_ & 0xff); }
@@ -89,7 +90,8 @@ public:
     bool empty() const noexcept { return state_ == nullptr; }
     const Grid& grid() const noexcept;
     const PropertyList& properties() const noexcept;
-    /// Segments of a scanline, in order. `line` must lie in the grid.
+    /// Segments of a scanline, in order; the view lives as long as a snapshot of this moment. `line` must lie in the
+    /// grid.
     std::span<const Segment> line(LineIndex line) const noexcept;
     /// Segments of the brick of 8 × 8 scanlines around `line`: of its 64 lines, one after another, u counting fastest.
     /// Each line ends with the segment that ends at `Grid::lineEnd`. What lines of it beyond the grid say means
@@ -129,8 +131,9 @@ public:
 
     const Grid& grid() const noexcept;
     const PropertyList& properties() const noexcept;
+    /// As VolumeSnapshot::line and brick, of what stands now: the views end with the next edit of their brick. Writer's
+    /// thread. What MaterialRemoval has cut and not written yet is still there.
     std::span<const Segment> line(LineIndex line) const noexcept;
-    /// As VolumeSnapshot::brick.
     std::span<const Segment> brick(LineIndex line) const noexcept;
 
     // ---- Scanlines. No allocation, no exception: fit for the haptic loop.
@@ -199,8 +202,9 @@ public:
     /// Puts back what a snapshot of this volume held (undo). Needs no memory; snapshots taken since stay as they are.
     /// Writer's thread, outside the haptic loop: it may wait for a reader that is just letting a snapshot go.
     void restore(const VolumeSnapshot& snapshot);
+    /// Memory that was set aside for bricks when the volume was made, and how much of it holds any: also blocks that
+    /// only snapshots still show. Writer's thread.
     std::size_t reservedBytes() const noexcept;
-    /// Includes blocks that only snapshots still show.
     std::size_t usedBytes() const noexcept;
 
 private:
