@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
 
+#include "app/wording.h"
 #include "core/base/clean_text.h"
 #include "core/document/project.h"
 #include "ui/messages/messages.h"
-
-#include <CLI/CLI.hpp>
 
 #include <atomic>
 #include <chrono>
@@ -114,11 +113,12 @@ Progress& CommandContext::progress() noexcept {
     return theProgress;
 }
 
-void CommandContext::stage(const std::string& title) {
+void CommandContext::stage(TextId title) {
+    const std::string words = worded(title);
     line_.reset();
     theProgress.stage(0.0, 1.0);
-    ender_->work(title);
-    if (isatty(STDERR_FILENO) != 0) line_ = std::make_unique<ProgressLine>(title);
+    ender_->work(words);
+    if (isatty(STDERR_FILENO) != 0) line_ = std::make_unique<ProgressLine>(words);
 }
 
 void CommandContext::answer(const nlohmann::json& object, const std::string& text) {
@@ -158,13 +158,13 @@ QString standingOutputs(std::span<const StagedFile> outputs) {
     QStringList words;
     for (const StagedFile& output : outputs)
         if (output.stands())
-            words << QCoreApplication::translate("Command", "\"%1\" is new already")
-                         .arg(QString::fromStdString(output.file().string()));
+            words << QString::fromStdString(
+                worded(BURIN_TEXT("Command", "\"%1\" was written already"), {output.file().string()}));
     return words.join("; ");
 }
 
-void addJsonFlag(CLI::App& command, CommandContext& context) {
-    command.add_flag("--json", context.json, "Print one JSON object on standard output");
+void addJsonFlag(CommandParser command, CommandContext& context) {
+    command.flag("--json", context.json, BURIN_TEXT("Help", "Print one JSON object on standard output"));
 }
 
 } // namespace burin

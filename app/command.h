@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/command_line.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/staged_file.h"
@@ -12,10 +13,6 @@
 #include <memory>
 #include <span>
 #include <string>
-
-namespace CLI {
-class App;
-}
 
 namespace burin {
 
@@ -36,7 +33,7 @@ public:
     /// in less than a second, as by a kill: what was recorded is on the disk, and no output is left half written.
     Progress& progress() noexcept;
     /// Begins a stage of work, named on a terminal together with its progress.
-    void stage(const std::string& title);
+    void stage(TextId title);
     /// The answer: `object` with --json, `text` without.
     void answer(const nlohmann::json& object, const std::string& text);
     /// A line on standard error.
@@ -60,23 +57,23 @@ QString standingOutputs(std::span<const StagedFile> outputs);
 void tellKeptEarlier(CommandContext& context, const Project& project);
 
 /// Adds one subcommand; its callback stores the exit status.
-using Register = void (*)(CLI::App& program, CommandContext& context, int& status);
-void registerImport(CLI::App& program, CommandContext& context, int& status);
-void registerEmbed(CLI::App& program, CommandContext& context, int& status);
-void registerSetup(CLI::App& program, CommandContext& context, int& status);
-void registerMill(CLI::App& program, CommandContext& context, int& status);
-void registerPath(CLI::App& program, CommandContext& context, int& status);
-void registerPost(CLI::App& program, CommandContext& context, int& status);
-void registerVerify(CLI::App& program, CommandContext& context, int& status);
-void registerInfo(CLI::App& program, CommandContext& context, int& status);
-void registerDevices(CLI::App& program, CommandContext& context, int& status);
-void registerMachines(CLI::App& program, CommandContext& context, int& status);
-void registerCalibrate(CLI::App& program, CommandContext& context, int& status);
-void registerDemo(CLI::App& program, CommandContext& context, int& status);
-void registerPicture(CLI::App& program, CommandContext& context, int& status);
-void registerBench(CLI::App& program, CommandContext& context, int& status);
+using Register = void (*)(CommandParser program, CommandContext& context, int& status);
+void registerImport(CommandParser program, CommandContext& context, int& status);
+void registerEmbed(CommandParser program, CommandContext& context, int& status);
+void registerSetup(CommandParser program, CommandContext& context, int& status);
+void registerMill(CommandParser program, CommandContext& context, int& status);
+void registerPath(CommandParser program, CommandContext& context, int& status);
+void registerPost(CommandParser program, CommandContext& context, int& status);
+void registerVerify(CommandParser program, CommandContext& context, int& status);
+void registerInfo(CommandParser program, CommandContext& context, int& status);
+void registerDevices(CommandParser program, CommandContext& context, int& status);
+void registerMachines(CommandParser program, CommandContext& context, int& status);
+void registerCalibrate(CommandParser program, CommandContext& context, int& status);
+void registerDemo(CommandParser program, CommandContext& context, int& status);
+void registerPicture(CommandParser program, CommandContext& context, int& status);
+void registerBench(CommandParser program, CommandContext& context, int& status);
 
 /// Declares --json for a subcommand.
-void addJsonFlag(CLI::App& command, CommandContext& context);
+void addJsonFlag(CommandParser command, CommandContext& context);
 
 } // namespace burin

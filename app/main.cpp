@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
-#include "app/parse_error.h"
+#include "app/wording.h"
 #include "app/workstation.h"
 #include "ui/messages/messages.h"
 
-#include <CLI/CLI.hpp>
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QLocale>
@@ -14,6 +13,7 @@
 #include <array>
 #include <clocale>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -28,25 +28,28 @@ constexpr std::array commands{burin::registerImport,  burin::registerEmbed,   bu
                               burin::registerDemo,    burin::registerBench,   burin::registerDevices,
                               burin::registerPicture, burin::registerMachines};
 
-/// CLI11 would only say that a command is missing.
-std::optional<burin::Error> unknownCommand(const CLI::App& program, int argc, char** argv) {
+void addCommands(const burin::CommandLine& line, burin::CommandContext& context, int& status) {
+    for (const burin::Register registerCommand : commands) registerCommand(line.program(), context, status);
+}
+
+/// The parser would only say that a command is missing.
+std::optional<burin::Error> unknownCommand(const burin::CommandLine& line, int argc, char** argv) {
     if (argc < 2 || argv[1][0] == '-') return std::nullopt;
     std::string known;
-    for (const CLI::App* command : program.get_subcommands({})) {
-        if (command->get_name() == argv[1]) return std::nullopt;
-        known += (known.empty() ? "" : ", ") + command->get_name();
+    for (const std::string& name : line.commandNames()) {
+        if (name == argv[1]) return std::nullopt;
+        known += (known.empty() ? "" : ", ") + name;
     }
     return burin::Error{burin::ErrorCode::nameUnknown, "command", argv[1], known};
 }
 
 /// The commands as the command line knows them.
 bool isCommand(const std::string& word) {
-    CLI::App program;
+    const burin::CommandLine line;
     burin::CommandContext context;
     int status = 0;
-    for (const burin::Register registerCommand : commands) registerCommand(program, context, status);
-    return std::ranges::any_of(program.get_subcommands({}),
-                               [&](const CLI::App* command) { return command->get_name() == word; });
+    addCommands(line, context, status);
+    return std::ranges::count(line.commandNames(), word) > 0;
 }
 
 /// Translations need an application; the letters in a picture Qt's fonts as well, but no display.
@@ -61,41 +64,42 @@ std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv) {
     return std::make_unique<QGuiApplication>(argc, argv);
 }
 
+/// What `work` returns, or the exit status after a sentence on what it threw.
+int guarded(const std::function<int()>& work) {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        std::cerr << burin::worded(BURIN_TEXT("Command", "Burin ran out of memory. Choose a larger voxel.")) << "\n";
+        return static_cast<int>(burin::ErrorClass::outOfSpaceOrRights);
+    } catch (const std::exception& fault) {
+        std::cerr << burin::worded(BURIN_TEXT("Command", "Internal error in Burin; report this: %1"), {fault.what()})
+                  << "\n";
+        return static_cast<int>(burin::ErrorClass::badInput);
+    }
+}
+
+int runCommand(int argc, char** argv) {
+    const burin::CommandLine line;
+    burin::CommandContext context;
+    int status = 0;
+    addCommands(line, context, status);
+    if (const std::optional<burin::Error> unknown = unknownCommand(line, argc, argv)) return context.fail(*unknown);
+    return line.parse(argc, argv).value_or(status);
+}
+
 int run(int argc, char** argv) {
     if (burin::asksForWindow(argc, argv, isCommand)) return burin::runWorkstation(argc, argv);
     const std::unique_ptr<QCoreApplication> application = makeApplication(argc, argv);
     std::setlocale(LC_NUMERIC, "C"); // Qt took the user's: numbers of arguments and files are the same everywhere
     QCoreApplication::setApplicationName("Burin");
     burin::Messages::install(QLocale::system());
+    QLocale::setDefault(QLocale::c()); // a decimal point in every language, as arguments and files have it
 
-    CLI::App program("Burin: milling tool paths authored by hand", "burin");
-    program.set_version_flag("--version", BURIN_VERSION);
-    program.set_help_all_flag("--help-all", "Help for all commands");
-    program.require_subcommand(1);
-    burin::CommandContext context;
-    int status = 0;
-    for (const burin::Register registerCommand : commands) registerCommand(program, context, status);
-    if (const std::optional<burin::Error> unknown = unknownCommand(program, argc, argv)) return context.fail(*unknown);
-    try {
-        program.parse(argc, argv);
-    } catch (const CLI::ParseError& wrong) {
-        if (wrong.get_exit_code() == 0) return program.exit(wrong, std::cout, std::cerr); // --help, --version
-        std::cerr << burin::sentenceFor(wrong).toStdString() << std::endl;
-        return static_cast<int>(burin::ErrorClass::wrongUse);
-    }
-    return status;
+    return guarded([&] { return runCommand(argc, argv); }); // here its sentence is in the user's language
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    try {
-        return run(argc, argv);
-    } catch (const std::bad_alloc&) {
-        std::cerr << "Burin ran out of memory. Choose a larger voxel.\n";
-        return static_cast<int>(burin::ErrorClass::outOfSpaceOrRights);
-    } catch (const std::exception& fault) {
-        std::cerr << "Internal error in Burin; report this: " << fault.what() << "\n";
-        return static_cast<int>(burin::ErrorClass::badInput);
-    }
+    return guarded([&] { return run(argc, argv); });
 }

@@ -5,7 +5,6 @@
 #include "core/base/numbers.h"
 #include "ui/messages/messages.h"
 
-#include <CLI/CLI.hpp>
 #include <QCoreApplication>
 #include <QRegularExpression>
 
@@ -33,8 +32,8 @@ QString shortest(const QString& number) {
 
 } // namespace
 
-QString sentenceFor(const CLI::ParseError& error) {
-    const QString text = QString::fromLocal8Bit(error.what());
+QString sentenceFor(const char* fault) {
+    const QString text = QString::fromLocal8Bit(fault);
     if (const QStringList parts = partsOf(text, "(.*?): Value (.*) not in range (\\S+) to (\\S+)"); !parts.isEmpty())
         return notAllowed(
             parts[0], parts[1],
@@ -65,7 +64,7 @@ QString sentenceFor(const CLI::ParseError& error) {
     if (const QStringList parts = partsOf(text, "(.*?) requires (.*)"); !parts.isEmpty())
         return QCoreApplication::translate("Command", "\"%1\" can only be used with \"%2\".").arg(parts[0], parts[1]);
     if (const QStringList parts = partsOf(text, "(.*?): (.*)"); !parts.isEmpty())
-        return notAllowed(parts[0], {}, QCoreApplication::translate("Command", parts[1].toUtf8().constData()));
+        return notAllowed(parts[0], {}, parts[1]);
     return QCoreApplication::translate("Command", "The arguments can't be understood (%1).").arg(text);
 }
 

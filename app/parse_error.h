@@ -4,13 +4,10 @@
 
 #include <QString>
 
-namespace CLI {
-class ParseError;
-}
-
 namespace burin {
 
 /// One sentence in the user's language for arguments that the parser rejected. Needs the installed translations.
-QString sentenceFor(const CLI::ParseError& error);
+/// @param fault  what CLI11's ParseError says, in its English
+QString sentenceFor(const char* fault);
 
 } // namespace burin

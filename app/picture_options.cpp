@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/picture_options.h"
 
+#include "app/wording.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
 #include "ui/scene/picture.h"
-
-#include <CLI/CLI.hpp>
 
 #include <map>
 
@@ -19,7 +18,8 @@ const std::map<std::string, StandardView> views{{"back", StandardView::back},   
                                                 {"top", StandardView::top}};
 
 Error unreadable(const std::string& section) {
-    return {ErrorCode::argumentInvalid, "--section", section, "X=, Y= or Z= and a position in mm, such as X=12.5"};
+    return {ErrorCode::argumentInvalid, "--section", section,
+            worded(BURIN_TEXT("Command", "X=, Y= or Z= and a position in mm, such as X=12.5"))};
 }
 
 Result<PictureSection> sectionOf(const std::string& text) {
@@ -33,15 +33,18 @@ Result<PictureSection> sectionOf(const std::string& text) {
 
 } // namespace
 
-void addPictureOptions(CLI::App& command, PictureOptions& options) {
-    command.add_option("--view", options.view, "Where the picture is seen from")
-        ->check(CLI::IsMember(views))
-        ->capture_default_str();
-    command.add_option("--section", options.section,
-                       "Cut the picture open at a plane: X=, Y= or Z= and its position, mm; the nearer side comes off");
-    command.add_option("--transparency", options.transparency, "Of the workpiece, %: the part is seen in it")
-        ->check(CLI::Range(0.0, 100.0))
-        ->capture_default_str();
+void addPictureOptions(CommandParser command, PictureOptions& options) {
+    command.option("--view", options.view, BURIN_TEXT("Help", "View direction of the picture"))
+        .choices(keysOf(views))
+        .showDefault();
+    command.option(
+        "--section", options.section,
+        BURIN_TEXT("Help", "Section plane: X=, Y= or Z= and its position, mm; the side towards the viewer is hidden"));
+    command
+        .option("--transparency", options.transparency,
+                BURIN_TEXT("Help", "Transparency of the workpiece, %; shows the part inside it"))
+        .range(0.0, 100.0)
+        .showDefault();
 }
 
 Result<void> checkPictureOptions(const PictureOptions& options) {
@@ -60,7 +63,8 @@ Result<std::string> pictureOf(PictureContent content, const PictureOptions& opti
         const double low = box.low[section->axis], high = box.high[section->axis];
         if (!(section->position > low && section->position < high))
             return Error{ErrorCode::argumentInvalid, "--section", options.section,
-                         "a position between " + formatFixed(low, 3) + " and " + formatFixed(high, 3) + " mm"};
+                         worded(BURIN_TEXT("Command", "a position between %1 and %2 mm"),
+                                {formatFixed(low, 3), formatFixed(high, 3)})};
         content.section = *section;
     }
     return drawPicture(content);

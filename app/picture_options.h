@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/command_line.h"
 #include "core/base/result.h"
 
 #include <string>
-
-namespace CLI {
-class App;
-}
 
 namespace burin {
 
@@ -21,7 +18,7 @@ struct PictureOptions {
 };
 
 /// Declares --view, --section and --transparency.
-void addPictureOptions(CLI::App& command, PictureOptions& options);
+void addPictureOptions(CommandParser command, PictureOptions& options);
 /// Before work that takes time: whether --section can be read. Errors: argumentInvalid.
 Result<void> checkPictureOptions(const PictureOptions& options);
 /// The bytes of a PNG file with a picture of `content`. Errors: argumentInvalid (a section beside the workpiece), those

@@ -33,18 +33,20 @@ nlohmann::json jsonOf(const std::vector<LintMark>& marks);
 std::string textOfOmissions(const std::vector<EditReport>& reports);
 /// How strokes that begin in material are entered, and where the tool plunges; lines that follow others, or nothing.
 std::string textOfEntries(const std::vector<EditReport>& reports);
+/// "(1.000, 2.000, 3.000) mm"
+std::string placeText(const glm::dvec3& place);
 /// The same for people, several lines.
 std::string textOf(const Model& model);
 /// What the check found, what the control would reject and the machine that the program was judged for.
 std::string textOf(const CheckedProgram& program, double gougeTolerance, const MachineProfile& machine);
 
-/// What is doubtful about a part: what import said, and what embedding found.
+/// What is doubtful about a part, for JSON: what import said, in English, and what embedding found.
 std::vector<std::string> doubtsOf(const Model& model, const EmbeddedSetup& embedded);
+/// The same for people, as lines that follow others; empty where there is no doubt.
+std::string textOfDoubts(const Model& model, const EmbeddedSetup& embedded);
 /// Why a command does not go on with a part of which bodies are too small for the voxels to be protected, and how it
 /// does all the same; empty where all are protected.
 std::string unprotected(const EmbeddedSetup& embedded);
-/// The same as lines that follow others; empty where there is no doubt.
-std::string textOfDoubts(const std::vector<std::string>& doubts);
 
 /// Why a program that failed its check was not written, and how it is all the same.
 std::string notWritten(const std::string& file);

@@ -4,14 +4,14 @@
 
 #include "app/command.h"
 #include "app/report.h"
+#include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/cad/import.h"
 #include "core/geometry/pose.h"
 #include "core/machine/machine_library.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 namespace burin {
@@ -43,8 +43,9 @@ std::optional<glm::dvec3> vectorOf(const std::string& text) {
 }
 
 Result<Obstacle> keepOutOf(const std::string& text, double clearance) {
-    const Error wrong{ErrorCode::argumentInvalid, "--keep-out", text,
-                      "X0,Y0,Z0,X1,Y1,Z1 in mm, each of the last three above its counterpart"};
+    const Error wrong{
+        ErrorCode::argumentInvalid, "--keep-out", text,
+        worded(BURIN_TEXT("Command", "X0,Y0,Z0,X1,Y1,Z1 in mm, each of the last three above its counterpart"))};
     const std::optional<std::vector<double>> numbers = numbersOf(text, 6);
     if (!numbers) return wrong;
     Obstacle space;
@@ -79,6 +80,16 @@ const char* kindName(BoundLayer::Kind kind) {
     return "";
 }
 
+/// A name of JSON as people read it.
+std::string wordFor(const char* name) {
+    constexpr std::array words{BURIN_TEXT("Command", "box"), BURIN_TEXT("Command", "cylinder"),
+                               BURIN_TEXT("Command", "mesh"), BURIN_TEXT("Command", "fixture"),
+                               BURIN_TEXT("Command", "keep-out")};
+    for (const TextId& word : words)
+        if (std::string_view(name) == word.text) return worded(word);
+    return name;
+}
+
 std::string textOf(const glm::dvec3& vector) {
     return formatShortest(vector.x) + ", " + formatShortest(vector.y) + ", " + formatShortest(vector.z);
 }
@@ -90,29 +101,33 @@ std::string lengthsOf(const glm::dvec3& place) {
 
 } // namespace
 
-void addAxis(CLI::App& command, std::string& axis) {
-    command.add_option("--axis", axis,
-                       "Tool axis: fixed (+Z), X,Y,Z towards the holder (3+2), or free (it follows the stylus)");
+void addAxis(CommandParser command, std::string& axis) {
+    command.option(
+        "--axis", axis,
+        BURIN_TEXT("Help", "Tool axis: fixed (+Z), X,Y,Z towards the holder (3+2), or free (it follows the stylus)"));
 }
 
-void addSurroundings(CLI::App& command, SurroundingsArguments& arguments) {
+void addSurroundings(CommandParser command, SurroundingsArguments& arguments) {
     command
-        .add_option("--fixture", arguments.fixtures,
-                    "Model of a fixture in the part's frame (STEP, IGES, BREP, STL); may be repeated")
-        ->allow_extra_args(false);
+        .option("--fixture", arguments.fixtures,
+                BURIN_TEXT("Help", "Model of a fixture in the part's frame (STEP, IGES, BREP, STL); may be repeated"))
+        .oneAtATime();
     command
-        .add_option("--keep-out", arguments.keepOuts,
-                    "Box that the tool must not enter, X0,Y0,Z0,X1,Y1,Z1 in the part's frame, mm; may be repeated")
-        ->allow_extra_args(false);
+        .option(
+            "--keep-out", arguments.keepOuts,
+            BURIN_TEXT("Help",
+                       "Box that the tool must not enter, X0,Y0,Z0,X1,Y1,Z1 in the part's frame, mm; may be repeated"))
+        .oneAtATime();
     command
-        .add_option("--clearance", arguments.clearance,
-                    "Clearance between the tool and the added fixtures and keep-out volumes, mm")
-        ->check(CLI::Range(0.0, 100.0))
-        ->capture_default_str();
+        .option("--clearance", arguments.clearance,
+                BURIN_TEXT("Help", "Clearance between the tool and the added fixtures and keep-out volumes, mm"))
+        .range(0.0, 100.0)
+        .showDefault();
     addAxis(command, arguments.axis);
-    command.add_option("--travel", arguments.travel,
-                       "Position of program zero in the machine's travel: X,Y,Z of the tip from its low end, mm; "
-                       "middle (of X and Y, Z up to the tool change height); or off");
+    command.option(
+        "--travel", arguments.travel,
+        BURIN_TEXT("Help", "Position of program zero in the machine's travel: X,Y,Z of the tip from its low end, mm; "
+                           "middle (of X and Y, Z up to the tool change height); or off"));
 }
 
 Result<std::vector<Obstacle>> obstaclesOf(const SurroundingsArguments& arguments, double stlUnit, Progress& progress) {
@@ -141,7 +156,8 @@ Result<AxisMode> axisModeOf(const std::string& axis) {
     const std::optional<glm::dvec3> direction = vectorOf(axis);
     const double length = direction ? glm::length(*direction) : 0.0;
     if (!(std::isfinite(length) && length > 1e-9))
-        return Error{ErrorCode::argumentInvalid, "--axis", axis, "fixed, free, or X,Y,Z that are not all zero"};
+        return Error{ErrorCode::argumentInvalid, "--axis", axis,
+                     worded(BURIN_TEXT("Command", "fixed, free, or X,Y,Z that are not all zero"))};
     return AxisMode{false, *direction / length};
 }
 
@@ -149,7 +165,9 @@ Result<TravelPlacement> travelPlacementOf(const std::string& travel) {
     if (travel == "middle") return TravelPlacement{};
     if (travel == "off") return TravelPlacement{false, std::nullopt};
     const std::optional<glm::dvec3> zero = vectorOf(travel);
-    if (!zero) return Error{ErrorCode::argumentInvalid, "--travel", travel, "middle, off, or X,Y,Z in mm"};
+    if (!zero)
+        return Error{ErrorCode::argumentInvalid, "--travel", travel,
+                     worded(BURIN_TEXT("Command", "middle, off, or X,Y,Z in mm"))};
     return TravelPlacement{true, zero};
 }
 
@@ -171,8 +189,10 @@ std::string machineFor(const Project& project, const std::string& asked, Command
     if (!target) return {}; // whoever makes the bench meets the same error
     const Result<MachineProfile> machine = loadMachine(target->machine);
     if (machine || machine.error().code != ErrorCode::nameUnknown) return target->machine;
-    context.message("The project's machine \"" + target->machine + "\" is not on this computer; \"" + firstMachine +
-                    "\" is used in its place. Choose another with --machine, or with burin setup --machine.");
+    context.message(worded(BURIN_TEXT("Command", "The project's machine \"%1\" is not on this computer; \"%2\" is used "
+                                                 "in its place. Choose another with --machine, or with burin setup "
+                                                 "--machine."),
+                           {target->machine, firstMachine}));
     return firstMachine;
 }
 
@@ -226,28 +246,30 @@ json jsonOf(const std::vector<BoundLayer>& layers) {
 }
 
 std::string textOf(const AxisMode& axis) {
-    if (axis.free) return "free, with the stylus";
-    return axis.direction == upright ? "fixed, +Z" : "chosen, " + textOf(axis.direction);
+    if (axis.free) return worded(BURIN_TEXT("Command", "free, with the stylus"));
+    return axis.direction == upright ? worded(BURIN_TEXT("Command", "fixed, +Z"))
+                                     : worded(BURIN_TEXT("Command", "chosen, %1"), {textOf(axis.direction)});
 }
 
 std::string textOf(const Obstacle& obstacle) {
     const Box box = boundsOf(obstacle);
-    return std::string(kindName(obstacle.kind)) + " \"" + obstacle.name + "\": " + shapeName(obstacle) + " from (" +
-           lengthsOf(box.low) + ") to (" + lengthsOf(box.high) + ") mm, clearance " + formatShortest(obstacle.margin) +
-           " mm" + (obstacle.on ? "" : ", off");
+    return worded(obstacle.on ? BURIN_TEXT("Command", "%1 \"%2\": %3 from (%4) to (%5) mm, clearance %6 mm")
+                              : BURIN_TEXT("Command", "%1 \"%2\": %3 from (%4) to (%5) mm, clearance %6 mm, off"),
+                  {wordFor(kindName(obstacle.kind)), obstacle.name, wordFor(shapeName(obstacle)), lengthsOf(box.low),
+                   lengthsOf(box.high), formatShortest(obstacle.margin)});
 }
 
 std::string textOf(const BoundLayer& layer) {
     switch (layer.kind) {
     case BoundLayer::Kind::part:
-        return "the part";
+        return worded(BURIN_TEXT("Command", "the part"));
     case BoundLayer::Kind::machineTravel:
-        return "the machine's travel";
+        return worded(BURIN_TEXT("Command", "the machine's travel"));
     case BoundLayer::Kind::fixture:
     case BoundLayer::Kind::keepOut:
         break;
     }
-    return std::string(kindName(layer.kind)) + " \"" + layer.name + "\"";
+    return worded(BURIN_TEXT("Command", "%1 \"%2\""), {wordFor(kindName(layer.kind)), layer.name});
 }
 
 } // namespace burin

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/command_line.h"
 #include "core/base/progress.h"
 #include "core/document/project.h"
 #include "core/job/bench_boundaries.h"
@@ -11,10 +12,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace burin {
 
@@ -28,9 +25,9 @@ struct SurroundingsArguments {
 };
 
 /// Declares --fixture, --keep-out, --clearance, --axis and --travel.
-void addSurroundings(CLI::App& command, SurroundingsArguments& arguments);
+void addSurroundings(CommandParser command, SurroundingsArguments& arguments);
 /// Declares --axis alone.
-void addAxis(CLI::App& command, std::string& axis);
+void addAxis(CommandParser command, std::string& axis);
 
 /// The fixtures, read in child processes, then the keep-out volumes.
 /// @param stlUnit mm per unit of an STL file. Errors: those of importModel and fixturesOf, argumentInvalid.

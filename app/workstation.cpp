@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/workstation.h"
 
+#include "app/wording.h"
 #include "core/base/error.h"
 #include "ui/dialogs/preferences.h"
 #include "ui/messages/messages.h"
@@ -66,8 +67,12 @@ bool asksForWindow(int argc, char** argv, bool (*isCommand)(const std::string& w
 
 int runWorkstation(int argc, char** argv) {
     if (!hasDisplay()) {
-        std::cerr << "There is no display to open the window on; log in to a desktop, set DISPLAY, or use a command: "
-                     "\"burin demo\" does the whole job without one, \"burin --help\" lists the others.\n";
+        const QCoreApplication application(argc, argv); // translations need one
+        Messages::install(QLocale::system());
+        std::cerr << worded(BURIN_TEXT("Command", "There is no display to open the window on; log in to a desktop, set "
+                                                  "DISPLAY, or use a command: \"burin demo\" does the whole job "
+                                                  "without one, \"burin --help\" lists the others."))
+                  << "\n";
         return static_cast<int>(ErrorClass::wrongUse);
     }
     QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat()); // the window's own context has to share with the view's

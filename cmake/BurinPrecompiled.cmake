@@ -37,5 +37,5 @@ set(BURIN_STANDARD_HEADERS <algorithm> <array> <atomic> <chrono> <cmath> <cstdin
     <variant> <vector> <glm/glm.hpp>)
 burin_precompiled_set(standard HEADERS ${BURIN_STANDARD_HEADERS} USES glm::glm)
 burin_precompiled_set(qt HEADERS ${BURIN_STANDARD_HEADERS} <QtCore> USES glm::glm Qt6::Core)
-burin_precompiled_set(command HEADERS ${BURIN_STANDARD_HEADERS} <CLI/CLI.hpp> <nlohmann/json.hpp>
-    USES glm::glm CLI11::CLI11 nlohmann_json::nlohmann_json)
+burin_precompiled_set(command HEADERS ${BURIN_STANDARD_HEADERS} <nlohmann/json.hpp>
+    USES glm::glm nlohmann_json::nlohmann_json)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
+#include "app/wording.h"
 
-#include <CLI/CLI.hpp>
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QProcess>
@@ -19,17 +19,23 @@ using nlohmann::json;
 struct Benchmark {
     const char* name;
     const char* program;
-    const char* shows;
+    TextId shows;
 };
 constexpr std::array benchmarks{
-    Benchmark{"volume", "burin-bench-volume",
-              "the S-RLE engine and cutting, compared with the paper's method, dense grids, OpenVDB and VTK"},
+    Benchmark{
+        "volume", "burin-bench-volume",
+        BURIN_TEXT("Command",
+                   "the S-RLE engine and cutting, compared with the paper's method, dense grids, OpenVDB and VTK")},
     Benchmark{"verify", "burin-bench-verify",
-              "reading programs back and judging them, compared with CAMotics, and where the time goes"},
+              BURIN_TEXT("Command",
+                         "reading programs back and judging them, compared with CAMotics, and where the time goes")},
     Benchmark{
         "scale", "burin-bench-scale",
-        "CPU time and memory at three sizes of recordings, programs, paths, stocks and models, and how they grow"},
-    Benchmark{"haptics", "burin-bench-haptics", "the haptic loop: cost of a tick, push-back, stability, guards"},
+        BURIN_TEXT(
+            "Command",
+            "CPU time and memory at three sizes of recordings, programs, paths, stocks and models, and how they grow")},
+    Benchmark{"haptics", "burin-bench-haptics",
+              BURIN_TEXT("Command", "the haptic loop: cost of a tick, push-back, stability, guards")},
 };
 
 struct BenchArguments {
@@ -50,9 +56,9 @@ void listBenchmarks(CommandContext& context) {
     std::string text;
     for (const Benchmark& benchmark : benchmarks) {
         const bool built = isBuilt(benchmark);
-        list.push_back({{"name", benchmark.name}, {"shows", benchmark.shows}, {"built", built}});
-        text += (text.empty() ? "" : "\n") + std::string(benchmark.name) + "  " + benchmark.shows +
-                (built ? "" : " (not built: tests/run --bench builds it)");
+        list.push_back({{"name", benchmark.name}, {"shows", benchmark.shows.text}, {"built", built}});
+        text += (text.empty() ? "" : "\n") + std::string(benchmark.name) + "  " + worded(benchmark.shows) +
+                (built ? "" : " " + worded(BURIN_TEXT("Command", "(not built: tests/run --bench builds it)")));
     }
     context.answer(list, text);
 }
@@ -97,16 +103,18 @@ int runBench(const BenchArguments& arguments, CommandContext& context) {
 
 } // namespace
 
-void registerBench(CLI::App& program, CommandContext& context, int& status) {
+void registerBench(CommandParser program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<BenchArguments>();
-    CLI::App* command = program.add_subcommand("bench", "Run Burin's benchmarks");
-    command->add_option("NAME", arguments->name, "Benchmark to run; without it, the list of benchmarks");
-    command->add_option("--only", arguments->only, "Only figures whose names begin with this");
-    command->add_option("--rounds", arguments->rounds, "Number of rounds in which everything is measured")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    addJsonFlag(*command, context);
-    command->callback([arguments, &context, &status] { status = runBench(*arguments, context); });
+    const CommandParser command = program.command("bench", BURIN_TEXT("Help", "Run Burin's benchmarks"));
+    command.positional(BURIN_TEXT("Argument", "NAME"), arguments->name,
+                       BURIN_TEXT("Help", "Benchmark to run (default: list the benchmarks)"));
+    command.option("--only", arguments->only, BURIN_TEXT("Help", "Only figures whose names begin with this"));
+    command
+        .option("--rounds", arguments->rounds, BURIN_TEXT("Help", "Number of rounds in which everything is measured"))
+        .range(1, 1000)
+        .showDefault();
+    addJsonFlag(command, context);
+    command.run([arguments, &context, &status] { status = runBench(*arguments, context); });
 }
 
 } // namespace burin

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
+#include "app/wording.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
 #include "core/base/staged_file.h"
 #include "core/cutting/calibration.h"
 #include "core/document/companions.h"
-
-#include <CLI/CLI.hpp>
+#include "ui/messages/details.h"
 
 #include <algorithm>
 #include <array>
@@ -72,7 +72,8 @@ Result<Property> basisOf(const std::string& id, const std::string& like, bool wr
         Result<Property> known = loadMaterial(id);
         if (known || known.error().code != ErrorCode::nameUnknown) return known;
         if (!written) return Property{};
-        return Error{ErrorCode::argumentInvalid, "material", id, "a material that is known, or --like MATERIAL"};
+        return Error{ErrorCode::argumentInvalid, "material", id,
+                     worded(BURIN_TEXT("Command", "a known material, or --like MATERIAL"))};
     }
     Result<Property> model = loadMaterial(like);
     if (!model || like == id) return model;
@@ -130,18 +131,21 @@ json jsonOf(const Calibrated& entry) {
 
 std::string textOf(const Calibrated& entry) {
     const MaterialCalibration& c = entry.calibration;
-    std::string text = c.material + ": " + std::to_string(c.residuals.size()) + " of " + std::to_string(c.records) +
-                       " records, noise " + formatFixed(c.tangentialNoise, 3) + " N tangential, " +
-                       formatFixed(c.radialNoise, 3) + " N radial";
-    text += "\n  K        " + textOf(c.specificEnergy) + " J/mm^3, chips of " + formatFixed(c.chip, 4) + " mm";
+    std::string text =
+        worded(BURIN_TEXT("Command", "%1: %2 of %3 records, noise %4 N tangential, %5 N radial"),
+               {c.material, std::to_string(c.residuals.size()), std::to_string(c.records),
+                formatFixed(c.tangentialNoise, 3), formatFixed(c.radialNoise, 3)}) +
+        "\n  K        " +
+        worded(BURIN_TEXT("Command", "%1 J/mm^3, chips of %2 mm"), {textOf(c.specificEnergy), formatFixed(c.chip, 4)});
     if (c.options.law == ChipLaw::kienzle)
         text += "\n  kc1.1    " + textOf(c.kienzleForce) + " N/mm^2\n  mc       " + textOf(c.kienzleExponent);
     text += "\n  Kr       " + textOf(c.radialRatio);
     if (c.options.law == ChipLaw::edge)
         text += "\n  Kte      " + textOf(c.edgeForce) + " N/mm\n  Kre      " + textOf(c.radialEdgeForce) + " N/mm";
     for (const LeftOut& record : c.leftOut)
-        text += "\n  line " + std::to_string(record.line) + " left out: " + record.reason;
-    return text + "\n  " + (entry.file.empty() ? "not written (--dry-run)" : entry.file);
+        text += "\n  " + worded(BURIN_TEXT("Command", "line %1 left out: %2"),
+                                {std::to_string(record.line), detailText(record.reason).toStdString()});
+    return text + "\n  " + (entry.file.empty() ? worded(BURIN_TEXT("Command", "not written (--dry-run)")) : entry.file);
 }
 
 /// Writes the materials to the user's library, all or none, once all ids may be used.
@@ -205,40 +209,47 @@ std::string columnHelp() {
             text += (text.empty() ? "" : ", ") + std::string(name);
         return text;
     };
-    return "FORCES is CSV with one row a cut, or a sample of one (column cut), and the columns\n  " + joined(true) +
-           "\nand, where they are needed,\n  " + joined(false) +
-           ".\nForces are means over whole turns; axis from tip to holder; any frame. Columns called note… are for "
-           "people.";
+    return worded(
+        BURIN_TEXT("Help", "FORCES is CSV with one row per cut, or per sample of a cut (column cut), and the columns\n "
+                           " %1\nand, where they are needed,\n  %2.\nForces are means over whole revolutions; the axis "
+                           "points from tip to holder; any frame. Columns named note… are ignored."),
+        {joined(true), joined(false)});
 }
 
 } // namespace
 
-void registerCalibrate(CLI::App& program, CommandContext& context, int& status) {
+void registerCalibrate(CommandParser program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<CalibrateArguments>();
-    CLI::App* command = program.add_subcommand(
-        "calibrate", "Fit K, Kr and edge forces of materials to measured forces and keep them as your own");
-    command->add_option("FORCES", arguments->forces, "Force records (.csv)")->required();
-    command->add_option("--material", arguments->material, "Only this one of the materials in the file");
+    const CommandParser command = program.command(
+        "calibrate",
+        BURIN_TEXT("Help",
+                   "Fit K, Kr and edge forces of materials to measured forces and add them to your own library"));
+    command.positional(BURIN_TEXT("Argument", "FORCES"), arguments->forces, BURIN_TEXT("Help", "Force records (.csv)"))
+        .required();
+    command.option("--material", arguments->material, BURIN_TEXT("Help", "Only this one of the materials in the file"));
     command
-        ->add_option("--law", arguments->law,
-                     "edge: K and the force of the edge, Kte and Kre; constant: K alone; kienzle: K falling with the "
-                     "chip's thickness")
-        ->check(CLI::IsMember({"edge", "constant", "kienzle"}))
-        ->capture_default_str();
+        .option(
+            "--law", arguments->law,
+            BURIN_TEXT("Help",
+                       "edge: K and the force of the edge, Kte and Kre; constant: K alone; kienzle: K falling with the "
+                       "chip's thickness"))
+        .choices({"edge", "constant", "kienzle"})
+        .showDefault();
     command
-        ->add_option(
-            "--projection", arguments->projection,
-            "teeth: resolved for turning teeth, for forces of a dynamometer; paper: tangential against the feed, "
-            "radial along the axis, for what the hand feels")
-        ->check(CLI::IsMember({"teeth", "paper"}))
-        ->capture_default_str();
-    command->add_flag("--on-workpiece", arguments->onWorkpiece, "The forces are those on the workpiece");
-    command->add_option("--like", arguments->like, "Material that gives a new one its other values");
-    command->add_flag("--replace", arguments->replace, "Replace a material of that name");
-    command->add_flag("--dry-run", arguments->dryRun, "Fit and report, but write nothing");
-    command->footer(columnHelp());
-    addJsonFlag(*command, context);
-    command->callback([arguments, &context, &status] { status = runCalibrate(*arguments, context); });
+        .option("--projection", arguments->projection,
+                BURIN_TEXT("Help", "teeth: resolved for rotating teeth, for forces of a dynamometer; paper: tangential "
+                                   "against the feed, radial along the axis, for the force that the hand feels"))
+        .choices({"teeth", "paper"})
+        .showDefault();
+    command.flag("--on-workpiece", arguments->onWorkpiece,
+                 BURIN_TEXT("Help", "The measured forces act on the workpiece, not on the tool"));
+    command.option("--like", arguments->like,
+                   BURIN_TEXT("Help", "Material from which a new one takes its other values"));
+    command.flag("--replace", arguments->replace, BURIN_TEXT("Help", "Replace a material of that name"));
+    command.flag("--dry-run", arguments->dryRun, BURIN_TEXT("Help", "Fit and report, but write nothing"));
+    command.footer(columnHelp());
+    addJsonFlag(command, context);
+    command.run([arguments, &context, &status] { status = runCalibrate(*arguments, context); });
 }
 
 } // namespace burin

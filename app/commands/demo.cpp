@@ -3,6 +3,7 @@
 #include "app/command.h"
 #include "app/picture_options.h"
 #include "app/report.h"
+#include "app/wording.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
 #include "core/base/staged_file.h"
@@ -14,8 +15,6 @@
 #include "core/job/kept_program.h"
 #include "core/job/milling.h"
 #include "ui/scene/picture.h"
-
-#include <CLI/CLI.hpp>
 
 #include <array>
 #include <filesystem>
@@ -69,7 +68,7 @@ Result<Setup> partSetup(const DemoArguments& arguments, const Model& model) {
 Result<ProjectChange> makeProject(const DemoArguments& arguments, const Tool& tool, CommandContext& context) {
     Model model;
     if (!arguments.block) {
-        context.stage("Importing");
+        context.stage(BURIN_TEXT("Command", "Importing"));
         const fs::path file =
             arguments.model.empty() ? resourceDirectory() / "samples/mouse.step" : fs::path(arguments.model);
         Result<Model> imported = importModel(file, ImportOptions{}, context.progress());
@@ -80,7 +79,7 @@ Result<ProjectChange> makeProject(const DemoArguments& arguments, const Tool& to
     if (!setup) return setup.error();
     const Result<Property> material = loadMaterial(arguments.material);
     if (!material) return material.error();
-    context.stage("Making the project");
+    context.stage(BURIN_TEXT("Command", "Making the project"));
     Result<ProjectChange> project = ProjectChange::create(fs::path(arguments.output) / "demo.burin");
     if (!project) return project;
     Result<void> filled =
@@ -92,10 +91,10 @@ Result<ProjectChange> makeProject(const DemoArguments& arguments, const Tool& to
 
 /// The whole job on a project. Errors: those of its stages.
 Result<DemoResult> work(Project& project, const Tool& tool, const DemoArguments& arguments, CommandContext& context) {
-    context.stage("Embedding");
+    context.stage(BURIN_TEXT("Command", "Embedding"));
     Result<Bench> bench = makeBench(project, tool, arguments.machine, context.progress());
     if (!bench) return std::move(bench).error();
-    context.stage("Computing the tool's boundary");
+    context.stage(BURIN_TEXT("Command", "Computing the tool's boundary"));
     OperatorRequest request;
     request.timeLimit = arguments.seconds;
     // The paper's model wax takes deep, wide cuts; what is left of the steps the fine finishing passes take.
@@ -107,12 +106,12 @@ Result<DemoResult> work(Project& project, const Tool& tool, const DemoArguments&
     request.saves = false; // with everything else, at the end
     const auto field = clearanceField(*bench, request.allowance, context.progress());
     if (!field) return field.error();
-    context.stage("Milling");
+    context.stage(BURIN_TEXT("Command", "Milling"));
     Result<OperatorOutcome> milling =
         millWithOperator(project, *bench, ToolBounds::borrowing(**field), request, context.progress().cancelFlag());
     if (!milling) return std::move(milling).error();
 
-    context.stage("Editing");
+    context.stage(BURIN_TEXT("Command", "Editing"));
     Result<StoredPath> stored = standardPath(project, tool.id);
     if (!stored) return std::move(stored).error();
     const Result<std::int64_t> id = project.addPath(*stored);
@@ -120,7 +119,7 @@ Result<DemoResult> work(Project& project, const Tool& tool, const DemoArguments&
     Result<EvaluatedPath> path = evaluateStored(project, *bench, *stored, context.progress());
     if (!path) return std::move(path).error();
 
-    context.stage("Posting and checking");
+    context.stage(BURIN_TEXT("Command", "Posting and checking"));
     ProgramRequest post;
     post.name = "demo.ngc";
     post.gougeTolerance = arguments.tolerance;
@@ -245,7 +244,7 @@ int runDemo(const DemoArguments& arguments, CommandContext& context) {
     const Result<DemoResult> result = work(**project, *tool, arguments, context);
     if (!result) return context.fail(result.error());
 
-    context.stage("Writing");
+    context.stage(BURIN_TEXT("Command", "Writing"));
     const fs::path folder = fs::absolute(arguments.output).lexically_normal();
     const bool passed = result->program.report.passed();
     json answer = jsonOf(*result);
@@ -255,36 +254,43 @@ int runDemo(const DemoArguments& arguments, CommandContext& context) {
     answer["report"] = (folder / "demo.json").string();
     if (const Result<void> written = writeAll(*project, *result, arguments, folder, answer); !written)
         return context.fail(written.error());
-    context.answer(answer, "project  " + answer["project"].get<std::string>() + "\nprogram  " +
-                               (passed ? answer["program"].get<std::string>() : std::string("refused")) + ", " +
-                               std::to_string(result->program.parsed.blocks) + " blocks\npicture  " +
-                               answer["picture"].get<std::string>() + "\nreport   " +
-                               answer["report"].get<std::string>() + "\n" +
-                               textOf(result->program, arguments.tolerance, result->bench.machine));
+    const auto line = [&](TextId text, const char* key) {
+        return worded(text, {answer[key].get<std::string>()}) + "\n";
+    };
+    const std::string blocks = std::to_string(result->program.parsed.blocks);
+    context.answer(answer,
+                   line(BURIN_TEXT("Command", "project  %1"), "project") +
+                       (passed ? worded(BURIN_TEXT("Command", "program  %1, %2 blocks"), {answer["program"], blocks})
+                               : worded(BURIN_TEXT("Command", "program  refused, %1 blocks"), {blocks})) +
+                       "\n" + line(BURIN_TEXT("Command", "picture  %1"), "picture") +
+                       line(BURIN_TEXT("Command", "report   %1"), "report") +
+                       textOf(result->program, arguments.tolerance, result->bench.machine));
     return passed ? 0 : static_cast<int>(ErrorClass::checkFailed);
 }
 
 } // namespace
 
-void registerDemo(CLI::App& program, CommandContext& context, int& status) {
+void registerDemo(CommandParser program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<DemoArguments>();
-    CLI::App* command = program.add_subcommand("demo", "Do the whole job on the sample part with a virtual operator");
-    CLI::Option* block =
-        command->add_flag("--block", arguments->block, "Mill the block of the paper's figure 13 (b) instead");
-    command->add_option("--model", arguments->model, "Another part: STEP, IGES, BREP or STL")->excludes(block);
-    command->add_option("--tool", arguments->tool, "Tool (ball-6; ball-1 with --block)");
-    command->add_option("--voxel", arguments->voxel, "Edge of a voxel, mm (0.5; 0.1 with --block)")
-        ->check(CLI::Range(1e-3, 100.0));
-    command->add_option("--seconds", arguments->seconds, "Time that the operator has, s; 0: as long as the job takes")
-        ->check(CLI::Range(0.0, 1e6));
-    command->add_option("--margin", arguments->margin, "Stock around the part, mm")->capture_default_str();
-    command->add_option("--material", arguments->material, "Material of the stock")->capture_default_str();
-    command->add_option("--seed", arguments->seed, "Seed of the operator's random tremor")->capture_default_str();
-    command->add_option("--output", arguments->output, "Folder for project, program, picture and report")
-        ->capture_default_str();
-    addPictureOptions(*command, arguments->picture);
-    addJsonFlag(*command, context);
-    command->callback([arguments, &context, &status] { status = runDemo(*arguments, context); });
+    const CommandParser command =
+        program.command("demo", BURIN_TEXT("Help", "Do the whole job on the sample part with a virtual operator"));
+    const Argument block = command.flag("--block", arguments->block,
+                                        BURIN_TEXT("Help", "Mill the block of the paper's figure 13 (b) instead"));
+    command.option("--model", arguments->model, BURIN_TEXT("Help", "Another part: STEP, IGES, BREP or STL"))
+        .excludes(block);
+    command.option("--tool", arguments->tool, BURIN_TEXT("Help", "Tool (ball-6; ball-1 with --block)"));
+    command.option("--voxel", arguments->voxel, BURIN_TEXT("Help", "Edge of a voxel, mm (0.5; 0.1 with --block)"))
+        .range(1e-3, 100.0);
+    command.option("--seconds", arguments->seconds, BURIN_TEXT("Help", "Time limit of the operator, s; 0: none"))
+        .range(0.0, 1e6);
+    command.option("--margin", arguments->margin, BURIN_TEXT("Help", "Stock around the part, mm")).showDefault();
+    command.option("--material", arguments->material, BURIN_TEXT("Help", "Material of the stock")).showDefault();
+    command.option("--seed", arguments->seed, BURIN_TEXT("Help", "Seed of the operator's random tremor")).showDefault();
+    command.option("--output", arguments->output, BURIN_TEXT("Help", "Folder for project, program, picture and report"))
+        .showDefault();
+    addPictureOptions(command, arguments->picture);
+    addJsonFlag(command, context);
+    command.run([arguments, &context, &status] { status = runDemo(*arguments, context); });
 }
 
 } // namespace burin

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
+#include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/device/device_registry.h"
 #include "core/device/stylus_handle.h"
 #include "ui/messages/messages.h"
-
-#include <CLI/CLI.hpp>
 
 #include <array>
 
@@ -19,30 +18,32 @@ using nlohmann::json;
 /// A figure of a description, as people and JSON name it.
 struct Limit {
     std::string name; ///< of JSON, with its unit
-    std::string label, unit;
+    TextId label;
+    std::string unit;
     double value;
     std::string source;
 };
 
 template <UnitName unit>
-Limit limit(const char* name, const char* label, const Figure<unit>& figure) {
+Limit limit(const char* name, TextId label, const Figure<unit>& figure) {
     return {name, label, std::string(Figure<unit>::unit), figure.value, figure.source};
 }
 
 std::vector<Limit> limitsOf(const StylusDescription& stylus) {
-    return {limit("rate_hz", "rate", stylus.rate),
-            limit("delay_s", "delay", stylus.delay),
-            limit("force_max_n", "greatest force", stylus.maximumForce),
-            limit("force_continuous_n", "continuous force", stylus.continuousForce),
-            limit("torque_max_n_mm", "greatest torque", stylus.maximumTorque),
-            limit("stiffness_max_n_per_m", "greatest stiffness", stylus.maximumStiffness),
-            limit("damping_max_n_s_per_m", "greatest damping", stylus.maximumDamping),
-            limit("turning_stiffness_max_n_mm_per_rad", "greatest turning stiffness", stylus.maximumTurningStiffness),
-            limit("workspace_radius_mm", "workspace radius", stylus.workspaceRadius),
-            limit("position_step_mm", "position step", stylus.positionStep),
-            limit("rotation_step_rad", "rotation step", stylus.rotationStep),
-            limit("speed_max_mm_per_s", "greatest speed", stylus.maximumSpeed),
-            limit("handle_mass_kg", "handle's mass", stylus.handleMass)};
+    return {limit("rate_hz", BURIN_TEXT("Command", "rate"), stylus.rate),
+            limit("delay_s", BURIN_TEXT("Command", "delay"), stylus.delay),
+            limit("force_max_n", BURIN_TEXT("Command", "maximum force"), stylus.maximumForce),
+            limit("force_continuous_n", BURIN_TEXT("Command", "continuous force"), stylus.continuousForce),
+            limit("torque_max_n_mm", BURIN_TEXT("Command", "maximum torque"), stylus.maximumTorque),
+            limit("stiffness_max_n_per_m", BURIN_TEXT("Command", "maximum stiffness"), stylus.maximumStiffness),
+            limit("damping_max_n_s_per_m", BURIN_TEXT("Command", "maximum damping"), stylus.maximumDamping),
+            limit("turning_stiffness_max_n_mm_per_rad", BURIN_TEXT("Command", "maximum rotational stiffness"),
+                  stylus.maximumTurningStiffness),
+            limit("workspace_radius_mm", BURIN_TEXT("Command", "workspace radius"), stylus.workspaceRadius),
+            limit("position_step_mm", BURIN_TEXT("Command", "position step"), stylus.positionStep),
+            limit("rotation_step_rad", BURIN_TEXT("Command", "rotation step"), stylus.rotationStep),
+            limit("speed_max_mm_per_s", BURIN_TEXT("Command", "maximum speed"), stylus.maximumSpeed),
+            limit("handle_mass_kg", BURIN_TEXT("Command", "mass of the handle"), stylus.handleMass)};
 }
 
 json jsonOf(const DeviceHealth& health) {
@@ -79,11 +80,11 @@ json jsonOf(const StylusDescription& stylus) {
 std::string textOf(const FoundDevice& device, const StylusDescription& stylus) {
     std::string text = device.id + ": " + device.name;
     for (const DeviceMode& mode : device.modes)
-        text += "\n  mode " + mode.id + ": " + Messages::text(mode.name).toStdString();
+        text += "\n  " + worded(BURIN_TEXT("Command", "mode %1: %2"), {mode.id, worded(mode.name)});
     for (const Limit& limit : limitsOf(stylus))
         if (limit.value > 0.0)
-            text +=
-                "\n  " + limit.label + " " + formatShortest(limit.value) + " " + limit.unit + " (" + limit.source + ")";
+            text += "\n  " + worded(limit.label) + " " + formatShortest(limit.value) + " " + limit.unit + " (" +
+                    worded({"Device", limit.source.c_str()}) + ")";
     return text;
 }
 
@@ -117,10 +118,11 @@ int runDevices(CommandContext& context) {
 
 } // namespace
 
-void registerDevices(CLI::App& program, CommandContext& context, int& status) {
-    CLI::App* command = program.add_subcommand("devices", "List the styluses that are plugged in, and their limits");
-    addJsonFlag(*command, context);
-    command->callback([&context, &status] { status = runDevices(context); });
+void registerDevices(CommandParser program, CommandContext& context, int& status) {
+    const CommandParser command =
+        program.command("devices", BURIN_TEXT("Help", "List the styluses that are plugged in, and their limits"));
+    addJsonFlag(command, context);
+    command.run([&context, &status] { status = runDevices(context); });
 }
 
 } // namespace burin

@@ -3,14 +3,13 @@
 #include "app/command.h"
 #include "app/report.h"
 #include "app/surroundings.h"
+#include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/base/steps.h"
 #include "core/cad/import.h"
 #include "core/document/companions.h"
 #include "core/document/project_change.h"
 #include "core/setup/setup.h"
-
-#include <CLI/CLI.hpp>
 
 #include <array>
 
@@ -32,7 +31,9 @@ Result<std::vector<std::string>> bodyMaterials(const EmbedArguments& arguments, 
     std::vector<std::string> materials(model.bodies.size());
     for (const std::string& pair : arguments.bodyMaterials) {
         const std::size_t equals = pair.rfind('=');
-        if (equals == std::string::npos) return Error{ErrorCode::argumentInvalid, "--body-material", pair, "BODY=NAME"};
+        if (equals == std::string::npos)
+            return Error{ErrorCode::argumentInvalid, "--body-material", pair,
+                         worded(BURIN_TEXT("Command", "BODY=NAME"))};
         const std::string name = pair.substr(0, equals);
         bool found = false;
         std::string known;
@@ -70,7 +71,8 @@ Result<void> mayBeReplaced(const EmbedArguments& arguments) {
     const Result<std::vector<TakeInfo>> takes = standing->takes();
     if (!takes || takes->empty()) return {};
     return Error{ErrorCode::argumentInvalid, "--output", arguments.output,
-                 "another name, or --replace: the project there holds recordings, " + std::to_string(takes->size())};
+                 worded(BURIN_TEXT("Command", "another file, or --replace (recordings in the project there: %1)"),
+                        {std::to_string(takes->size())})};
 }
 
 /// The model and the fixtures: none of them is where the project, or what Burin keeps beside it, will be.
@@ -92,7 +94,7 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
         return context.fail({ErrorCode::notSupported, "--stock " + arguments.stock, "--stock box", {}});
     ImportOptions options;
     options.stlUnit = arguments.stlUnit;
-    context.stage("Importing");
+    context.stage(BURIN_TEXT("Command", "Importing"));
     const Result<Model> model = importModel(arguments.model, options, context.progress());
     if (!model) return context.fail(model.error());
 
@@ -117,18 +119,19 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
         travelPlacementOf(arguments.around.travel.empty() ? "middle" : arguments.around.travel);
     if (!travel) return context.fail(travel.error());
 
-    context.stage("Embedding");
+    context.stage(BURIN_TEXT("Command", "Embedding"));
     const Result<EmbeddedSetup> embedded = embed(*model, *setup, *materials, context.progress());
     if (!embedded) return context.fail(embedded.error());
 
     const std::vector<std::string> warnings = doubtsOf(*model, *embedded);
     if (const std::string refusal = unprotected(*embedded); !refusal.empty() && !arguments.overrides) {
-        context.answer({{"project", nullptr}, {"warnings", warnings}}, "not made" + textOfDoubts(warnings));
+        context.answer({{"project", nullptr}, {"warnings", warnings}},
+                       worded(BURIN_TEXT("Command", "no project was made")) + textOfDoubts(*model, *embedded));
         context.message(refusal);
         return static_cast<int>(ErrorClass::checkFailed);
     }
 
-    context.stage("Saving");
+    context.stage(BURIN_TEXT("Command", "Saving"));
     Result<ProjectChange> project = ProjectChange::create(arguments.output);
     if (!project) return context.fail(project.error());
     const Result<void> saved =
@@ -153,36 +156,41 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
                                 {"axis", jsonOf(*axis)},
                                 {"obstacles", jsonOf(*obstacles)},
                                 {"warnings", warnings}};
-    std::string text = "part " + formatFixed(embedded->partVolume, 1) + " mm^3 in stock " +
-                       formatFixed(embedded->stockVolume, 1) + " mm^3, " + std::to_string(voxels.x) + " x " +
-                       std::to_string(voxels.y) + " x " + std::to_string(voxels.z) + " voxels of " +
-                       formatShortest(setup->voxel) + " mm";
-    context.answer(answer, text + textOfDoubts(warnings));
+    const std::string text =
+        worded(BURIN_TEXT("Command", "part %1 mm^3 in stock %2 mm^3, %3 x %4 x %5 voxels of %6 mm"),
+               {formatFixed(embedded->partVolume, 1), formatFixed(embedded->stockVolume, 1), std::to_string(voxels.x),
+                std::to_string(voxels.y), std::to_string(voxels.z), formatShortest(setup->voxel)});
+    context.answer(answer, text + textOfDoubts(*model, *embedded));
     return 0;
 }
 
 } // namespace
 
-void registerEmbed(CLI::App& program, CommandContext& context, int& status) {
+void registerEmbed(CommandParser program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<EmbedArguments>();
-    CLI::App* command = program.add_subcommand("embed", "Embed a CAD model in stock and make a project of it");
-    command->add_option("MODEL", arguments->model, "STEP, IGES, BREP or STL file")->required();
-    command->add_option("-o,--output", arguments->output, "Project file to write (.burin)")->required();
-    command->add_flag("--replace", arguments->replace, "Replace a project that holds recordings");
-    command->add_flag("--override", arguments->overrides,
-                      "Make the project even if bodies are too small for the voxels to be protected");
-    command->add_option("--voxel", arguments->voxel, "Edge of a voxel, mm")->capture_default_str();
-    command->add_option("--stock", arguments->stock, "Shape of the stock: box")->capture_default_str();
-    command->add_option("--margin", arguments->margin, "Stock around the part on every side, mm")
-        ->capture_default_str();
-    command->add_option("--material", arguments->material, "Material of the stock")->capture_default_str();
-    command->add_option("--body-material", arguments->bodyMaterials, "Material of a body: BODY=NAME; may be repeated");
-    command->add_option("--stl-unit", arguments->stlUnit, "Millimetres per unit of an STL file")
-        ->check(CLI::Range(1e-6, 1e6))
-        ->capture_default_str();
-    addSurroundings(*command, arguments->around);
-    addJsonFlag(*command, context);
-    command->callback([arguments, &context, &status] { status = runEmbed(*arguments, context); });
+    const CommandParser command =
+        program.command("embed", BURIN_TEXT("Help", "Embed a CAD model in stock and make a project"));
+    command
+        .positional(BURIN_TEXT("Argument", "MODEL"), arguments->model,
+                    BURIN_TEXT("Help", "STEP, IGES, BREP or STL file"))
+        .required();
+    command.option("-o,--output", arguments->output, BURIN_TEXT("Help", "Project file to write (.burin)")).required();
+    command.flag("--replace", arguments->replace, BURIN_TEXT("Help", "Replace a project that holds recordings"));
+    command.flag("--override", arguments->overrides,
+                 BURIN_TEXT("Help", "Make the project even if bodies are too small for the voxels to be protected"));
+    command.option("--voxel", arguments->voxel, BURIN_TEXT("Help", "Edge of a voxel, mm")).showDefault();
+    command.option("--stock", arguments->stock, BURIN_TEXT("Help", "Shape of the stock: box")).showDefault();
+    command.option("--margin", arguments->margin, BURIN_TEXT("Help", "Stock around the part on every side, mm"))
+        .showDefault();
+    command.option("--material", arguments->material, BURIN_TEXT("Help", "Material of the stock")).showDefault();
+    command.option("--body-material", arguments->bodyMaterials,
+                   BURIN_TEXT("Help", "Material of a body: BODY=NAME; may be repeated"));
+    command.option("--stl-unit", arguments->stlUnit, BURIN_TEXT("Help", "Millimetres per unit of an STL file"))
+        .range(1e-6, 1e6)
+        .showDefault();
+    addSurroundings(command, arguments->around);
+    addJsonFlag(command, context);
+    command.run([arguments, &context, &status] { status = runEmbed(*arguments, context); });
 }
 
 } // namespace burin

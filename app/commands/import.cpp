@@ -4,8 +4,6 @@
 #include "app/command.h"
 #include "app/report.h"
 
-#include <CLI/CLI.hpp>
-
 namespace burin {
 
 namespace {
@@ -25,7 +23,7 @@ int runImport(const ImportArguments& arguments, CommandContext& context) {
     options.limits.waitSeconds *= arguments.seconds / options.limits.seconds;
     options.limits.seconds = arguments.seconds;
     options.limits.memoryBytes = static_cast<std::size_t>(arguments.memory * 1e6);
-    context.stage("Importing");
+    context.stage(BURIN_TEXT("Command", "Importing"));
     const Result<Model> model = importModel(arguments.model, options, context.progress());
     if (!model) return context.fail(model.error());
     context.answer(jsonOf(*model), textOf(*model));
@@ -34,26 +32,31 @@ int runImport(const ImportArguments& arguments, CommandContext& context) {
 
 } // namespace
 
-void registerImport(CLI::App& program, CommandContext& context, int& status) {
+void registerImport(CommandParser program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<ImportArguments>();
-    CLI::App* command = program.add_subcommand("import", "Read a CAD model and report what it holds");
-    command->add_option("MODEL", arguments->model, "STEP, IGES, BREP or STL file")->required();
-    command->add_option("--chord", arguments->chord, "Chord of the mesh, mm")
-        ->check(CLI::Range(1e-4, 10.0))
-        ->capture_default_str();
-    command->add_option("--stl-unit", arguments->stlUnit, "Millimetres per unit of an STL file")
-        ->check(CLI::Range(1e-6, 1e6))
-        ->capture_default_str();
+    const CommandParser command =
+        program.command("import", BURIN_TEXT("Help", "Read a CAD model and report its contents"));
     command
-        ->add_option("--seconds", arguments->seconds,
-                     "Limit of the import's processor time, s; ten times as long if it waits")
-        ->check(CLI::Range(0.1, 86400.0))
-        ->capture_default_str();
-    command->add_option("--memory", arguments->memory, "Memory limit of the import, MB")
-        ->check(CLI::Range(64.0, 1e6))
-        ->capture_default_str();
-    addJsonFlag(*command, context);
-    command->callback([arguments, &context, &status] { status = runImport(*arguments, context); });
+        .positional(BURIN_TEXT("Argument", "MODEL"), arguments->model,
+                    BURIN_TEXT("Help", "STEP, IGES, BREP or STL file"))
+        .required();
+    command.option("--chord", arguments->chord, BURIN_TEXT("Help", "Chord of the mesh, mm"))
+        .range(1e-4, 10.0)
+        .showDefault();
+    command.option("--stl-unit", arguments->stlUnit, BURIN_TEXT("Help", "Millimetres per unit of an STL file"))
+        .range(1e-6, 1e6)
+        .showDefault();
+    command
+        .option(
+            "--seconds", arguments->seconds,
+            BURIN_TEXT("Help", "Limit of the import's processor time, s; its elapsed time may be ten times as long"))
+        .range(0.1, 86400.0)
+        .showDefault();
+    command.option("--memory", arguments->memory, BURIN_TEXT("Help", "Memory limit of the import, MB"))
+        .range(64.0, 1e6)
+        .showDefault();
+    addJsonFlag(command, context);
+    command.run([arguments, &context, &status] { status = runImport(*arguments, context); });
 }
 
 } // namespace burin

@@ -3,10 +3,10 @@
 #include "app/command.h"
 #include "app/report.h"
 #include "app/surroundings.h"
+#include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/job/kept_program.h"
-
-#include <CLI/CLI.hpp>
+#include "ui/panels/texts.h"
 
 #include <sstream>
 
@@ -47,16 +47,36 @@ json verdictOf(const ReopenedProgram& kept) {
 }
 
 std::string verdictText(const ReopenedProgram& kept) {
-    if (!kept.upToDate) return "out of date: inputs of the program's check have changed; post it again";
-    const std::size_t errors = kept.program->errorCount();
-    return std::string(stateOf(kept)) + ": gouge " + formatFixed(kept.program->report.gougeMax, 4) + " mm (tolerance " +
-           formatFixed(kept.kept.gougeTolerance, 3) + " mm), " + std::to_string(errors) +
-           (errors == 1 ? " error" : " errors");
+    if (!kept.upToDate)
+        return worded(
+            BURIN_TEXT("Command", "verdict  out of date: inputs of the program's check have changed; post it again"));
+    const CheckedProgram& program = *kept.program;
+    const TextId state = program.passed()     ? BURIN_TEXT("Command", "passed")
+                         : program.overridden ? BURIN_TEXT("Command", "overridden")
+                                              : BURIN_TEXT("Command", "refused");
+    return worded(program.errorCount(), BURIN_TEXT("Command", "verdict  %2: gouge %3 mm (tolerance %4 mm), %1 error"),
+                  BURIN_TEXT("Command", "verdict  %2: gouge %3 mm (tolerance %4 mm), %1 errors"),
+                  {worded(state), formatFixed(program.report.gougeMax, 4), formatFixed(kept.kept.gougeTolerance, 3)});
+}
+
+std::string textOf(const TakeInfo& take) {
+    const std::string length = take.seconds ? worded(BURIN_TEXT("Command", "%1 s"), {formatFixed(*take.seconds, 3)})
+                                            : worded(BURIN_TEXT("Command", "damaged"));
+    return worded(take.complete ? BURIN_TEXT("Command", "take     %1 %2: %3 samples, %4, tool %5")
+                                : BURIN_TEXT("Command", "take     %1 %2: %3 samples, %4, tool %5, incomplete"),
+                  {std::to_string(take.id), takeName(take.name).toStdString(), std::to_string(take.sampleCount), length,
+                   take.toolId});
+}
+
+std::string infoText(const StoredPath& path) {
+    return worded(
+        BURIN_TEXT("Command", "path     %1 %2: %3 takes, %4 edits"),
+        {std::to_string(path.id), path.name, std::to_string(path.takes.size()), std::to_string(path.edits.size())});
 }
 
 /// What a project lacks is null, so that a half-done project can be looked at too.
 int runInfo(const std::string& file, CommandContext& context) {
-    context.stage("Opening");
+    context.stage(BURIN_TEXT("Command", "Opening"));
     const Result<Project> project = Project::openForReading(file);
     if (!project) return context.fail(project.error());
     const Result<std::vector<TakeInfo>> takes = project->takes();
@@ -94,45 +114,49 @@ int runInfo(const std::string& file, CommandContext& context) {
                                     {"work_offset_mm", burin::jsonOf(setup->workOffset)}};
     std::uint64_t samples = 0;
     std::ostringstream text;
-    text << file << (project->recovered() ? " (recovered from a run that was interrupted)" : "");
+    text << file
+         << (project->recovered() ? " " + worded(BURIN_TEXT("Command", "(recovered from a run that was interrupted)"))
+                                  : "");
     if (model) text << "\n" << textOf(*model);
-    if (setup) text << "\n  stock    " << setup->stockMaterial << ", voxel " << formatShortest(setup->voxel) << " mm";
-    if (setup) text << "\n  axis     " << textOf(around->axis);
+    if (setup)
+        text << "\n  "
+             << worded(BURIN_TEXT("Command", "stock    %1, voxel %2 mm"),
+                       {setup->stockMaterial, formatShortest(setup->voxel)});
+    if (setup) text << "\n  " << worded(BURIN_TEXT("Command", "axis     %1"), {textOf(around->axis)});
     for (const Obstacle& obstacle : around->obstacles) text << "\n  " << textOf(obstacle);
     for (const TakeInfo& take : *takes) {
         samples += take.sampleCount;
         answer["takes"].push_back(jsonOf(take));
-        text << "\n  take     " << take.id << " " << take.name << ": " << take.sampleCount << " samples, "
-             << (take.seconds ? formatFixed(*take.seconds, 3) + " s" : "damaged") << ", tool " << take.toolId
-             << (take.complete ? "" : ", incomplete");
+        text << "\n  " << textOf(take);
     }
     answer["samples"] = samples;
     for (const StoredPath& path : *paths) {
         json edits = json::array();
         for (const Edit& edit : path.edits) edits.push_back(json::parse(toJson(edit)));
         answer["paths"].push_back({{"id", path.id}, {"name", path.name}, {"takes", path.takes}, {"edits", edits}});
-        text << "\n  path     " << path.id << " " << path.name << ": " << path.takes.size() << " takes, "
-             << path.edits.size() << " edits";
+        text << "\n  " << infoText(path);
     }
     for (const StoredProgram& program : *programs) {
         answer["programs"].push_back(
             {{"name", program.name}, {"dialect", program.dialect}, {"machine", program.machine}});
-        text << "\n  program  " << program.name << " (" << program.dialect << ", " << program.machine << ")";
+        text << "\n  "
+             << worded(BURIN_TEXT("Command", "program  %1 (%2, %3)"), {program.name, program.dialect, program.machine});
     }
     answer["verdict"] = *kept ? verdictOf(**kept) : json(nullptr);
-    if (*kept) text << "\n  verdict  " << verdictText(**kept);
+    if (*kept) text << "\n  " << verdictText(**kept);
     context.answer(answer, text.str());
     return 0;
 }
 
 } // namespace
 
-void registerInfo(CLI::App& program, CommandContext& context, int& status) {
+void registerInfo(CommandParser program, CommandContext& context, int& status) {
     auto file = std::make_shared<std::string>();
-    CLI::App* command = program.add_subcommand("info", "Report what a project holds");
-    command->add_option("PROJECT", *file, "Project file (.burin)")->required();
-    addJsonFlag(*command, context);
-    command->callback([file, &context, &status] { status = runInfo(*file, context); });
+    const CommandParser command = program.command("info", BURIN_TEXT("Help", "Report the contents of a project"));
+    command.positional(BURIN_TEXT("Argument", "PROJECT"), *file, BURIN_TEXT("Help", "Project file (.burin)"))
+        .required();
+    addJsonFlag(command, context);
+    command.run([file, &context, &status] { status = runInfo(*file, context); });
 }
 
 } // namespace burin

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
 #include "app/report.h"
+#include "app/wording.h"
 #include "core/base/file.h"
 #include "core/machine/machine_library.h"
-
-#include <CLI/CLI.hpp>
 
 namespace burin {
 
@@ -29,8 +28,10 @@ int runList(CommandContext& context) {
             continue;
         }
         machines.push_back(jsonOf(*machine));
-        text += (text.empty() ? "" : "\n") + id + std::string(id.size() < 20 ? 20 - id.size() : 1, ' ') +
-                (isTypicalMachine(id) ? "typical  " : "own      ") + machine->name;
+        text +=
+            (text.empty() ? "" : "\n") + id + std::string(id.size() < 20 ? 20 - id.size() : 1, ' ') +
+            worded(isTypicalMachine(id) ? BURIN_TEXT("Command", "typical  %1") : BURIN_TEXT("Command", "own      %1"),
+                   {resourceName(machine->name)});
     }
     if (status == 0) context.answer({{"machines", machines}}, text);
     return status;
@@ -71,43 +72,51 @@ int runCopy(const MachineArguments& arguments, CommandContext& context) {
 
 int runRemove(const MachineArguments& arguments, CommandContext& context) {
     if (const Result<void> removed = removeMachine(arguments.id); !removed) return context.fail(removed.error());
-    context.answer({{"removed", arguments.id}}, arguments.id + ": removed");
+    context.answer({{"removed", arguments.id}}, worded(BURIN_TEXT("Command", "%1: removed"), {arguments.id}));
     return 0;
 }
 
 } // namespace
 
-void registerMachines(CLI::App& program, CommandContext& context, int& status) {
+void registerMachines(CommandParser program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<MachineArguments>();
-    CLI::App* command = program.add_subcommand(
-        "machines", "List and show machines; copy, add and delete your own. The machines that Burin is shipped with "
-                    "have typical values of their class: copy one and enter those of your machine");
-    command->require_subcommand(1);
-    addJsonFlag(*command, context);
-    const auto add = [&](const char* name, const char* help, int (*run)(const MachineArguments&, CommandContext&)) {
-        CLI::App* one = command->add_subcommand(name, help)->fallthrough();
-        one->callback([arguments, run, &context, &status] { status = run(*arguments, context); });
+    const CommandParser command = program.command(
+        "machines",
+        BURIN_TEXT("Help",
+                   "List and show machines; copy, add and delete your own. The machines that Burin is shipped with "
+                   "have typical values of their class: copy one and enter those of your machine"));
+    command.requireCommand();
+    addJsonFlag(command, context);
+    const auto add = [&](const char* name, TextId help, int (*run)(const MachineArguments&, CommandContext&)) {
+        const CommandParser one = command.command(name, help);
+        one.passOn();
+        one.run([arguments, run, &context, &status] { status = run(*arguments, context); });
         return one;
     };
-    add("list", "All machines, with their names; typical: shipped with Burin",
+    add("list", BURIN_TEXT("Help", "List all machines with their names; typical: shipped with Burin"),
         [](const MachineArguments&, CommandContext& to) { return runList(to); });
-    const auto addReplace = [&](CLI::App& to) {
-        to.add_flag("--replace", arguments->replace, "Replace your machine of this ID");
+    const auto addReplace = [&](CommandParser to) {
+        to.flag("--replace", arguments->replace, BURIN_TEXT("Help", "Replace your machine of this ID"));
     };
-    add("show", "The machine's file (JSON), as add reads it", &runShow)
-        ->add_option("ID", arguments->id, "Machine")
-        ->required();
-    CLI::App* added = add("add", "Add a machine to your own; every value is checked", &runAdd);
-    added->add_option("FILE", arguments->file, "Machine file (JSON)")->required();
-    addReplace(*added);
-    CLI::App* copied = add("copy", "Copy a machine to one of your own", &runCopy);
-    copied->add_option("ID", arguments->id, "Machine to copy")->required();
-    copied->add_option("NEW", arguments->newId, "ID of the copy: letters, digits, '-', '_' and '.'")->required();
-    copied->add_option("--name", arguments->name, "Name of the copy; without it its ID");
-    addReplace(*copied);
-    add("remove", "Delete one of your own machines", &runRemove)
-        ->add_option("ID", arguments->id, "Machine")
-        ->required();
+    add("show", BURIN_TEXT("Help", "Print the file of a machine (JSON), in the form that add reads"), &runShow)
+        .positional(BURIN_TEXT("Argument", "ID"), arguments->id, BURIN_TEXT("Help", "Machine"))
+        .required();
+    const CommandParser added =
+        add("add", BURIN_TEXT("Help", "Add a machine to your own; every value is checked"), &runAdd);
+    added.positional(BURIN_TEXT("Argument", "FILE"), arguments->file, BURIN_TEXT("Help", "Machine file (JSON)"))
+        .required();
+    addReplace(added);
+    const CommandParser copied = add("copy", BURIN_TEXT("Help", "Copy a machine to one of your own"), &runCopy);
+    copied.positional(BURIN_TEXT("Argument", "ID"), arguments->id, BURIN_TEXT("Help", "Machine to copy")).required();
+    copied
+        .positional(BURIN_TEXT("Argument", "NEW"), arguments->newId,
+                    BURIN_TEXT("Help", "ID of the copy: letters, digits, '-', '_' and '.'"))
+        .required();
+    copied.option("--name", arguments->name, BURIN_TEXT("Help", "Name of the copy (default: its ID)"));
+    addReplace(copied);
+    add("remove", BURIN_TEXT("Help", "Delete one of your own machines"), &runRemove)
+        .positional(BURIN_TEXT("Argument", "ID"), arguments->id, BURIN_TEXT("Help", "Machine"))
+        .required();
 }
 
 } // namespace burin

@@ -3,6 +3,7 @@
 #include "app/command.h"
 #include "app/report.h"
 #include "app/surroundings.h"
+#include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/base/staged_file.h"
 #include "core/device/device_registry.h"
@@ -11,9 +12,6 @@
 #include "core/haptics/trace/trace_stylus.h"
 #include "core/job/milling.h"
 #include "ui/messages/messages.h"
-
-#include <CLI/CLI.hpp>
-#include <QCoreApplication>
 
 #include <array>
 #include <map>
@@ -39,7 +37,7 @@ struct MillArguments {
     OperatorRequest hand;
 };
 
-/// The names, in the order that CLI11 lists them.
+/// The names, in the order in which --help lists them.
 const std::map<std::string, OperatorIntent> intents{{"contour", OperatorIntent::contour},
                                                     {"hostile", OperatorIntent::hostile},
                                                     {"passes", OperatorIntent::passes},
@@ -82,21 +80,23 @@ json jsonOf(const TakeOutcome& outcome, const ToolBounds& bounds) {
 /// What held the tool besides the part, and what could not follow the hand.
 std::string alarmsOf(const TakeOutcome& outcome, const ToolBounds& bounds) {
     std::string text;
-    const auto add = [&text](std::uint64_t ticks, const std::string& what) {
-        if (ticks > 0) text += "; " + what + " in " + std::to_string(ticks) + " ticks";
+    const auto add = [&text](std::uint64_t ticks, TextId what, const std::string& holder = {}) {
+        if (ticks > 0) text += worded(what, {std::to_string(ticks), holder});
     };
-    add(outcome.shankTicks, "shank or holder touched");
+    add(outcome.shankTicks, BURIN_TEXT("Command", "; shank or holder touched in %1 ticks"));
     for (std::size_t i = 1; i < bounds.layers().size(); ++i)
-        add(outcome.layerTicks[i], textOf(bounds.layers()[i]) + " held the tool");
-    add(outcome.axisHeldTicks, "the axis was held");
+        add(outcome.layerTicks[i], BURIN_TEXT("Command", "; %2 held the tool in %1 ticks"), textOf(bounds.layers()[i]));
+    add(outcome.axisHeldTicks, BURIN_TEXT("Command", "; the axis was held in %1 ticks"));
     return text;
 }
 
 std::string textOf(const TakeOutcome& outcome, const ToolBounds& bounds) {
-    return "take " + std::to_string(outcome.take) + ": " + std::to_string(outcome.samples) + " samples, " +
-           formatFixed(outcome.loop.simulatedSeconds, 1) + " s, removed " + formatFixed(outcome.removed, 1) +
-           " mm^3; tick " + formatFixed(outcome.loop.workP50, 1) + " us (p50), " +
-           formatFixed(outcome.loop.workP999, 1) + " us (p99.9), " + formatFixed(outcome.loop.rateHz, 0) + " Hz" +
+    return worded(BURIN_TEXT("Command", "take %1: %2 samples, %3 s, removed %4 mm^3; tick %5 us (p50), %6 us (p99.9), "
+                                        "%7 Hz"),
+                  {std::to_string(outcome.take), std::to_string(outcome.samples),
+                   formatFixed(outcome.loop.simulatedSeconds, 1), formatFixed(outcome.removed, 1),
+                   formatFixed(outcome.loop.workP50, 1), formatFixed(outcome.loop.workP999, 1),
+                   formatFixed(outcome.loop.rateHz, 0)}) +
            alarmsOf(outcome, bounds);
 }
 
@@ -124,10 +124,11 @@ FeltCutting feltWithout(const std::string& file, const MillWork& work) {
     felt.gain = work.arguments.felt.value_or(felt.gain);
     tellFelt(felt, work.arguments.felt ? "argument" : "assumed", work.answer);
     if (!work.arguments.felt)
-        work.context.message("\"" + file +
-                             "\" does not state how much of the cutting force was felt: " + formatShortest(felt.gain) +
-                             " of it is assumed, as for the virtual operator. Set it with --felt; positions and the "
-                             "removed material don't depend on it, forces do.");
+        work.context.message(
+            worded(BURIN_TEXT("Command", "\"%1\" does not state how much of the cutting force was felt: %2 of it is "
+                                         "assumed, as for the virtual operator. Set it with --felt; positions and the "
+                                         "removed material don't depend on it, forces do."),
+                   {file, formatShortest(felt.gain)}));
     return felt;
 }
 
@@ -142,14 +143,16 @@ Result<void> playAgain(const SessionTrace& trace, const MillWork& work, TakeRequ
     const AxisMode &then = trace.began->axis, &now = work.bounds.axis();
     if (then.free != now.free || (!now.free && glm::length(then.direction - now.direction) > 1e-9))
         return Error{ErrorCode::argumentInvalid, "--axis", textOf(now),
-                     textOf(then) + ", as when the trace was recorded"};
+                     worded(BURIN_TEXT("Command", "%1, as when the trace was recorded"), {textOf(then)})};
     request.mapping = trace.began->mapping;
     request.period = trace.began->period;
     request.cutsOnButton = trace.began->cutsOnButton;
     request.forceButtons = trace.began->forceButtons;
     if (work.arguments.felt)
-        return Error{ErrorCode::argumentInvalid, "--stylus", work.arguments.stylus,
-                     "with --felt, a trace that does not state how much of the cutting force was felt"};
+        return Error{
+            ErrorCode::argumentInvalid, "--stylus", work.arguments.stylus,
+            worded(BURIN_TEXT("Command",
+                              "with --felt, a trace that does not state how much of the cutting force was felt"))};
     request.felt = trace.began->felt;
     tellFelt(request.felt, "trace", work.answer);
     request.allowance = work.arguments.allowance.value_or(trace.began->allowance);
@@ -195,14 +198,16 @@ Result<std::vector<TakeOutcome>> millWithDevice(const std::string& name, const M
     const Result<FoundDevice> device = registry.find(name);
     for (const Error& fault : registry.takeFaults()) work.context.message(Messages::sentence(fault).toStdString());
     if (!device) return device.error();
-    if (work.arguments.fast) return Error{ErrorCode::argumentInvalid, "--fast", device->id, "--realtime with a device"};
+    if (work.arguments.fast)
+        return Error{ErrorCode::argumentInvalid, "--fast", device->id,
+                     worded(BURIN_TEXT("Command", "--realtime with a device"))};
     const Result<AnyStylus> stylus = registry.make(device->id, work.arguments.mode);
     if (!stylus) return stylus.error();
     const StylusHandle handle(*stylus);
     const int buttons = handle.device().description().buttons;
     if (work.arguments.deadMan > buttons)
         return Error{ErrorCode::argumentInvalid, "--dead-man", std::to_string(work.arguments.deadMan),
-                     "0 to " + std::to_string(buttons)};
+                     worded(BURIN_TEXT("Command", "%1 to %2"), {"0", std::to_string(buttons)})};
     MillWork live = work;
     live.pace = Pace::realtime;
     return millWith(handle, device->name, buttons > 0, live);
@@ -212,14 +217,19 @@ Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
     const std::string& stylus = work.arguments.stylus;
     if (work.played != nullptr) return millWithTrace(*work.played, work);
     if (work.arguments.felt)
-        return Error{ErrorCode::argumentInvalid, "--felt", formatShortest(*work.arguments.felt),
-                     "none, unless --stylus is a trace that does not state how much of the cutting force was felt"};
+        return Error{
+            ErrorCode::argumentInvalid, "--felt", formatShortest(*work.arguments.felt),
+            worded(BURIN_TEXT(
+                "Command",
+                "no value, unless --stylus is a trace that does not state how much of the cutting force was felt"))};
     if (stylus.starts_with(devicePrefix)) return millWithDevice(stylus.substr(devicePrefix.size()), work);
     if (stylus != "operator")
-        return Error{ErrorCode::nameUnknown, "stylus", stylus, "operator, trace:FILE, device:NAME"};
+        return Error{ErrorCode::nameUnknown, "stylus", stylus,
+                     worded(BURIN_TEXT("Command", "operator, trace:FILE, device:NAME"))};
     if (!work.arguments.trace.empty())
-        return Error{ErrorCode::argumentInvalid, "--trace", work.arguments.trace,
-                     "none of the operator; a file with a trace or a device as the --stylus"};
+        return Error{
+            ErrorCode::argumentInvalid, "--trace", work.arguments.trace,
+            worded(BURIN_TEXT("Command", "no file with the operator; one if --stylus is a trace or a device"))};
     OperatorRequest request = work.arguments.hand;
     request.hand = gripOf(work.arguments.grip);
     request.intent = intents.at(work.arguments.intent);
@@ -262,8 +272,8 @@ QString keptRecording(const Project& project, const std::optional<StagedFile>& t
     QStringList words;
     if (trace) words << standingOutputs(std::span(&*trace, 1));
     if (const Result<bool> unsaved = project.unsaved(); unsaved && *unsaved)
-        words << QCoreApplication::translate("Command", "what was recorded is kept, and the next command that opens "
-                                                        "the project recovers it");
+        words << Messages::text(
+            BURIN_TEXT("Command", "the recording is kept, and the next command that opens the project recovers it"));
     words.removeAll(QString());
     return words.join("; ");
 }
@@ -279,7 +289,7 @@ Result<void> checkTrace(const MillArguments& arguments) {
 
 int runMill(const MillArguments& arguments, CommandContext& context) {
     if (const Result<void> free = checkTrace(arguments); !free) return context.fail(free.error());
-    context.stage("Opening");
+    context.stage(BURIN_TEXT("Command", "Opening"));
     Result<Project> project = Project::open(arguments.project);
     if (!project) return context.fail(project.error());
     const Result<Tool> tool = toolFor(*project, arguments.tool);
@@ -289,7 +299,9 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     if (!bench) return context.fail(bench.error());
     if (const std::string refusal = unprotected(bench->embedded); !refusal.empty() && !arguments.overrides) {
         const std::vector<std::string> doubts = doubtsOf(*bench->model, bench->embedded);
-        context.answer({{"takes", json::array()}, {"part_warnings", doubts}}, "not milled" + textOfDoubts(doubts));
+        context.answer({{"takes", json::array()}, {"part_warnings", doubts}},
+                       worded(BURIN_TEXT("Command", "nothing was milled")) +
+                           textOfDoubts(*bench->model, bench->embedded));
         context.message(refusal);
         return static_cast<int>(ErrorClass::checkFailed);
     }
@@ -306,12 +318,12 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
         played = std::move(*trace);
     }
 
-    context.stage("Computing the tool's boundary");
+    context.stage(BURIN_TEXT("Command", "Computing the tool's boundary"));
     const Result<ToolBounds> bounds =
         boundsFor(*project, *bench, arguments, played ? &played->session : nullptr, context.progress());
     if (!bounds) return context.fail(bounds.error());
 
-    context.stage("Milling");
+    context.stage(BURIN_TEXT("Command", "Milling"));
     json answer;
     std::optional<StagedFile> trace;
     const auto outcome =
@@ -347,79 +359,94 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     }
     answer["samples"] = samples;
     answer["removed_mm3"] = removed;
-    context.answer(answer, text + textOfDoubts(doubts));
+    context.answer(answer, text + textOfDoubts(*bench->model, bench->embedded));
     if (context.progress().cancelled()) return static_cast<int>(ErrorClass::cancelled);
     const bool idle = fresh && arguments.stylus == "operator" && arguments.intent == "passes" &&
                       !(arguments.seconds > 0.0) && !(removed > 0.0) && !arguments.overrides;
     if (!idle) return 0;
-    context.message(QCoreApplication::translate("Command", "The tool can't reach anything to mill. Use a smaller or "
-                                                           "longer tool, or accept it with --override.")
-                        .toStdString());
+    context.message(
+        worded(BURIN_TEXT("Command", "The tool can't reach anything to mill. Use a smaller or longer tool, or "
+                                     "accept it with --override.")));
     return static_cast<int>(ErrorClass::checkFailed);
 }
 
-void addOperator(CLI::App& command, MillArguments& arguments) {
-    command.add_option("--seed", arguments.hand.seed, "Seed of the operator's random tremor and motion")
-        ->capture_default_str();
-    command.add_option("--grip", arguments.grip, "How firmly the operator holds the stylus")
-        ->check(CLI::IsMember({"light", "middle", "firm"}))
-        ->capture_default_str();
-    command.add_option("--intent", arguments.intent, "What kind of strokes the operator makes")
-        ->check(CLI::IsMember(intents))
-        ->capture_default_str();
+void addOperator(CommandParser command, MillArguments& arguments) {
+    command.option("--seed", arguments.hand.seed, BURIN_TEXT("Help", "Seed of the operator's random tremor and motion"))
+        .showDefault();
+    command.option("--grip", arguments.grip, BURIN_TEXT("Help", "Firmness of the operator's grip on the stylus"))
+        .choices({"light", "middle", "firm"})
+        .showDefault();
+    command.option("--intent", arguments.intent, BURIN_TEXT("Help", "Kind of strokes that the operator makes"))
+        .choices(keysOf(intents))
+        .showDefault();
 }
 
 } // namespace
 
-void registerMill(CLI::App& program, CommandContext& context, int& status) {
+void registerMill(CommandParser program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<MillArguments>();
-    CLI::App* command = program.add_subcommand("mill", "Mill a project's workpiece with a stylus and record it");
-    command->add_option("PROJECT", arguments->project, "Project file (.burin)")->required();
-    command->add_option("--stylus", arguments->stylus, "operator, trace:FILE or device:NAME")->capture_default_str();
-    command->add_option("--mode", arguments->mode, "One of a device's modes, as \"burin devices\" lists them");
+    const CommandParser command =
+        program.command("mill", BURIN_TEXT("Help", "Mill a project's workpiece with a stylus and record it"));
     command
-        ->add_option("--rate", arguments->rate,
-                     "Ticks per second, Hz; a device that keeps its own time sets its own rate")
-        ->check(CLI::Range(1000.0, 4000.0))
-        ->capture_default_str();
+        .positional(BURIN_TEXT("Argument", "PROJECT"), arguments->project, BURIN_TEXT("Help", "Project file (.burin)"))
+        .required();
+    command.option("--stylus", arguments->stylus, BURIN_TEXT("Help", "Stylus: operator, trace:FILE or device:NAME"))
+        .showDefault();
+    command.option("--mode", arguments->mode,
+                   BURIN_TEXT("Help", "One of a device's modes, as \"burin devices\" lists them"));
     command
-        ->add_option("--dead-man", arguments->deadMan,
-                     "Forces only while this button of the device is held, counted from 1; 0: always")
-        ->check(CLI::Range(0, 32))
-        ->capture_default_str();
-    command->add_option("--trace", arguments->trace,
-                        "Also write the motion of the trace or device to this file, which --stylus trace:FILE replays");
-    command->add_flag("--override", arguments->overrides,
-                      "Mill even if bodies are too small for the voxels to be protected, and accept that the operator "
-                      "reaches nothing");
-    command->add_option("--tool", arguments->tool, "Tool")->capture_default_str();
-    command->add_option("--machine", arguments->machine,
-                        "Machine, for the spindle speed and its travel; without it the project's");
-    CLI::Option* realtime = command->add_flag("--realtime", arguments->realtime, "Run in real time");
-    command->add_flag("--fast", arguments->fast, "Run as fast as the computer can (the default)")->excludes(realtime);
-    command->add_option("--seconds", arguments->seconds, "Length of the session, s; 0: as long as the job takes")
-        ->check(CLI::Range(0.0, 1e6));
+        .option("--rate", arguments->rate,
+                BURIN_TEXT("Help", "Rate of the haptic loop, Hz; a device with its own clock sets its own rate"))
+        .range(1000.0, 4000.0)
+        .showDefault();
     command
-        ->add_option("--allowance", arguments->allowance,
-                     "Stock to leave on the part, mm; the operator roughs with it (0.5)")
-        ->check(CLI::Range(0.0, 10.0));
+        .option("--dead-man", arguments->deadMan,
+                BURIN_TEXT("Help", "Forces only while this button of the device is held, counted from 1; 0: always"))
+        .range(0, 32)
+        .showDefault();
+    command.option(
+        "--trace", arguments->trace,
+        BURIN_TEXT("Help",
+                   "Also write the motion of the trace or device to this file, which --stylus trace:FILE replays"));
+    command.flag(
+        "--override", arguments->overrides,
+        BURIN_TEXT("Help",
+                   "Mill even if bodies are too small for the voxels to be protected, and accept that the operator "
+                   "reaches nothing"));
+    command.option("--tool", arguments->tool, BURIN_TEXT("Help", "Tool")).showDefault();
+    command.option("--machine", arguments->machine,
+                   BURIN_TEXT("Help", "Machine, for its spindle speed and travel (default: the project's)"));
+    const Argument realtime = command.flag("--realtime", arguments->realtime, BURIN_TEXT("Help", "Run in real time"));
+    command.flag("--fast", arguments->fast, BURIN_TEXT("Help", "Run as fast as the computer can (the default)"))
+        .excludes(realtime);
     command
-        ->add_option("--press", arguments->hand.press, "How far the operator presses into the part when finishing, mm")
-        ->check(CLI::Range(0.0, 10.0))
-        ->capture_default_str();
+        .option("--seconds", arguments->seconds,
+                BURIN_TEXT("Help", "Length of the session, s; 0: as long as the job takes"))
+        .range(0.0, 1e6);
     command
-        ->add_option("--step-over", arguments->hand.finishingStepOver,
-                     "Distance between finishing passes, mm; 0: chosen for the tool")
-        ->check(CLI::Range(0.0, 100.0));
+        .option("--allowance", arguments->allowance,
+                BURIN_TEXT("Help", "Stock to leave on the part, mm; the operator roughs with it (0.5)"))
+        .range(0.0, 10.0);
     command
-        ->add_option("--felt", arguments->felt,
-                     "Share of the cutting force that was felt while the trace was recorded, 0 to 1; for traces that "
-                     "do not state it")
-        ->check(CLI::Range(0.0, 1.0));
-    addAxis(*command, arguments->axis);
-    addOperator(*command, *arguments);
-    addJsonFlag(*command, context);
-    command->callback([arguments, &context, &status] { status = runMill(*arguments, context); });
+        .option("--press", arguments->hand.press,
+                BURIN_TEXT("Help", "Depth to which the operator presses into the part when finishing, mm"))
+        .range(0.0, 10.0)
+        .showDefault();
+    command
+        .option("--step-over", arguments->hand.finishingStepOver,
+                BURIN_TEXT("Help", "Distance between finishing passes, mm; 0: chosen for the tool"))
+        .range(0.0, 100.0);
+    command
+        .option(
+            "--felt", arguments->felt,
+            BURIN_TEXT("Help",
+                       "Share of the cutting force that was felt while the trace was recorded, 0 to 1; for traces that "
+                       "do not state it"))
+        .range(0.0, 1.0);
+    addAxis(command, arguments->axis);
+    addOperator(command, *arguments);
+    addJsonFlag(command, context);
+    command.run([arguments, &context, &status] { status = runMill(*arguments, context); });
 }
 
 } // namespace burin

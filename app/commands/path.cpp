@@ -3,6 +3,7 @@
 #include "app/command.h"
 #include "app/report.h"
 #include "app/surroundings.h"
+#include "app/wording.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
 #include "core/document/companions.h"
@@ -10,8 +11,6 @@
 #include "core/job/job_paths.h"
 #include "core/path/milling_side.h"
 #include "core/recording/take_csv.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
@@ -39,8 +38,9 @@ json jsonOf(const StoredPath& path) {
 
 std::string textOf(const StoredPath& path) {
     std::ostringstream text;
-    text << "path " << path.id << " " << path.name << ", takes";
-    for (const std::int64_t take : path.takes) text << " " << take;
+    std::string takes;
+    for (const std::int64_t take : path.takes) takes += " " + std::to_string(take);
+    text << worded(BURIN_TEXT("Command", "path %1 %2, takes%3"), {std::to_string(path.id), path.name, takes});
     for (std::size_t i = 0; i < path.edits.size(); ++i) text << "\n  " << i << "  " << toJson(path.edits[i]);
     return text.str();
 }
@@ -62,7 +62,7 @@ int list(const PathArguments& arguments, CommandContext& context) {
     const Result<std::vector<StoredPath>> paths = project->paths();
     if (!paths) return context.fail(paths.error());
     json answer{{"paths", json::array()}};
-    std::string text = paths->empty() ? "no paths" : "";
+    std::string text = paths->empty() ? worded(BURIN_TEXT("Command", "no paths")) : "";
     for (const StoredPath& path : *paths) {
         answer["paths"].push_back(jsonOf(path));
         text += (text.empty() ? "" : "\n") + textOf(path);
@@ -97,7 +97,7 @@ int create(const PathArguments& arguments, CommandContext& context) {
     for (const std::int64_t take : arguments.takes)
         if (std::ranges::find(path->takes, take) == path->takes.end())
             return context.fail({ErrorCode::argumentInvalid, "--takes", std::to_string(take),
-                                 "recordings made with " + *tool + ", as the first one"});
+                                 worded(BURIN_TEXT("Command", "recordings made with %1, as the first one"), {*tool})});
     if (!arguments.takes.empty()) path->takes = arguments.takes;
     const Result<std::int64_t> id = (*project)->addPath(*path);
     if (!id) return context.fail(id.error());
@@ -128,7 +128,7 @@ Result<void> applyEdit(StoredPath& path, const PathArguments& arguments) {
     if (!edit) return edit.error();
     if (arguments.place > path.edits.size())
         return Error{ErrorCode::argumentInvalid, "--place", std::to_string(arguments.place),
-                     "0 to " + std::to_string(path.edits.size())};
+                     worded(BURIN_TEXT("Command", "%1 to %2"), {"0", std::to_string(path.edits.size())})};
     path.edits.insert(path.edits.begin() + static_cast<std::ptrdiff_t>(arguments.place), *edit);
     return {};
 }
@@ -136,7 +136,7 @@ Result<void> applyEdit(StoredPath& path, const PathArguments& arguments) {
 Result<void> checkPosition(const StoredPath& path, const PathArguments& arguments) {
     if (arguments.place < path.edits.size()) return {};
     return Error{ErrorCode::argumentInvalid, "--place", std::to_string(arguments.place),
-                 "0 to " + std::to_string(path.edits.size()) + " (exclusive)"};
+                 worded(BURIN_TEXT("Command", "0 to %1 (exclusive)"), {std::to_string(path.edits.size())})};
 }
 
 Result<void> removeEdit(StoredPath& path, const PathArguments& arguments) {
@@ -150,7 +150,7 @@ Result<void> updateEdit(StoredPath& path, const PathArguments& arguments) {
     const std::optional<Edit> newer = updated(path.edits[arguments.place]);
     if (!newer)
         return Error{ErrorCode::argumentInvalid, "--place", std::to_string(arguments.place),
-                     "an edit of an earlier version; this one is current"};
+                     worded(BURIN_TEXT("Command", "an edit of an earlier version; this one is current"))};
     path.edits[arguments.place] = *newer;
     return {};
 }
@@ -186,7 +186,7 @@ Result<void> checkPlace(const PathArguments& arguments) {
 /// Evaluates a path, reports its edits and, with an output, writes its points.
 int show(const PathArguments& arguments, CommandContext& context) {
     if (const Result<void> free = checkPlace(arguments); !free) return context.fail(free.error());
-    context.stage("Opening");
+    context.stage(BURIN_TEXT("Command", "Opening"));
     const Result<Project> project = Project::openForReading(arguments.project);
     if (!project) return context.fail(project.error());
     const Result<StoredPath> stored = pathWithId(*project, arguments.path);
@@ -198,7 +198,7 @@ int show(const PathArguments& arguments, CommandContext& context) {
     const Result<Bench> bench =
         makeBench(*project, *tool, machineFor(*project, arguments.machine, context), context.progress());
     if (!bench) return context.fail(bench.error());
-    context.stage("Editing");
+    context.stage(BURIN_TEXT("Command", "Editing"));
     const Result<EvaluatedPath> path = evaluateInJob(*project, *bench, *stored, context.progress());
     if (!path) return context.fail(path.error());
     json answer = jsonOf(*stored);
@@ -210,13 +210,14 @@ int show(const PathArguments& arguments, CommandContext& context) {
                  conventional = bySide[static_cast<std::size_t>(MillingSide::conventional)];
     answer["climb_mm"] = climb;
     answer["conventional_mm"] = conventional;
-    std::string text = textOf(*stored) + "\n" + std::to_string(path->path.points.size()) + " points, error budget " +
-                       formatFixed(path->errorBudget, 4) + " mm, climb " + formatFixed(climb, 1) +
-                       " mm, conventional " + formatFixed(conventional, 1) + " mm";
+    std::string text = textOf(*stored) + "\n" +
+                       worded(BURIN_TEXT("Command", "%1 points, error budget %2 mm, climb %3 mm, conventional %4 mm"),
+                              {std::to_string(path->path.points.size()), formatFixed(path->errorBudget, 4),
+                               formatFixed(climb, 1), formatFixed(conventional, 1)});
     for (const EditReport& report : path->reports)
-        text += "\n  " + report.edit + ": " + std::to_string(report.pointsBefore) + " -> " +
-                std::to_string(report.pointsAfter) + " points, at most " + formatFixed(report.largestDeviation, 4) +
-                " mm";
+        text += "\n  " + worded(BURIN_TEXT("Command", "%1: %2 -> %3 points, at most %4 mm"),
+                                {report.edit, std::to_string(report.pointsBefore), std::to_string(report.pointsAfter),
+                                 formatFixed(report.largestDeviation, 4)});
     text += textOfEntries(path->reports) + textOfOmissions(path->reports);
     if (!arguments.output.empty()) {
         if (const Result<void> written = writeFileAtomically(arguments.output, csvOf(path->path)); !written)
@@ -243,75 +244,86 @@ int exportTake(const PathArguments& arguments, bool asTrace, CommandContext& con
     const std::uint64_t samples = take->info.sampleCount;
     context.answer(
         {{"csv", std::filesystem::absolute(arguments.output).lexically_normal().string()}, {"samples", samples}},
-        arguments.output + ": " + std::to_string(samples) + " samples");
+        worded(BURIN_TEXT("Command", "%1: %2 samples"), {arguments.output, std::to_string(samples)}));
     return 0;
 }
 
 } // namespace
 
-void registerPath(CLI::App& program, CommandContext& context, int& status) {
+void registerPath(CommandParser program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<PathArguments>();
-    CLI::App* command = program.add_subcommand("path", "List, make, edit and export paths");
-    command->add_option("PROJECT", arguments->project, "Project file (.burin)")->required();
-    command->require_subcommand(0, 1);
-    addJsonFlag(*command, context);
-    const auto add = [&](const char* name, const char* help, auto action) {
-        CLI::App* part = command->add_subcommand(name, help);
-        addJsonFlag(*part, context);
-        part->callback([arguments, action, &context, &status] { status = action(*arguments, context); });
+    const CommandParser command = program.command("path", BURIN_TEXT("Help", "List, make, edit and export paths"));
+    command
+        .positional(BURIN_TEXT("Argument", "PROJECT"), arguments->project, BURIN_TEXT("Help", "Project file (.burin)"))
+        .required();
+    command.allowOneCommand();
+    addJsonFlag(command, context);
+    const auto add = [&](const char* name, TextId help, auto action) {
+        const CommandParser part = command.command(name, help);
+        addJsonFlag(part, context);
+        part.run([arguments, action, &context, &status] { status = action(*arguments, context); });
         return part;
     };
-    const auto withPath = [&](CLI::App* part) {
-        part->add_option("PATH", arguments->path, "Number of the path")->required();
+    const auto withPath = [&](CommandParser part) {
+        part.positional(BURIN_TEXT("Argument", "PATH"), arguments->path, BURIN_TEXT("Help", "Number of the path"))
+            .required();
         return part;
     };
-    command->callback([command, arguments, &context, &status] {
-        if (command->get_subcommands().empty()) status = list(*arguments, context);
+    command.run([command, arguments, &context, &status] {
+        if (!command.commandGiven()) status = list(*arguments, context);
     });
-    add("list", "The paths and their edits", list);
-    CLI::App* make = add("new", "Make a path from takes, with the standard edits", create);
-    make->add_option("--takes", arguments->takes,
-                     "Takes in order, of one tool; without it all takes of the last tool that milled")
-        ->delimiter(',');
-    make->add_option("--name", arguments->name, "Its name")->capture_default_str();
-    CLI::App* evaluateOne = withPath(add("show", "Evaluate a path and report what each edit did", show));
-    CLI::Option* output = evaluateOne->add_option("-o,--output", arguments->output, "Write the points as CSV");
+    add("list", BURIN_TEXT("Help", "List the paths and their edits"), list);
+    const CommandParser make =
+        add("new", BURIN_TEXT("Help", "Make a path from takes, with the standard edits"), create);
+    make.option("--takes", arguments->takes,
+                BURIN_TEXT("Help", "Takes in order, all of one tool (default: all takes of the last tool that milled)"))
+        .separatedBy(',');
+    make.option("--name", arguments->name, BURIN_TEXT("Help", "Name of the path")).showDefault();
+    const CommandParser evaluateOne =
+        withPath(add("show", BURIN_TEXT("Help", "Evaluate a path and report what each edit did"), show));
+    const Argument output =
+        evaluateOne.option("-o,--output", arguments->output, BURIN_TEXT("Help", "Write the points as CSV"));
     evaluateOne
-        ->add_option_function<std::string>(
+        .option(
             "--csv",
             [arguments](const std::string& file) {
                 arguments->output = file;
                 arguments->outputOption = "--csv";
             },
-            "The same as --output")
-        ->excludes(output);
-    evaluateOne->add_option("--machine", arguments->machine, "Machine; without it the project's");
-    CLI::App* apply =
-        withPath(add("apply", "Add an edit to a path", [](const PathArguments& given, CommandContext& where) {
+            BURIN_TEXT("Help", "The same as --output"))
+        .excludes(output);
+    evaluateOne.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
+    const CommandParser apply = withPath(add(
+        "apply", BURIN_TEXT("Help", "Add an edit to a path"), [](const PathArguments& given, CommandContext& where) {
             return change(given, where, [&](StoredPath& path) { return applyEdit(path, given); });
         }));
-    apply->add_option("--edit", arguments->edit, "The edit as JSON, as \"burin path P list --json\" shows them")
-        ->required();
-    apply->add_option("--place", arguments->place, "Position in the list of edits, from 0")->required();
-    CLI::App* undo =
-        withPath(add("undo", "Delete an edit from a path", [](const PathArguments& given, CommandContext& where) {
-            return change(given, where, [&](StoredPath& path) { return removeEdit(path, given); });
-        }));
-    undo->add_option("--place", arguments->place, "Position of the edit in the list, from 0")->required();
-    CLI::App* update =
-        withPath(add("update", "Bring an edit of an earlier version up to date",
+    apply
+        .option("--edit", arguments->edit,
+                BURIN_TEXT("Help", "The edit as JSON, as \"burin path P list --json\" shows them"))
+        .required();
+    apply.option("--place", arguments->place, BURIN_TEXT("Help", "Position in the list of edits, from 0")).required();
+    const CommandParser undo =
+        withPath(add("undo", BURIN_TEXT("Help", "Delete an edit from a path"),
+                     [](const PathArguments& given, CommandContext& where) {
+                         return change(given, where, [&](StoredPath& path) { return removeEdit(path, given); });
+                     }));
+    undo.option("--place", arguments->place, BURIN_TEXT("Help", "Position of the edit in the list, from 0")).required();
+    const CommandParser update =
+        withPath(add("update", BURIN_TEXT("Help", "Bring an edit of an earlier version up to date"),
                      [](const PathArguments& given, CommandContext& where) {
                          return change(given, where, [&](StoredPath& path) { return updateEdit(path, given); });
                      }));
-    update->add_option("--place", arguments->place, "Position of the edit in the list, from 0")->required();
+    update.option("--place", arguments->place, BURIN_TEXT("Help", "Position of the edit in the list, from 0"))
+        .required();
     for (const bool asTrace : {false, true}) {
-        CLI::App* part = add(
+        const CommandParser part = add(
             asTrace ? "trace" : "take",
-            asTrace ? "Write the stylus motion of a take as a trace that \"burin mill\" replays"
-                    : "Write a take as CSV",
+            asTrace ? BURIN_TEXT("Help", "Write the stylus motion of a take as a trace that \"burin mill\" replays")
+                    : BURIN_TEXT("Help", "Write a take as CSV"),
             [asTrace](const PathArguments& given, CommandContext& where) { return exportTake(given, asTrace, where); });
-        part->add_option("TAKE", arguments->take, "Number of the take")->required();
-        part->add_option("-o,--output", arguments->output, "File to write")->required();
+        part.positional(BURIN_TEXT("Argument", "TAKE"), arguments->take, BURIN_TEXT("Help", "Number of the take"))
+            .required();
+        part.option("-o,--output", arguments->output, BURIN_TEXT("Help", "File to write")).required();
     }
 }
 

@@ -4,10 +4,9 @@
 #include "app/command.h"
 #include "app/picture_options.h"
 #include "app/surroundings.h"
+#include "app/wording.h"
 #include "core/document/companions.h"
 #include "core/job/job_paths.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
@@ -51,17 +50,17 @@ Result<std::vector<std::shared_ptr<const EvaluatedPath>>> evaluatedPaths(const P
 
 /// The workpiece as the takes left it, with what stands around it.
 Result<PictureContent> contentOf(const ProjectPictureArguments& arguments, CommandContext& context) {
-    context.stage("Opening");
+    context.stage(BURIN_TEXT("Command", "Opening"));
     const Result<Project> project = Project::openForReading(arguments.project);
     if (!project) return project.error();
     const Result<Tool> tool = anyTool(*project);
     if (!tool) return tool.error();
     Result<Bench> bench = makeBench(*project, *tool, machineFor(*project, {}, context), context.progress());
     if (!bench) return std::move(bench).error();
-    context.stage("Replaying the takes");
+    context.stage(BURIN_TEXT("Command", "Replaying the takes"));
     if (const Result<void> replayed = replayTakes(*project, *bench, context.progress()); !replayed)
         return replayed.error();
-    context.stage("Editing");
+    context.stage(BURIN_TEXT("Command", "Editing"));
     auto paths = evaluatedPaths(*project, *bench, arguments.paths, context.progress());
     if (!paths) return std::move(paths).error();
     PictureContent content;
@@ -80,26 +79,30 @@ int runPicture(const ProjectPictureArguments& arguments, CommandContext& context
         return context.fail(readable.error());
     Result<PictureContent> content = contentOf(arguments, context);
     if (!content) return context.fail(content.error());
-    context.stage("Drawing");
+    context.stage(BURIN_TEXT("Command", "Drawing"));
     if (const Result<void> drawn = writePicture(std::move(*content), arguments.options, arguments.output); !drawn)
         return context.fail(drawn.error());
     const std::string file = std::filesystem::absolute(arguments.output).lexically_normal().string();
-    context.answer({{"picture", file}}, "picture  " + file);
+    context.answer({{"picture", file}}, worded(BURIN_TEXT("Command", "picture  %1"), {file}));
     return 0;
 }
 
 } // namespace
 
-void registerPicture(CLI::App& program, CommandContext& context, int& status) {
+void registerPicture(CommandParser program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<ProjectPictureArguments>();
-    CLI::App* command = program.add_subcommand("picture", "Draw a project's workpiece as its takes left it");
-    command->add_option("PROJECT", arguments->project, "Project file (.burin)")->required();
-    command->add_option("-o,--output", arguments->output, "Picture to write (.png)")->required();
-    command->add_option("--path", arguments->paths, "Paths to draw, the first in the colours of its moves")
-        ->delimiter(',');
-    addPictureOptions(*command, arguments->options);
-    addJsonFlag(*command, context);
-    command->callback([arguments, &context, &status] { status = runPicture(*arguments, context); });
+    const CommandParser command =
+        program.command("picture", BURIN_TEXT("Help", "Draw a project's workpiece as its takes left it"));
+    command
+        .positional(BURIN_TEXT("Argument", "PROJECT"), arguments->project, BURIN_TEXT("Help", "Project file (.burin)"))
+        .required();
+    command.option("-o,--output", arguments->output, BURIN_TEXT("Help", "Picture to write (.png)")).required();
+    command
+        .option("--path", arguments->paths, BURIN_TEXT("Help", "Paths to draw, the first in the colours of its moves"))
+        .separatedBy(',');
+    addPictureOptions(command, arguments->options);
+    addJsonFlag(command, context);
+    command.run([arguments, &context, &status] { status = runPicture(*arguments, context); });
 }
 
 } // namespace burin

@@ -4,15 +4,13 @@
 #include "app/commands/restart.h"
 #include "app/report.h"
 #include "app/surroundings.h"
+#include "app/wording.h"
 #include "core/base/staged_file.h"
 #include "core/base/steps.h"
 #include "core/document/companions.h"
 #include "core/document/project_change.h"
 #include "core/job/job_paths.h"
 #include "core/job/kept_program.h"
-
-#include <CLI/CLI.hpp>
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <span>
@@ -58,7 +56,7 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     if (const Result<void> free = checkOutput("--output", arguments.output, inputs); !free)
         return context.fail(free.error());
     if (arguments.from > 0) return runFrom(arguments, context);
-    context.stage("Opening");
+    context.stage(BURIN_TEXT("Command", "Opening"));
     Result<ProjectChange> project = ProjectChange::open(arguments.project);
     if (!project) return context.fail(project.error());
     const Result<std::vector<StoredPath>> stored = chosenPaths(**project, arguments.paths);
@@ -73,11 +71,11 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
                                     context.progress());
     if (!bench) return context.fail(bench.error());
 
-    context.stage("Editing");
+    context.stage(BURIN_TEXT("Command", "Editing"));
     const Result<EvaluatedPaths> edited = evaluateInOrder(*bench, std::move(matters), context.progress());
     if (!edited) return context.fail(edited.error());
 
-    context.stage("Posting and checking");
+    context.stage(BURIN_TEXT("Command", "Posting and checking"));
     ProgramRequest request;
     request.name = std::filesystem::path(arguments.output).filename().string();
     const Result<ProgramTarget> target = (*project)->programTarget();
@@ -104,7 +102,7 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     const std::vector<std::string> doubts = doubtsOf(*bench->model, bench->embedded);
     answer["part_warnings"] = doubts;
     const std::string verdict = textOf(*program, arguments.tolerance, bench->machine) + textOfEntries(edited->reports) +
-                                textOfOmissions(edited->reports) + textOfDoubts(doubts);
+                                textOfOmissions(edited->reports) + textOfDoubts(*bench->model, bench->embedded);
     answer["overridden"] = program->overridden;
     answer["slowed_moves"] = program->slowed;
     if (!program->released()) {
@@ -122,63 +120,68 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
                 [&] { return project->save(std::span(&*output, 1)); });
     if (!saved) {
         const QString standing = standingOutputs(std::span(&*output, 1));
-        return context.fail(saved.error(),
-                            standing.isEmpty()
-                                ? QCoreApplication::translate("Command", "neither \"%1\" nor the project was changed")
-                                      .arg(QString::fromStdString(arguments.output))
-                                : standing);
+        return context.fail(
+            saved.error(),
+            standing.isEmpty()
+                ? QString::fromStdString(
+                      worded(BURIN_TEXT("Command", "neither \"%1\" nor the project was changed"), {arguments.output}))
+                : standing);
     }
     tellKeptEarlier(context, **project);
     answer["program"] = std::filesystem::absolute(arguments.output).lexically_normal().string();
-    context.answer(answer, arguments.output + ": " + std::to_string(program->parsed.blocks) + " blocks\n" + verdict);
+    context.answer(answer, worded(BURIN_TEXT("Command", "%1: %2 blocks"),
+                                  {arguments.output, std::to_string(program->parsed.blocks)}) +
+                               "\n" + verdict);
     return 0;
 }
 
 } // namespace
 
-void registerPost(CLI::App& program, CommandContext& context, int& status) {
+void registerPost(CommandParser program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<PostArguments>();
-    CLI::App* command = program.add_subcommand("post", "Write a path as a program, once the program passes its check");
-    command->add_option("PROJECT", arguments->project, "Project file (.burin)")->required();
-    command->add_option("-o,--output", arguments->output, "Program to write")->required();
+    const CommandParser command =
+        program.command("post", BURIN_TEXT("Help", "Write a path as a program, once the program passes its check"));
     command
-        ->add_option("--units", arguments->units,
-                     "Lengths and feeds of the program: mm (G21) or inch (G20); without it the project's")
-        ->check(CLI::IsMember({"mm", "inch"}));
-    command->add_option("--dialect", arguments->dialect,
-                        "Dialect of the control; without it the project's, or the machine's");
-    command->add_option("--machine", arguments->machine, "Machine; without it the project's");
+        .positional(BURIN_TEXT("Argument", "PROJECT"), arguments->project, BURIN_TEXT("Help", "Project file (.burin)"))
+        .required();
+    command.option("-o,--output", arguments->output, BURIN_TEXT("Help", "Program to write")).required();
     command
-        ->add_option(
-            "--path", arguments->paths,
-            "Paths of the program, which may have different tools; without it the first path of each tool that milled")
-        ->delimiter(',');
-    command->add_option("--tolerance", arguments->tolerance, "Deepest gouge that passes, mm")
-        ->check(CLI::Range(0.0, 10.0))
-        ->capture_default_str();
-    CLI::Option* from =
+        .option("--units", arguments->units,
+                BURIN_TEXT("Help", "Units of the program: mm (G21) or inch (G20) (default: the project's)"))
+        .choices({"mm", "inch"});
+    command.option("--dialect", arguments->dialect,
+                   BURIN_TEXT("Help", "Dialect of the control (default: the project's, or the machine's)"));
+    command.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
+    command
+        .option("--path", arguments->paths,
+                BURIN_TEXT("Help", "Paths of the program, which may have different tools (default: the first path of "
+                                   "each tool that milled)"))
+        .separatedBy(',');
+    command.option("--tolerance", arguments->tolerance, BURIN_TEXT("Help", "Deepest gouge that passes, mm"))
+        .range(0.0, 10.0)
+        .showDefault();
+    const Argument from =
         command
-            ->add_option("--from", arguments->from,
-                         "Restart after a broken tool: line of the program that was posted last; the lines before it "
-                         "are done. Writes the rest, which leads back into the cut and is checked on the stock that is "
-                         "left")
-            ->check(CLI::Range(1, 100000000))
-            ->type_name("LINE");
+            .option("--from", arguments->from,
+                    BURIN_TEXT(
+                        "Help",
+                        "Restart after a broken tool: line of the program that was posted last; the lines before it "
+                        "are done. Writes the rest, which leads back into the cut and is checked on the stock that is "
+                        "left"))
+            .range(1, 100000000)
+            .valueName(BURIN_TEXT("Argument", "LINE"));
     command
-        ->add_option("--program", arguments->interrupted,
-                     "With --from: the interrupted program; without it the one that the project posted last")
-        ->needs(from)
-        ->type_name("FILE");
+        .option(
+            "--program", arguments->interrupted,
+            BURIN_TEXT("Help", "With --from: the interrupted program (default: the one that the project posted last)"))
+        .needs(from)
+        .valueName(BURIN_TEXT("Argument", "FILE"));
     command
-        ->add_option("--override", arguments->overrideReason,
-                     "Write the program even if its check refuses it; states this reason in its header")
-        ->check([](const std::string& reason) {
-            return reason.find_first_not_of(" \t\n") == std::string::npos
-                       ? QT_TRANSLATE_NOOP("Command", "state a reason")
-                       : std::string();
-        });
-    addJsonFlag(*command, context);
-    command->callback([arguments, &context, &status] { status = runPost(*arguments, context); });
+        .option("--override", arguments->overrideReason,
+                BURIN_TEXT("Help", "Write the program even if its check refuses it; states this reason in its header"))
+        .notBlank(BURIN_TEXT("Command", "state a reason"));
+    addJsonFlag(command, context);
+    command.run([arguments, &context, &status] { status = runPost(*arguments, context); });
 }
 
 } // namespace burin

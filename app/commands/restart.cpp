@@ -4,6 +4,7 @@
 
 #include "app/report.h"
 #include "app/surroundings.h"
+#include "app/wording.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
 #include "core/job/kept_program.h"
@@ -28,8 +29,8 @@ Result<Interrupted> keptIn(const Project& project, CommandContext& context) {
     if (*reopened) {
         const KeptProgram& kept = (*reopened)->kept;
         if (!(*reopened)->upToDate)
-            context.message("The project changed after its program was posted; the restart is judged by the project "
-                            "as it is now.");
+            context.message(worded(BURIN_TEXT("Command", "The project changed after its program was posted; the "
+                                                         "restart is judged by the project as it is now.")));
         return Interrupted{kept.text, kept.dialect, kept.machine, kept.units};
     }
     const Result<std::vector<StoredProgram>> programs = project.programs();
@@ -64,16 +65,15 @@ Result<std::vector<Tool>> toolsIn(const Project& project) {
 }
 
 std::string textOf(const RestartedProgram& restart) {
-    return "first cut: line " + std::to_string(restart.line) + " of the interrupted program, from " +
-           formatFixed(restart.lead, 1) + " mm of path before it; the tool comes down at (" +
-           formatFixed(restart.place.x, 3) + ", " + formatFixed(restart.place.y, 3) + ", " +
-           formatFixed(restart.place.z, 3) + ") mm";
+    return worded(BURIN_TEXT("Command", "first cut: line %1 of the interrupted program, from %2 mm of path before it; "
+                                        "the tool comes down at %3"),
+                  {std::to_string(restart.line), formatFixed(restart.lead, 1), placeText(restart.place)});
 }
 
 } // namespace
 
 int runRestart(const RestartArguments& arguments, CommandContext& context) {
-    context.stage("Opening");
+    context.stage(BURIN_TEXT("Command", "Opening"));
     const Result<Project> project = Project::open(arguments.project);
     if (!project) return context.fail(project.error());
     Result<Interrupted> interrupted = interruptedProgram(*project, arguments, context);
@@ -87,7 +87,7 @@ int runRestart(const RestartArguments& arguments, CommandContext& context) {
     const Result<ProgramTarget> target = project->programTarget();
     if (!target) return context.fail(target.error());
 
-    context.stage("Restarting and checking");
+    context.stage(BURIN_TEXT("Command", "Restarting and checking"));
     ProgramRequest request;
     request.name = std::filesystem::path(arguments.output).filename().string();
     request.dialect =
@@ -126,7 +126,9 @@ int runRestart(const RestartArguments& arguments, CommandContext& context) {
     if (const Result<void> written = writeFileAtomically(arguments.output, program.text); !written)
         return context.fail(written.error());
     answer["program"] = std::filesystem::absolute(arguments.output).lexically_normal().string();
-    context.answer(answer, arguments.output + ": " + std::to_string(program.parsed.blocks) + " blocks\n" + verdict);
+    context.answer(answer, worded(BURIN_TEXT("Command", "%1: %2 blocks"),
+                                  {arguments.output, std::to_string(program.parsed.blocks)}) +
+                               "\n" + verdict);
     return 0;
 }
 

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
 #include "app/surroundings.h"
+#include "app/wording.h"
 #include "core/base/steps.h"
 #include "core/document/project_change.h"
 #include "core/machine/machine_library.h"
 #include "core/nc/dialect_library.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -97,7 +96,7 @@ Result<Around> changed(const SetupArguments& arguments, CommandContext& context)
     if (!project) return std::move(project).error();
     Result<Around> around = aroundOf(**project);
     if (!around) return around;
-    context.stage("Reading fixtures");
+    context.stage(BURIN_TEXT("Command", "Reading fixtures"));
     if (Result<void> done = change(*project, *around, arguments, context.progress()); !done)
         return std::move(done).error();
     tellKeptEarlier(context, **project);
@@ -110,13 +109,15 @@ Result<Around> shown(const SetupArguments& arguments) {
 }
 
 int runSetup(const SetupArguments& arguments, CommandContext& context) {
-    context.stage("Opening");
+    context.stage(BURIN_TEXT("Command", "Opening"));
     const Result<Around> around = arguments.changes() ? changed(arguments, context) : shown(arguments);
     if (!around) return context.fail(around.error());
     const ProgramTarget& target = around->target;
-    std::string text = "axis     " + textOf(around->axis) + "\nmachine  " + target.machine;
-    if (!target.dialect.empty()) text += ", dialect " + target.dialect;
-    text += std::string("\nunits    ") + idOf(target.units);
+    std::string text = worded(BURIN_TEXT("Command", "axis     %1"), {textOf(around->axis)}) + "\n";
+    text += target.dialect.empty()
+                ? worded(BURIN_TEXT("Command", "machine  %1"), {target.machine})
+                : worded(BURIN_TEXT("Command", "machine  %1, dialect %2"), {target.machine, target.dialect});
+    text += "\n" + worded(BURIN_TEXT("Command", "units    %1"), {idOf(target.units)});
     for (const Obstacle& obstacle : around->obstacles) text += "\n" + textOf(obstacle);
     context.answer({{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},
                     {"axis", jsonOf(around->axis)},
@@ -131,28 +132,37 @@ int runSetup(const SetupArguments& arguments, CommandContext& context) {
 
 } // namespace
 
-void registerSetup(CLI::App& program, CommandContext& context, int& status) {
+void registerSetup(CommandParser program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<SetupArguments>();
-    CLI::App* command = program.add_subcommand(
-        "setup", "Show and change the fixtures, keep-out volumes, tool axis, machine and travel of a project");
-    command->add_option("PROJECT", arguments->project, "Project file (.burin)")->required();
-    addSurroundings(*command, arguments->around);
-    const auto addNames = [&](const char* option, std::vector<std::string>& names, const char* help) {
-        command->add_option(option, names, help)->allow_extra_args(false);
+    const CommandParser command = program.command(
+        "setup",
+        BURIN_TEXT("Help",
+                   "Show and change the fixtures, keep-out volumes, tool axis, machine and travel of a project"));
+    command
+        .positional(BURIN_TEXT("Argument", "PROJECT"), arguments->project, BURIN_TEXT("Help", "Project file (.burin)"))
+        .required();
+    addSurroundings(command, arguments->around);
+    const auto addNames = [&](const char* option, std::vector<std::string>& names, TextId help) {
+        command.option(option, names, help).oneAtATime();
     };
-    addNames("--remove", arguments->remove, "Name of a fixture or keep-out volume to delete; may be repeated");
-    addNames("--switch-off", arguments->switchOff,
-             "Name of one to switch off; it stays in the project; may be repeated");
-    addNames("--switch-on", arguments->switchOn, "Name of one to switch on again; may be repeated");
-    command->add_option("--stl-unit", arguments->stlUnit, "Millimetres per unit of an STL file")
-        ->check(CLI::Range(1e-6, 1e6))
-        ->capture_default_str();
-    command->add_option("--machine", arguments->machine, "Machine that its programs are for");
-    command->add_option("--dialect", arguments->dialect, "Dialect of its programs; without it the machine's");
-    command->add_option("--units", arguments->units, "Units of its programs: mm or inch")
-        ->check(CLI::IsMember({"mm", "inch"}));
-    addJsonFlag(*command, context);
-    command->callback([arguments, &context, &status] { status = runSetup(*arguments, context); });
+    addNames("--remove", arguments->remove,
+             BURIN_TEXT("Help", "Name of a fixture or keep-out volume to delete; may be repeated"));
+    addNames(
+        "--switch-off", arguments->switchOff,
+        BURIN_TEXT("Help",
+                   "Name of a fixture or keep-out volume to switch off; it stays in the project; may be repeated"));
+    addNames("--switch-on", arguments->switchOn,
+             BURIN_TEXT("Help", "Name of a fixture or keep-out volume to switch on again; may be repeated"));
+    command.option("--stl-unit", arguments->stlUnit, BURIN_TEXT("Help", "Millimetres per unit of an STL file"))
+        .range(1e-6, 1e6)
+        .showDefault();
+    command.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine of its programs"));
+    command.option("--dialect", arguments->dialect,
+                   BURIN_TEXT("Help", "Dialect of its programs (default: the machine's)"));
+    command.option("--units", arguments->units, BURIN_TEXT("Help", "Units of its programs: mm or inch"))
+        .choices({"mm", "inch"});
+    addJsonFlag(command, context);
+    command.run([arguments, &context, &status] { status = runSetup(*arguments, context); });
 }
 
 } // namespace burin

@@ -12,8 +12,6 @@
 #include "core/verify/report_json.h"
 #include "ui/scene/deviation_map.h"
 
-#include <CLI/CLI.hpp>
-
 #include <array>
 #include <optional>
 
@@ -54,7 +52,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     Result<std::string> text = readFile(arguments.program);
     if (!text) return context.fail(text.error());
     if (text->empty()) return context.fail({ErrorCode::fileEmpty, arguments.program, {}, {}});
-    context.stage("Opening");
+    context.stage(BURIN_TEXT("Command", "Opening"));
     const Result<Project> project = Project::openForReading(arguments.project);
     if (!project) return context.fail(project.error());
     const Result<Tool> tool = chosenTool(*project, arguments.tool);
@@ -63,7 +61,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
         makeBench(*project, *tool, machineFor(*project, arguments.machine, context), context.progress());
     if (!bench) return context.fail(bench.error());
 
-    context.stage("Checking");
+    context.stage(BURIN_TEXT("Command", "Checking"));
     const Result<ProgramTarget> target = project->programTarget();
     if (!target) return context.fail(target.error());
     ProgramRequest request;
@@ -106,45 +104,49 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
         answer["map_scale"] = jsonOf(DeviationScale(tolerance));
         answer["map"] = std::filesystem::absolute(arguments.map).lexically_normal().string();
     }
-    context.answer(answer, textOf(*checked, arguments.tolerance, bench->machine) + textOfDoubts(doubts));
+    context.answer(answer, textOf(*checked, arguments.tolerance, bench->machine) +
+                               textOfDoubts(*bench->model, bench->embedded));
     return checked->passed() ? 0 : static_cast<int>(ErrorClass::checkFailed);
 }
 
 } // namespace
 
-void registerVerify(CLI::App& program, CommandContext& context, int& status) {
+void registerVerify(CommandParser program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<VerifyArguments>();
-    CLI::App* command = program.add_subcommand("verify", "Re-simulate a program on a project's setup and judge it");
-    command->add_option("PROGRAM", arguments->program, "NC program")->required();
-    command->add_option("--project", arguments->project, "Project file (.burin)")->required();
-    command->add_option(
-        "--tool", arguments->tool,
-        "Tool of the whole program; without it the project's tools by their numbers, or the tool of the first take");
-    command->add_option("--machine", arguments->machine, "Machine; without it the project's");
-    command->add_option("--dialect", arguments->dialect,
-                        "Dialect of the program; without it the project's, or the machine's");
-    command->add_option("--tolerance", arguments->tolerance, "Deepest gouge that passes, mm")
-        ->check(CLI::Range(0.0, 10.0))
-        ->capture_default_str();
+    const CommandParser command =
+        program.command("verify", BURIN_TEXT("Help", "Re-simulate a program on a project's setup and judge it"));
+    command.positional(BURIN_TEXT("Argument", "PROGRAM"), arguments->program, BURIN_TEXT("Help", "NC program"))
+        .required();
+    command.option("--project", arguments->project, BURIN_TEXT("Help", "Project file (.burin)")).required();
+    command.option("--tool", arguments->tool,
+                   BURIN_TEXT("Help", "Tool of the whole program (default: the project's tools by their numbers, or "
+                                      "the tool of the first take)"));
+    command.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
+    command.option("--dialect", arguments->dialect,
+                   BURIN_TEXT("Help", "Dialect of the program (default: the project's, or the machine's)"));
+    command.option("--tolerance", arguments->tolerance, BURIN_TEXT("Help", "Deepest gouge that passes, mm"))
+        .range(0.0, 10.0)
+        .showDefault();
     command
-        ->add_option(
-            "--excess", arguments->excess,
-            "Most by which the stock left on the part may differ from what the project's paths leave, and by which "
-            "blended corners may leave more, mm; 0: not judged. Without it 0.1, and the project's paths count "
-            "for programs that Burin posted")
-        ->check(CLI::Range(0.0, 100.0));
-    command->add_option("--exact", arguments->exactSamples, "Number of worst points that are judged on exact geometry")
-        ->check(CLI::Range(0, 100000))
-        ->capture_default_str();
-    command->add_option("--map", arguments->map,
-                        "Write the deviation map as a VTK file (.vtp), in the colours of the window");
+        .option("--excess", arguments->excess,
+                BURIN_TEXT("Help", "Largest allowed difference between the stock left on the part and what the "
+                                   "project's paths leave, and largest excess at blended corners, mm; 0: not judged "
+                                   "(default: 0.1, and the project's paths count only for programs that Burin posted)"))
+        .range(0.0, 100.0);
     command
-        ->add_option("--allowance", arguments->allowance,
-                     "Stock to leave on the part, mm: within tolerance in the map's colours")
-        ->check(CLI::Range(0.0, 100.0))
-        ->capture_default_str();
-    addJsonFlag(*command, context);
-    command->callback([arguments, &context, &status] { status = runVerify(*arguments, context); });
+        .option("--exact", arguments->exactSamples,
+                BURIN_TEXT("Help", "Number of worst points that are judged on exact geometry"))
+        .range(0, 100000)
+        .showDefault();
+    command.option("--map", arguments->map,
+                   BURIN_TEXT("Help", "Write the deviation map as a VTK file (.vtp), in the colours of the window"));
+    command
+        .option("--allowance", arguments->allowance,
+                BURIN_TEXT("Help", "Stock to leave on the part, mm: within tolerance in the map's colours"))
+        .range(0.0, 100.0)
+        .showDefault();
+    addJsonFlag(command, context);
+    command.run([arguments, &context, &status] { status = runVerify(*arguments, context); });
 }
 
 } // namespace burin

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/filled.h"
 #include "core/base/text.h"
 
 #include <array>
@@ -64,18 +65,8 @@ inline constexpr TextId unnamedBody = BURIN_TEXT("ImportNote", "Body %1");
 inline constexpr TextId unnamedSolid = BURIN_TEXT("ImportNote", "Solid %1");
 
 /// In English, the first value for %1 and so on; at most nine.
-inline std::string fill(TextId note, std::initializer_list<std::string_view> values) {
-    std::string filled;
-    for (const char* at = note.text; *at != '\0'; ++at) {
-        const auto number = static_cast<std::size_t>(*at == '%' ? at[1] - '1' : -1);
-        if (number < values.size()) {
-            filled += values.begin()[number];
-            ++at;
-        } else {
-            filled += *at;
-        }
-    }
-    return filled;
+inline std::string fill(TextId note, std::initializer_list<std::string> values) {
+    return filled(note.text, std::span(values.begin(), values.size()));
 }
 
 } // namespace burin::import_notes

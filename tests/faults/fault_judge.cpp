@@ -60,7 +60,7 @@ QString judgeFailure(const FaultCommand& command, const FaultRun& run, const QMa
     for (const QString& output : command.outputs) {
         if (files[output] == expected.before[output]) continue;
         // Where no name can be changed back any more, the user has to know it.
-        const bool told = words.contains("\"" + output.toUtf8() + "\" is new already");
+        const bool told = words.contains("\"" + output.toUtf8() + "\" was written already");
         if (!run.lasting || !told || files[output] != expected.after[output])
             return "it failed, but " + output + " was changed";
     }

@@ -3,6 +3,7 @@
 #include "ui/messages/messages.h"
 
 #include "core/base/available_memory.h"
+#include "ui/messages/details.h"
 #include "ui/messages/subjects.h"
 
 #include <QCoreApplication>
@@ -14,6 +15,10 @@ namespace {
 
 QString given(const std::string& text) {
     return text.empty() ? Messages::tr("no details are known") : QString::fromStdString(text);
+}
+
+QString givenDetail(const std::string& text) {
+    return text.empty() ? given(text) : detailText(text);
 }
 
 /// The title of a kind of edit, as core marks it.
@@ -32,7 +37,11 @@ QString Messages::withRecord(const QString& sentence, const Error& error) {
 QString Messages::sentence(const Error& error) {
     const QString file = QDir::toNativeSeparators(QString::fromStdString(error.subject));
     const QString subject = subjectText(error.subject);
-    const QString place = given(error.place), detail = given(error.detail);
+    // What a user typed, or named, stays as it is.
+    const bool named = error.code == ErrorCode::nameUnknown;
+    const bool typed = named || error.code == ErrorCode::argumentInvalid;
+    const QString place = typed ? given(error.place) : givenDetail(error.place);
+    const QString detail = named ? given(error.detail) : givenDetail(error.detail);
     switch (error.code) {
     case ErrorCode::cancelled:
         return tr("\"%1\" was cancelled; start it again to finish it.").arg(subject);

@@ -45,6 +45,15 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "voxelisation"),
     // what a machine limits
     BURIN_TEXT("Subject", "feed"),
+    BURIN_TEXT("Subject", "plunge feed"),
+    BURIN_TEXT("Subject", "maximum feed"),
+    BURIN_TEXT("Subject", "spindle speed"),
+    BURIN_TEXT("Subject", "maximum spindle speed"),
+    BURIN_TEXT("Subject", "X travel"),
+    BURIN_TEXT("Subject", "Y travel"),
+    BURIN_TEXT("Subject", "Z travel"),
+    BURIN_TEXT("Subject", "dwell"),
+    BURIN_TEXT("Subject", "arc"),
     // what this version can't do
     BURIN_TEXT("Subject", "tilted tool axis"),
     BURIN_TEXT("Subject", "a program with a tool change"),
@@ -53,6 +62,17 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "a restart over a change of the work offset"),
     // what a user gives
     BURIN_TEXT("Subject", "restart line"),
+    BURIN_TEXT("Subject", "interrupted program"),
+    BURIN_TEXT("Subject", "MODEL"),
+    BURIN_TEXT("Subject", "FORCES"),
+    BURIN_TEXT("Subject", "trace"),
+    BURIN_TEXT("Subject", "paths"),
+    BURIN_TEXT("Subject", "tool number"),
+    // what a setup has
+    BURIN_TEXT("Subject", "voxel"),
+    BURIN_TEXT("Subject", "margin"),
+    BURIN_TEXT("Subject", "part"),
+    BURIN_TEXT("Subject", "stock"),
 };
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "ui/panels/model_words.h"
 
 #include "core/cad/import_notes.h"
+#include "ui/messages/filled_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -24,29 +25,6 @@ namespace {
 
 QString translated(TextId text) {
     return QCoreApplication::translate(text.context, text.text);
-}
-
-/// What matches a text that was filled from this one, its values captured.
-QRegularExpression patternOf(TextId text) {
-    QString pattern = QRegularExpression::escape(QString::fromUtf8(text.text));
-    static const QRegularExpression place(QStringLiteral("\\\\%[1-9]"));
-    return QRegularExpression(QRegularExpression::anchoredPattern(pattern.replace(place, QStringLiteral("(.+)"))),
-                              QRegularExpression::DotMatchesEverythingOption);
-}
-
-/// In one pass: a value may itself hold "%2".
-QString filled(const QString& text, const QStringList& values) {
-    QString result;
-    for (qsizetype i = 0; i < text.size(); ++i) {
-        const int number = text[i] == QLatin1Char('%') && i + 1 < text.size() ? text[i + 1].digitValue() : 0;
-        if (number >= 1 && number <= values.size()) {
-            result += values[number - 1];
-            ++i;
-        } else {
-            result += text[i];
-        }
-    }
-    return result;
 }
 
 std::optional<QString> nameOf(TextId unnamed, const QString& name) {

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/wording.h"
+
+#include "core/base/filled.h"
+#include "ui/messages/messages.h"
+
+#include <vector>
+
+namespace burin {
+
+std::string worded(TextId text, std::initializer_list<std::string> values) {
+    return filled(Messages::text(text).toStdString(), std::span(values.begin(), values.size()));
+}
+
+std::string worded(std::size_t count, TextId one, TextId many, std::initializer_list<std::string> values) {
+    std::vector<std::string> all{std::to_string(count)};
+    all.insert(all.end(), values);
+    return filled(Messages::text(count == 1 ? one : many).toStdString(), all);
+}
+
+std::string resourceName(const std::string& name) {
+    return worded({"Resource", name.c_str()});
+}
+
+} // namespace burin

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/text.h"
+
+#include <initializer_list>
+#include <string>
+
+namespace burin {
+
+/// A text in the user's language, its %1, %2 … replaced by the first, second … value. UTF-8. English as long as no
+/// translations are installed. Thread: any.
+std::string worded(TextId text, std::initializer_list<std::string> values = {});
+
+/// `one` where `count` is 1, otherwise `many`; %1 is the count, %2 the first value.
+std::string worded(std::size_t count, TextId one, TextId many, std::initializer_list<std::string> values = {});
+
+/// The name of a tool, machine or material: in the user's language where Burin is shipped with it, otherwise as it is.
+std::string resourceName(const std::string& name);
+
+} // namespace burin
