@@ -48,17 +48,20 @@ inline constexpr TextId piecesApart = BURIN_TEXT("ImportNote", "%1 consists of %
                                                                "they overlap, its volume counts twice.");
 inline constexpr TextId restLeftOut = BURIN_TEXT("ImportNote", "Data after the last triangle was left out.");
 inline constexpr TextId endMissing =
+    BURIN_TEXT("ImportNote", "The file ends without \"endsolid\"; what was read of it is complete.");
+/// As earlier versions worded it.
+inline constexpr TextId endMissingBefore =
     BURIN_TEXT("ImportNote", "The file ends without \"endsolid\"; what was read of it is whole.");
 inline constexpr TextId noVolume = BURIN_TEXT("ImportNote", "%1 has no volume, so nothing of it can be protected.");
 inline constexpr TextId partsMissing =
     BURIN_TEXT("ImportNote", "Parts are missing because they are in other files: %1. Copy those files into the folder "
                              "of the model and import it again.");
 
-inline constexpr std::array all{unitConverted, unitsMixed,        brepWithoutUnit, stlWithoutUnit,  sizeDoubtful,
-                                repaired,      notRepaired,       solidOpen,       insideOut,       faceSewn,
-                                facesSewn,     faceLeftOut,       facesLeftOut,    curvesLeftOut,   facesFilled,
-                                meshOpen,      meshVolumeDiffers, facesApart,      trianglesTurned, stlOpen,
-                                piecesApart,   restLeftOut,       endMissing,      noVolume,        partsMissing};
+inline constexpr std::array all{
+    unitConverted, unitsMixed, brepWithoutUnit,   stlWithoutUnit, sizeDoubtful,    repaired,     notRepaired,
+    solidOpen,     insideOut,  faceSewn,          facesSewn,      faceLeftOut,     facesLeftOut, curvesLeftOut,
+    facesFilled,   meshOpen,   meshVolumeDiffers, facesApart,     trianglesTurned, stlOpen,      piecesApart,
+    restLeftOut,   endMissing, endMissingBefore,  noVolume,       partsMissing};
 
 /// The names that are given where a file has none; %1: a number from 1.
 inline constexpr TextId unnamedBody = BURIN_TEXT("ImportNote", "Body %1");

@@ -34,9 +34,9 @@ inline constexpr std::size_t deviceFaultCount = 11;
 inline constexpr std::array<TextId, deviceFaultCount> deviceReasons{
     BURIN_TEXT("DeviceReason", "it is not plugged in"),
     BURIN_TEXT("DeviceReason", "it sends nothing"),
-    BURIN_TEXT("DeviceReason", "what it sends is damaged"),
-    BURIN_TEXT("DeviceReason", "it does not take what is sent to it"),
-    BURIN_TEXT("DeviceReason", "it heard nothing from the computer for too long"),
+    BURIN_TEXT("DeviceReason", "its data is damaged"),
+    BURIN_TEXT("DeviceReason", "it does not accept data"),
+    BURIN_TEXT("DeviceReason", "it received nothing from the computer for too long"),
     BURIN_TEXT("DeviceReason", "it is not calibrated yet"),
     BURIN_TEXT("DeviceReason", "its motors are too hot"),
     BURIN_TEXT("DeviceReason", "its motors were overloaded"),

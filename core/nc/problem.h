@@ -89,7 +89,7 @@ enum class ProgramProblem : std::uint8_t {
 
 /// Stable id: "line_too_long".
 std::string_view idOf(ProgramProblem problem) noexcept;
-/// What is wrong, in English: "the control does not read so long a line".
+/// What is wrong, in English: "the line is too long for the control".
 std::string_view wordingOf(ProgramProblem problem) noexcept;
 /// The same, to be translated.
 TextId textOf(ProgramProblem problem) noexcept;

@@ -26,10 +26,10 @@ struct EditRow<FitArcs> {
                 BURIN_TEXT("EditParameterTexts", "Arcs of a larger angle are split")}),
         number("smallest_radius_mm", &FitArcs::smallestRadius, 0.01, 100.0,
                {BURIN_TEXT("EditParameterTexts", "Smallest radius"),
-                BURIN_TEXT("EditParameterTexts", "Tighter turns stay straight moves")}),
+                BURIN_TEXT("EditParameterTexts", "Curves with a smaller radius stay straight moves")}),
         number("largest_radius_mm", &FitArcs::largestRadius, 0.1, 10000.0,
                {BURIN_TEXT("EditParameterTexts", "Largest radius"),
-                BURIN_TEXT("EditParameterTexts", "Flatter turns stay straight moves")}),
+                BURIN_TEXT("EditParameterTexts", "Curves with a larger radius stay straight moves")}),
         number(
             "radius_mismatch_mm", &FitArcs::radiusMismatch, 0.0001, 0.1,
             {BURIN_TEXT("EditParameterTexts", "Radius mismatch"),
@@ -48,11 +48,10 @@ struct EditRow<RoundCorners> {
                 BURIN_TEXT("EditParameterTexts", "Largest deviation of a rounded corner from the sharp one")}),
         number("smallest_turn_rad", &RoundCorners::smallestTurn, 0.001, 3.0,
                {BURIN_TEXT("EditParameterTexts", "Smallest turn"),
-                BURIN_TEXT("EditParameterTexts", "Corners that turn by less stay")})};
+                BURIN_TEXT("EditParameterTexts", "Corners with a smaller angle are kept")})};
 };
-inline constexpr FieldWords leadForm{
-    BURIN_TEXT("EditParameterTexts", "Form"),
-    BURIN_TEXT("EditParameterTexts", "How the tool comes to the stroke, or leaves it")};
+inline constexpr FieldWords leadForm{BURIN_TEXT("EditParameterTexts", "Form"),
+                                     BURIN_TEXT("EditParameterTexts", "Motion onto the stroke, or away from it")};
 inline constexpr FieldWords leadSide{
     BURIN_TEXT("EditParameterTexts", "Direction by"),
     BURIN_TEXT("EditParameterTexts", "By the recording, leads keep their side when other edits change")};
@@ -77,7 +76,7 @@ struct EditRow<LeadIn> {
                 BURIN_TEXT("EditParameterTexts", "Length of a line or ramp, radius of an arc or helix")}),
         number("height_mm", &LeadIn::height, 0.01, 1000.0,
                {BURIN_TEXT("EditParameterTexts", "Height"),
-                BURIN_TEXT("EditParameterTexts", "How far a ramp or helix goes down")}),
+                BURIN_TEXT("EditParameterTexts", "Height of a ramp or helix")}),
         number("angle_rad", &LeadIn::angle, 0.002, 1.2,
                {BURIN_TEXT("EditParameterTexts", "Angle"),
                 BURIN_TEXT("EditParameterTexts", "Largest descent angle of a helix")}),

@@ -42,8 +42,8 @@ struct EditRow<Link> {
                     "Largest length of either move that a rounded corner of a link may replace; none: sharp corners")}),
         choice("entry", &Link::entry, entries,
                {BURIN_TEXT("EditParameterTexts", "Into material"),
-                BURIN_TEXT("EditParameterTexts", "How the tool goes down to a stroke that begins in material: straight "
-                                                 "down, or by a ramp along the stroke, else a helix beside it")}),
+                BURIN_TEXT("EditParameterTexts", "Entry into a stroke that begins in material: plunge, or a ramp along "
+                                                 "the stroke, else a helix beside it")}),
         number(
             "ramp_angle_rad", &Link::rampAngle, 0.0, 0.7,
             {BURIN_TEXT("EditParameterTexts", "Ramp angle"),
@@ -61,10 +61,10 @@ struct EditRow<SetFeed> {
                                                          {"mist", BURIN_TEXT("EditParameterTexts", "mist (M7)")},
                                                          {"flood", BURIN_TEXT("EditParameterTexts", "flood (M8)")}}};
     static constexpr std::tuple fields{
-        number(
-            "speed_factor", &SetFeed::speedFactor, 0.05, 5.0,
-            {BURIN_TEXT("EditParameterTexts", "Spindle speed"),
-             BURIN_TEXT("EditParameterTexts", "Share of the table value; feeds change with it, the chip load stays")}),
+        number("speed_factor", &SetFeed::speedFactor, 0.05, 5.0,
+               {BURIN_TEXT("EditParameterTexts", "Spindle speed"),
+                BURIN_TEXT("EditParameterTexts",
+                           "Share of the table value; feeds change with it, the chip load does not")}),
         number("feed_factor", &SetFeed::feedFactor, 0.05, 5.0,
                {BURIN_TEXT("EditParameterTexts", "Chip load"),
                 BURIN_TEXT("EditParameterTexts", "Share of the table value; feeds change with it")}),
@@ -100,8 +100,8 @@ struct EditRow<LevelFeed> {
         choice("goal", &LevelFeed::goal, goals,
                {BURIN_TEXT("EditParameterTexts", "Level"),
                 BURIN_TEXT("EditParameterTexts",
-                           "Value to keep constant: the force or the removal rate. With the limits, feeds only come "
-                           "down where the cut asks more than spindle or tool bear")}),
+                           "Value to keep constant: the force or the removal rate. With the limits, feeds are only "
+                           "reduced where the cut exceeds a limit of spindle or tool")}),
         LevelTarget{},
         number("smallest_chip_mm", &LevelFeed::smallestChip, 0.0001, 1.0,
                {BURIN_TEXT("EditParameterTexts", "Smallest chip"),

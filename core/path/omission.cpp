@@ -27,10 +27,10 @@ TextId textOf(OmissionReason reason) {
     switch (reason) {
     case OmissionReason::part:
         return BURIN_TEXT("Omission",
-                          "The tool finds no motion past the part here. Use a smaller tool or a smaller allowance.");
+                          "There is no tool motion past the part here. Use a smaller tool or a smaller allowance.");
     case OmissionReason::access:
-        return BURIN_TEXT("Omission", "The tool cannot get here from above without entering the part. Use a smaller "
-                                      "tool, or mill this from another side.");
+        return BURIN_TEXT("Omission", "The tool cannot reach this point from above without entering the part. Use a "
+                                      "smaller tool, or mill it from another side.");
     case OmissionReason::shank:
         return BURIN_TEXT("Omission",
                           "The shank would enter material here. Mill the material around it first, or use a "

@@ -173,9 +173,8 @@ struct EditRow<MovePoints> {
         stretch("stretch", &MovePoints::stretch,
                 {BURIN_TEXT("EditParameterTexts", "Applies to"),
                  BURIN_TEXT("EditParameterTexts", "Points that are moved")}),
-        place(
-            "by_mm", &MovePoints::by,
-            {BURIN_TEXT("EditParameterTexts", "By"), BURIN_TEXT("EditParameterTexts", "How far the points are moved")}),
+        place("by_mm", &MovePoints::by,
+              {BURIN_TEXT("EditParameterTexts", "By"), BURIN_TEXT("EditParameterTexts", "Displacement of the points")}),
         number(
             "falloff_mm", &MovePoints::falloff, 0.0, 1000.0,
             {BURIN_TEXT("EditParameterTexts", "Falloff"),
@@ -212,10 +211,9 @@ struct EditRow<LiftArea> {
                                        .group = EditGroup::places,
                                        .mayEnter = true};
     static constexpr std::tuple fields = std::tuple_cat(
-        areaFields,
-        std::tuple{number("lift_mm", &LiftArea::lift, 0.0, 1000.0,
-                          {BURIN_TEXT("EditParameterTexts", "Retract"),
-                           BURIN_TEXT("EditParameterTexts", "How far the tool retracts inside the area")})});
+        areaFields, std::tuple{number("lift_mm", &LiftArea::lift, 0.0, 1000.0,
+                                      {BURIN_TEXT("EditParameterTexts", "Retract"),
+                                       BURIN_TEXT("EditParameterTexts", "Height of the retraction inside the area")})});
 };
 
 } // namespace burin

@@ -135,7 +135,7 @@ const char* unitOf(FindingKind kind) {
 TextId remedyOf(FindingKind kind) {
     switch (kind) {
     case FindingKind::gouge:
-        return BURIN_TEXT("Finding", "lift or delete this part of the path, or mill it with a smaller tool");
+        return BURIN_TEXT("Finding", "retract or delete this part of the path, or mill it with a smaller tool");
     case FindingKind::rapidInStock:
         return BURIN_TEXT("Finding", "retract above the material before this move");
     case FindingKind::shankCollision:
@@ -147,9 +147,9 @@ TextId remedyOf(FindingKind kind) {
     case FindingKind::travelLimit:
         return BURIN_TEXT("Finding", "place the part elsewhere on the table, or use a machine with more travel");
     case FindingKind::feedLimit:
-        return BURIN_TEXT("Finding", "lower the feed to what the machine reaches");
+        return BURIN_TEXT("Finding", "lower the feed to the machine's maximum");
     case FindingKind::spindleLimit:
-        return BURIN_TEXT("Finding", "state a spindle speed that the machine has");
+        return BURIN_TEXT("Finding", "use a spindle speed within the machine's range");
     case FindingKind::unknownStart:
         return BURIN_TEXT("Finding", "state X, Y and Z before this move");
     case FindingKind::obstacleCollision:

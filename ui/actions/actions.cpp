@@ -147,8 +147,8 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Export a program that failed its check; you must state a reason."),
         "Ctrl+Shift+E"},
     Row{ActionId::restart, "restartAction", QT_TRANSLATE_NOOP("Actions", "&Restart at the selected line…"),
-        QT_TRANSLATE_NOOP("Actions", "Export the rest of the program from the selected line on, with a safe way back "
-                                     "into the cut: after a broken tool."),
+        QT_TRANSLATE_NOOP("Actions", "Export the rest of the program from the selected line, with a safe re-entry into "
+                                     "the cut, for example after tool breakage."),
         "F8"},
     Row{ActionId::machines, "machinesAction", QT_TRANSLATE_NOOP("Actions", "&Machines…"),
         QT_TRANSLATE_NOOP("Actions", "Look at the machines; copy, change and delete your own."), "Ctrl+Shift+M"},

@@ -101,8 +101,7 @@ QString Messages::sentence(const Error& error) {
             .arg(file, detail);
     case ErrorCode::modelHasNoSolid:
         if (!error.detail.empty())
-            return tr("The parts of \"%1\" are in other files that are not beside it (%2); copy these into its folder, "
-                      "or "
+            return tr("The parts of \"%1\" are in other files that are not in its folder (%2); copy them there, or "
                       "export the assembly as one file.")
                 .arg(file, detail);
         return tr("\"%1\" contains no solid, but: %2; export a closed solid.").arg(file, place);

@@ -29,7 +29,7 @@ AllowancePanel::Fields::Fields(AllowancePanel* panel) : QObject(panel) {
     column->addWidget(locked);
     meaning = makeWrappedLabel(panel);
     meaning->setProperty("look", "quiet");
-    setWrappedText(meaning, AllowancePanel::tr("The tool can't come nearer to the part than this. Leave some stock "
+    setWrappedText(meaning, AllowancePanel::tr("Smallest distance between the tool and the part. Leave some stock "
                                                "while roughing; with 0 the cutter may touch the part and finish it."));
     column->addWidget(meaning);
     column->addStretch(1);

@@ -36,8 +36,8 @@ QString embeddingText(const EmbeddingFinding& finding, LengthUnit unit) {
     const QString body = bodyName(finding.body);
     switch (finding.kind) {
     case Kind::openSurface:
-        return EmbeddingWords::tr("The surface of “%1” is open (edges: %2, rims: %3), so what it encloses there is a "
-                                  "guess (%4); close it in the CAD program.")
+        return EmbeddingWords::tr("The surface of “%1” is open (edges: %2, rims: %3), so its inside is uncertain there "
+                                  "(%4); close it in the CAD program.")
             .arg(body, countText(finding.openEdges), countText(finding.rims), whereText(finding, unit));
     case Kind::unseenOpening:
         return EmbeddingWords::tr("The surface of “%1” is open (edges: %2), but no scanline meets a gap.")
@@ -47,14 +47,14 @@ QString embeddingText(const EmbeddingFinding& finding, LengthUnit unit) {
                                   "between them was filled (%2); make their normals agree in the CAD program.")
             .arg(body, whereText(finding, unit));
     case Kind::insideOut:
-        return EmbeddingWords::tr("A shell of “%1” is turned inside out and was filled as well (%2); if it is meant "
-                                  "to be a hollow, it has to lie within another shell.")
-            .arg(body, whereText(finding, unit));
+        return EmbeddingWords::
+            tr("A shell of “%1” is inside out and was filled as well (%2); a cavity has to lie within another shell.")
+                .arg(body, whereText(finding, unit));
     case Kind::overlappingShells:
         return EmbeddingWords::tr("Shells of “%1” overlap, so everything inside any of them was filled (%2).")
             .arg(body, whereText(finding, unit));
     case Kind::duplicateTriangles:
-        return EmbeddingWords::tr("Triangles of “%1” that are there twice were counted once (%2).")
+        return EmbeddingWords::tr("Duplicate triangles of “%1” were counted once (%2).")
             .arg(body, countText(finding.count));
     case Kind::tooSmall:
         return EmbeddingWords::tr("“%1” is too small for the voxels, so nothing of it is protected; choose smaller "

@@ -57,7 +57,8 @@ void GuideCard::addDirection(const QString& name, const QString& label) {
     direction_ = new ChoiceBox(this);
     direction_->setObjectName(name + QStringLiteral("Direction"));
     direction_->addItems({QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")});
-    layout()->addWidget(new FieldRow(label, direction_, tr("Along which axis of the setup"), this));
+    layout()->addWidget(
+        new FieldRow(label, direction_, tr("Axis of the setup along which the levels follow each other"), this));
     connect(direction_, &QComboBox::activated, this, [this](int axis) {
         guide_.direction = glm::dvec3(0.0);
         guide_.direction[axis] = 1.0;
@@ -104,8 +105,8 @@ void GuideCard::addFigures(const QString& name) {
         break;
     case GuideKind::levels:
         addDirection(name, tr("Across"));
-        distance(tr("Spacing"), tr("From one level to the next"), smallestDistance);
-        places(tr("Where one of the levels is"));
+        distance(tr("Spacing"), tr("Distance between levels"), smallestDistance);
+        places(tr("Position of one of the levels"));
         break;
     case GuideKind::line:
         addDirection(name, tr("Along"));
@@ -118,11 +119,11 @@ void GuideCard::addFigures(const QString& name) {
         distance(tr("Step-over"), tr("Distance of the next pass from the last one"), smallestDistance);
         break;
     case GuideKind::axis:
-        addField(name + QStringLiteral("Lead"), tr("Lead"), tr("How far the tool leans in the direction of motion"),
+        addField(name + QStringLiteral("Lead"), tr("Lead"), tr("Lead angle: the tool leans in the direction of motion"),
                  new QuantityField(Quantity::angle, this), [](Guide& guide) -> double& { return guide.lead; })
             ->limit(-steepest, steepest);
         addField(name + QStringLiteral("Tilt"), tr("Tilt"),
-                 tr("How far the tool leans to the left of the direction of motion"),
+                 tr("Tilt angle: the tool leans to the left of the direction of motion"),
                  new QuantityField(Quantity::angle, this), [](Guide& guide) -> double& { return guide.tilt; })
             ->limit(-steepest, steepest);
         onSurface_ = new QCheckBox(tr("From the part's surface"), this);

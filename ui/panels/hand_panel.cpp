@@ -53,11 +53,11 @@ HandPanel::Fields::Fields(HandPanel* panel) : QObject(panel), panel_(panel), col
     addMovement();
     addControl();
     clutchButton_ = addButtonChoice(HandPanel::tr("Clutch button"),
-                                    HandPanel::tr("While this button of the stylus is held, the tool stays"),
+                                    HandPanel::tr("The tool does not move while this button of the stylus is held"),
                                     "clutchButtonChoice", &HandPanel::clutchButtonChosen);
     levelButton_ =
         addButtonChoice(HandPanel::tr("Level button"),
-                        HandPanel::tr("This button of the stylus asks for the next level below, or ends a pass"),
+                        HandPanel::tr("This button of the stylus requests the next lower level, or ends a pass"),
                         "levelButtonChoice", &HandPanel::levelButtonChosen);
     forceButton_ =
         addButtonChoice(HandPanel::tr("Forces"),

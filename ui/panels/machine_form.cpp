@@ -51,7 +51,7 @@ MachineForm::MachineForm(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
 }
 
 void MachineForm::addGeneral() {
-    addText("name", tr("Name"), tr("As it stands in the list of machines"), &MachineProfile::name);
+    addText("name", tr("Name"), tr("Name in the list of machines"), &MachineProfile::name);
     dialect_ = new ChoiceBox(this);
     dialect_->setObjectName(QStringLiteral("dialect"));
     const QString tip = tr("NC dialect that the machine's control reads");
@@ -63,8 +63,7 @@ void MachineForm::addGeneral() {
     });
     refreshers_.emplace_back(
         [this] { dialect_->offer(dialectNames_, dialectIds_, QString::fromStdString(machine_.dialect)); });
-    addText("source", tr("Source"), tr("Where the values come from that have no source of their own"),
-            &MachineProfile::source);
+    addText("source", tr("Source"), tr("Source of the values that have none of their own"), &MachineProfile::source);
 }
 
 void MachineForm::addTravel() {
@@ -74,7 +73,7 @@ void MachineForm::addTravel() {
         return Number{Quantity::length, travel, false, [i](const MachineProfile& m) { return m.travel[i]; },
                       [i](MachineProfile& m, double value) { m.travel[i] = value; }};
     };
-    addNumbers("travel_mm", tr("Travel X, Y, Z"), tr("How far each axis can move"), {axis(0), axis(1), axis(2)});
+    addNumbers("travel_mm", tr("Travel X, Y, Z"), tr("Travel of each axis"), {axis(0), axis(1), axis(2)});
     const auto own = [](Quantity quantity, NumberRange range, bool optional, double MachineProfile::*member) {
         return Number{quantity, range, optional, [member](const MachineProfile& m) { return valueOf(m, member); },
                       [member](MachineProfile& m, double value) { m.*member = value; }};
@@ -91,7 +90,8 @@ void MachineForm::addHome() {
     const auto stated = [](const MachineProfile& m) { return m.home.has_value(); };
     addChoice(
         "home_mm", tr("Home"),
-        tr("Where the spindle parks for a tool change and at the end of a program (G53), if the dialect can say it"),
+        tr("Parking position of the spindle for a tool change and at the end of a program (G53), if the dialect "
+           "supports it"),
         {{tr("Not stated"), tr("At a machine position")},
          [stated](const MachineProfile& m) { return stated(m) ? 1 : 0; },
          [](MachineProfile& m, int index) { m.home = index == 0 ? std::nullopt : std::optional(glm::dvec3(0.0)); }},
@@ -127,9 +127,9 @@ void MachineForm::addFeeds() {
                       [i](MachineProfile& m, double value) { m.axisRates[i] = value; }};
     };
     addNumbers("axis_rates_mm_per_min", tr("Greatest rate X, Y, Z"),
-               tr("Of each axis; at most the rapid feed, which stands for those that are not stated"),
+               tr("Maximum feed of each axis; at most the rapid feed, which applies to axes without a value"),
                {axis(0), axis(1), axis(2)});
-    addChoice("rapids", tr("Rapids"), tr("How the control moves several axes in a rapid"),
+    addChoice("rapids", tr("Rapids"), tr("Motion of several axes in a rapid"),
               {{tr("Straight, all axes arrive together"), tr("Each axis at its own rate (with bends)"),
                 tr("Straight, the tip at the rapid feed")},
                [](const MachineProfile& m) { return static_cast<int>(m.rapids); },
@@ -139,7 +139,7 @@ void MachineForm::addFeeds() {
 void MachineForm::addAccelerations() {
     using namespace machine_range;
     addTitle(tr("Accelerations"));
-    addNumbers("acceleration_mm_per_s2", tr("Acceleration"), tr("Of an axis that has none of its own"),
+    addNumbers("acceleration_mm_per_s2", tr("Acceleration"), tr("For axes without a value of their own"),
                {{Quantity::acceleration, acceleration, false, [](const MachineProfile& m) { return m.acceleration; },
                  [](MachineProfile& m, double value) { m.acceleration = value; }}});
     const auto axis = [](Quantity quantity, NumberRange range, glm::dvec3 MachineProfile::*member, int i) {
@@ -167,7 +167,7 @@ void MachineForm::addSpindle() {
                {own(Quantity::rotation, spindleSpeed, false, &MachineProfile::minimumSpindleSpeed)});
     addNumbers("maximum_spindle_speed_rpm", tr("Highest speed"), tr("Above 0"),
                {own(Quantity::rotation, spindleSpeed, false, &MachineProfile::maximumSpindleSpeed)});
-    addNumbers("spindle_power_w", tr("Power"), tr("That the spindle gives for as long as a cut takes"),
+    addNumbers("spindle_power_w", tr("Power"), tr("Continuous power of the spindle"),
                {own(Quantity::power, spindlePower, true, &MachineProfile::spindlePower)});
     addTorque();
 }
@@ -186,33 +186,33 @@ void MachineForm::addCoolant() {
         if (((chosen - 1) & 1) != 0) m.coolants->push_back(mist);
         if (((chosen - 1) & 2) != 0) m.coolants->push_back(flood);
     };
-    addChoice("coolant", tr("Coolant"), tr("What the machine can switch on"),
+    addChoice("coolant", tr("Coolant"), tr("Coolant that the machine can switch on"),
               {{tr("Not stated"), tr("None"), tr("Mist"), tr("Flood"), tr("Mist and flood")}, index, choose});
 }
 
 void MachineForm::addControl() {
     using namespace machine_range;
     addTitle(tr("Control"));
-    addChoice("junctions", tr("Corners"), tr("How the control moves from one block to the next"),
+    addChoice("junctions", tr("Corners"), tr("Motion from one block to the next"),
               {{tr("Exact stop"), tr("As an arc within the tolerance"), tr("Blended within the tolerance")},
                [](const MachineProfile& m) { return static_cast<int>(m.junctions); },
                [](MachineProfile& m, int index) { m.junctions = static_cast<JunctionRule>(index); }});
     addNumbers("junctions.tolerance_mm", tr("Tolerance of corners"),
-               tr("How far the control may leave a corner; above 0 unless it stops"),
+               tr("Largest distance of the motion from a corner; above 0 unless the machine stops there"),
                {{Quantity::length, tolerance, false, [](const MachineProfile& m) { return m.junctionTolerance; },
                  [](MachineProfile& m, double value) { m.junctionTolerance = value; }}},
                false);
-    addNumbers("blocks_per_second", tr("Blocks a second"), tr("That the control carries out at most"),
+    addNumbers("blocks_per_second", tr("Blocks per second"), tr("Maximum that the control executes"),
                {{Quantity::rate, blockRate, true, [](const MachineProfile& m) { return m.blocksPerSecond; },
                  [](MachineProfile& m, double value) { m.blocksPerSecond = value; }}});
     addNumbers(
-        "coordinate_decimals", tr("Decimal places"), tr("Digits behind the point of a coordinate in mm"),
+        "coordinate_decimals", tr("Decimal places"), tr("Decimal places of a coordinate in mm"),
         {{Quantity::count,
           {fewestDecimals, mostDecimals},
           false,
           [](const MachineProfile& m) { return static_cast<double>(m.coordinateDecimals); },
           [](MachineProfile& m, double value) { m.coordinateDecimals = static_cast<int>(std::lround(value)); }}});
-    addNumbers("maximum_line_length", tr("Characters a line"), tr("That the control reads at most"),
+    addNumbers("maximum_line_length", tr("Characters per line"), tr("Maximum that the control reads"),
                {{Quantity::count,
                  {shortestLine, longestLine},
                  false,
@@ -340,7 +340,7 @@ void MachineForm::addTorque() {
 void MachineForm::addSource(const char* key, int row) {
     auto* field = new QLineEdit(this);
     field->setObjectName(QString::fromLatin1(key) + QStringLiteral("Source"));
-    field->setPlaceholderText(tr("as the machine's source says"));
+    field->setPlaceholderText(tr("as stated in the machine's source"));
     field->setAccessibleName(tr("Source"));
     field->setMinimumWidth(sourceFieldWidth);
     field->setProperty("look", "quiet");

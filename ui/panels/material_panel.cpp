@@ -52,10 +52,10 @@ QString numberText(double value) {
 
 MaterialPanel::Fields::Fields(MaterialPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
     column_->addWidget(makeSectionTitle(MaterialPanel::tr("Material"), panel));
-    stock_ = addChoice(MaterialPanel::tr("Stock"), MaterialPanel::tr("What the stock is made of"), "stockMaterial");
-    body_ = addChoice(MaterialPanel::tr("Body"), MaterialPanel::tr("The body whose material is shown below"), "body");
+    stock_ = addChoice(MaterialPanel::tr("Stock"), MaterialPanel::tr("Material of the stock"), "stockMaterial");
+    body_ = addChoice(MaterialPanel::tr("Body"), MaterialPanel::tr("Body whose material is shown below"), "body");
     bodyMaterial_ =
-        addChoice(MaterialPanel::tr("Its material"), MaterialPanel::tr("What this body is made of"), "bodyMaterial");
+        addChoice(MaterialPanel::tr("Its material"), MaterialPanel::tr("Material of this body"), "bodyMaterial");
     auto* notices = new NoticePlace(panel);
     locked_ = notices->add("materialNotice");
     column_->addWidget(notices);

@@ -64,17 +64,18 @@ Meters::Fields::Fields(Meters* meters) : QObject(meters), meters_(meters), colum
     removal_ = addRow(Meters::tr("Removal"), "removalMeter", Meters::tr("Material removed per second"));
     removalBar_ = addBar(&Palette::accent);
     addPosition();
-    rate_ = addRow(Meters::tr("Haptic rate"), "rateMeter", Meters::tr("Ticks per second that are really reached"));
+    rate_ = addRow(Meters::tr("Haptic rate"), "rateMeter", Meters::tr("Ticks per second that are reached"));
     interval_ = addRow(Meters::tr("Interval, p99.9"), "intervalMeter",
-                       Meters::tr("999 of 1000 forces come no later than this after the one before"));
-    work_ = addRow(Meters::tr("Work, p99.9"), "workMeter",
-                   Meters::tr("999 of 1000 ticks take no longer than this, thread CPU time"));
+                       Meters::tr("Interval between two forces that 999 of 1000 do not exceed"));
+    work_ =
+        addRow(Meters::tr("Work, p99.9"), "workMeter", Meters::tr("CPU time of a tick that 999 of 1000 do not exceed"));
     missed_ = addRow(Meters::tr("Missed"), "missedMeter", Meters::tr("Ticks that came too late"));
     late_ = addRow(Meters::tr("Withheld"), "lateMeter",
                    Meters::tr("Forces that were ready more than 3 ms after the one before, and not sent"));
-    scheduling_ = addRow(Meters::tr("Priority"), "schedulingMeter",
-                         Meters::tr("What the system grants the haptic loop; the limits in force (rtprio) or "
-                                    "RealtimeKit give real time"));
+    scheduling_ = addRow(
+        Meters::tr("Priority"), "schedulingMeter",
+        Meters::tr(
+            "Scheduling that the system grants the haptic loop; the rtprio limit or RealtimeKit gives real time"));
     stylus_ = addRow(Meters::tr("Stylus"), "stylusName", Meters::tr("Stylus that moves the tool"));
     fold(true);
 }

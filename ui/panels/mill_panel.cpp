@@ -121,9 +121,10 @@ void MillPanel::Fields::addDepth() {
     level_ = makeChoiceButton(MillPanel::tr("Level"),
                               MillPanel::tr("A stroke stays at the height of its first point, less the depth of cut"),
                               QStringLiteral("levelButton"), panel_);
-    part_ = makeChoiceButton(MillPanel::tr("Along the part"),
-                             MillPanel::tr("A stroke presses onto the part, whose push-back leads the tool along it"),
-                             QStringLiteral("alongPartButton"), panel_);
+    part_ = makeChoiceButton(
+        MillPanel::tr("Along the part"),
+        MillPanel::tr("A stroke presses onto the part; its push-back guides the tool along the surface"),
+        QStringLiteral("alongPartButton"), panel_);
     auto* choice = new QHBoxLayout;
     choice->setSpacing(4);
     choice->addWidget(level_, 1);
@@ -132,11 +133,11 @@ void MillPanel::Fields::addDepth() {
     connect(level_, &QPushButton::clicked, this, [this] { chooseRule(DepthChoice::level); });
     connect(part_, &QPushButton::clicked, this, [this] { chooseRule(DepthChoice::part); });
     depthOfCut_ = addField(new LengthField(panel_), MillPanel::tr("Depth of cut"),
-                           MillPanel::tr("How deep the tip goes below the surface under the pointer"),
-                           "depthOfCutField", 0.0, 100.0, &MillPanel::depthOfCutEdited);
+                           MillPanel::tr("Depth of the tip below the surface under the pointer"), "depthOfCutField",
+                           0.0, 100.0, &MillPanel::depthOfCutEdited);
     press_ = addField(new LengthField(panel_), MillPanel::tr("Press"),
-                      MillPanel::tr("How far the hand goes into the part, against its push-back"), "pressField", 0.0,
-                      20.0, &MillPanel::pressEdited);
+                      MillPanel::tr("Depth of the hand in the part, against its push-back"), "pressField", 0.0, 20.0,
+                      &MillPanel::pressEdited);
     speed_ = addField(new QuantityField(Quantity::speed, panel_), MillPanel::tr("Speed"),
                       MillPanel::tr("The tool follows the pointer no faster than this while it cuts"), "speedField",
                       1.0, 400.0, &MillPanel::speedEdited);

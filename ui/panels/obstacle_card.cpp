@@ -123,9 +123,9 @@ void ObstacleCard::addShape() {
     kind_ = new ChoiceBox(figures_);
     kind_->setObjectName(name_ + QStringLiteral("Kind"));
     kind_->addItems({tr("Fixture"), tr("Keep-out volume")}); // in the order of ObstacleKind
-    figures_->layout()->addWidget(new FieldRow(tr("Kind"), kind_,
-                                               tr("A fixture stands there; a keep-out volume is to be kept clear"),
-                                               figures_, FieldRow::choiceWidth));
+    figures_->layout()->addWidget(new FieldRow(
+        tr("Kind"), kind_, tr("A fixture is a solid object; a keep-out volume has to stay clear of the tool"), figures_,
+        FieldRow::choiceWidth));
     connect(kind_, &QComboBox::activated, this, [this](int index) {
         obstacle_.kind = static_cast<ObstacleKind>(index);
         emit edited(obstacle_);

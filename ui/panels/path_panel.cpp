@@ -86,8 +86,8 @@ PathPanel::Fields::Fields(PathPanel* panel)
         inner->addWidget(*row);
     }
     sides_->setToolTip(
-        PathPanel::tr("With a spindle that turns clockwise; conventional cuts are pink in the view. Other moves cut on "
-                      "both sides, or from above. Reverse changes the direction of strokes"));
+        PathPanel::tr("With a spindle that rotates clockwise; conventional cuts are pink in the view. Other moves cut "
+                      "on both sides, or from above. Reverse changes the direction of strokes"));
     budget_->setToolTip(PathPanel::tr("Largest deviation of the path from the recording"));
     selection_ = new SelectionCard(content_);
     connect(selection_, &SelectionCard::dragChosen, panel, &PathPanel::dragChosen);

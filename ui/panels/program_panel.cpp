@@ -58,7 +58,7 @@ QString timeContents(const VerifyReport& report) {
                   .arg(atFeeds);
     if (report.untimedMoves == 0) return contents;
     return contents + QLatin1Char('\n') +
-           ProgramPanel::tr("Without moves whose way the program does not state (approach, way home): %n", nullptr,
+           ProgramPanel::tr("Without moves whose start the program does not state (approach, return): %n", nullptr,
                             report.untimedMoves);
 }
 

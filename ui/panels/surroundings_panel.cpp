@@ -82,7 +82,7 @@ SurroundingsPanel::Fields::Fields(SurroundingsPanel* panel)
 void SurroundingsPanel::Fields::addAddition() {
     addition_ = new ChoiceBox(panel_);
     addition_->setObjectName(QStringLiteral("obstacleAddition"));
-    addition_->setAccessibleName(SurroundingsPanel::tr("What to add"));
+    addition_->setAccessibleName(SurroundingsPanel::tr("Kind to add"));
     addition_->setToolTip(SurroundingsPanel::tr("Kind of fixture or keep-out volume to add"));
     addition_->addItems({SurroundingsPanel::tr("Fixture: box"), SurroundingsPanel::tr("Fixture: cylinder"),
                          SurroundingsPanel::tr("Fixture from a file…"), SurroundingsPanel::tr("Keep out: box"),

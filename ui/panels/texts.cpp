@@ -189,19 +189,19 @@ QString loadText(const Finding& finding, LengthUnit unit) {
         return PanelTexts::tr("The cut takes %1 N m, the spindle has %2 N m at this speed")
             .arg(number(finding.amount, 1), number(finding.limit, 1));
     case FindingKind::toolBreakage:
-        return PanelTexts::tr("The tool may break: bending stress of %1 N/mm², it bears %2 N/mm²")
+        return PanelTexts::tr("The tool may break: bending stress of %1 N/mm², limit %2 N/mm²")
             .arg(number(finding.amount, 0), number(finding.limit, 0));
     case FindingKind::toolBending:
         return PanelTexts::tr("The tool bends by %1, the tolerance is %2")
             .arg(lengthText(finding.amount, unit), lengthText(finding.limit, unit));
     case FindingKind::chipLoad:
-        return PanelTexts::tr("Chip of %1 a tooth, the tool bears %2")
+        return PanelTexts::tr("Chip load of %1 per tooth, limit %2")
             .arg(lengthText(finding.amount, unit), lengthText(finding.limit, unit));
     case FindingKind::depthOfCut:
-        return PanelTexts::tr("Depth of cut of %1, the tool bears %2")
+        return PanelTexts::tr("Depth of cut of %1, limit %2")
             .arg(lengthText(finding.amount, unit), lengthText(finding.limit, unit));
     case FindingKind::widthOfCut:
-        return PanelTexts::tr("Width of cut of %1, the tool bears %2")
+        return PanelTexts::tr("Width of cut of %1, limit %2")
             .arg(lengthText(finding.amount, unit), lengthText(finding.limit, unit));
     default:
         return {};
@@ -245,7 +245,7 @@ QString kindText(const Finding& finding, LengthUnit unit) {
     case FindingKind::workOffsetOther:
         return PanelTexts::tr("Not the project's work offset");
     case FindingKind::spindleReversed:
-        return PanelTexts::tr("Spindle turns anticlockwise; the tool is right-handed");
+        return PanelTexts::tr("Spindle rotates anticlockwise; the tool is right-handed");
     case FindingKind::cornerGouge:
         return PanelTexts::tr("Blended corners gouge by %1").arg(length);
     case FindingKind::cornerExcess:

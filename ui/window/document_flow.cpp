@@ -109,9 +109,9 @@ void DocumentFlow::refuse(const QString& file, const Error& error) {
         emit refused(Messages::sentence(error));
         return;
     }
-    if (!confirm(&window_, tr("Take “%1” off the list of recent files?").arg(QFileInfo(file).fileName()),
+    if (!confirm(&window_, tr("Remove “%1” from the list of recent files?").arg(QFileInfo(file).fileName()),
                  tr("The file was moved, renamed or deleted, or its drive is not connected."),
-                 tr("Take it off the list")))
+                 tr("Remove it from the list")))
         return;
     settings_.removeRecentFile(file);
     emit recentFilesChanged();

@@ -215,7 +215,7 @@ void MachineDialog::follow() {
                  tr("Delete this machine; Undo brings it back (Del in the list)"));
     const QString unchanged = tr("Nothing is changed.");
     enableUnless(save_, unsaved ? QString() : unchanged, tr("Keep the changed values (Ctrl+S)"));
-    enableUnless(revert_, unsaved ? QString() : unchanged, tr("Take the changes back (Ctrl+R)"));
+    enableUnless(revert_, unsaved ? QString() : unchanged, tr("Discard the changes (Ctrl+R)"));
     save_->setShortcut(QKeySequence::Save);
     revert_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
     enableUnless(use_, id_ == target_.target().machine ? tr("The programs are for this machine.") : QString(),

@@ -237,7 +237,7 @@ void MainWindow::tellAboutOpened() {
     const DocumentController& document = workbench_.document;
     if (!document.keptAside().empty())
         message_->tell(Notice::Kind::warning,
-                       tr("Older unsaved work did not belong to this file any more; it was moved to “%1”.")
+                       tr("Older unsaved work no longer belongs to this file; it was moved to “%1”.")
                            .arg(QString::fromStdString(document.keptAside().filename().string())));
     else if (document.readOnly())
         message_->tell(Notice::Kind::warning,

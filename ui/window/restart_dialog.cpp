@@ -126,7 +126,7 @@ RestartAnswer askRestart(QWidget* parent, const RestartedProgram& rest, LengthUn
         makePrimaryButton(RestartDialog::tr("Export…"), QStringLiteral("exportRestartButton"), &dialog);
     auto* override = makeButton(RestartDialog::tr("Override the check…"), QStringLiteral("warning"),
                                 QStringLiteral("overrideRestartButton"), &dialog);
-    override->setToolTip(RestartDialog::tr("Write the rest all the same; its header shows your reason"));
+    override->setToolTip(RestartDialog::tr("Write the rest nevertheless; its header shows your reason"));
     override->setVisible(!released);
     row->addWidget(cancel);
     row->addWidget(override);

@@ -57,7 +57,7 @@ QString hintSentence(const SessionState& state, const ToolBounds& bounds, const 
     if ((flags & sampleStylusInvalid) != 0)
         return MillTexts::tr("The stylus gives no readings: the tool does not move, and there is no force.");
     if ((flags & sampleAxisHeld) != 0)
-        return MillTexts::tr("There is no room to lean the tool as the hand does: its axis stays where it is.");
+        return MillTexts::tr("There is no room to tilt the tool like the hand: its axis does not follow.");
     if (!stylus->hasMotors()) return {};
     const bool held = forceButton == 0 || (state.sample.buttons >> static_cast<unsigned>(forceButton - 1) & 1U) != 0;
     if (!held) return MillTexts::tr("There is force while button %1 is held.").arg(forceButton);

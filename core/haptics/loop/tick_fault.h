@@ -28,7 +28,7 @@ inline constexpr std::array<TextId, 6> tickFaultReasons{
     deviceReasons[static_cast<std::size_t>(DeviceFault::damaged)],
     deviceReasons[static_cast<std::size_t>(DeviceFault::tooFast)],
     BURIN_TEXT("DeviceReason", "the computer was late with its force"),
-    BURIN_TEXT("DeviceReason", "the computer stood still, and its motors were switched off"),
+    BURIN_TEXT("DeviceReason", "the computer did not respond, so its motors were switched off"),
 };
 
 /// As in names of files.
