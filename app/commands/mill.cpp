@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
+#include "app/commands/mill_options.h"
 #include "app/report.h"
 #include "app/surroundings.h"
 #include "app/wording.h"
@@ -8,13 +9,11 @@
 #include "core/base/staged_file.h"
 #include "core/device/device_registry.h"
 #include "core/document/companions.h"
-#include "core/haptics/operator/virtual_operator.h"
 #include "core/haptics/trace/trace_stylus.h"
 #include "core/job/milling.h"
 #include "ui/messages/messages.h"
 
 #include <array>
-#include <map>
 #include <optional>
 #include <span>
 
@@ -26,27 +25,6 @@ using nlohmann::json;
 
 constexpr std::string_view tracePrefix = "trace:";
 constexpr std::string_view devicePrefix = "device:";
-
-struct MillArguments {
-    std::string project, stylus = "operator", mode, tool = "ball-6", machine, trace, axis;
-    bool realtime = false, fast = false, overrides = false;
-    double seconds = 0.0, rate = 1000.0;
-    int deadMan = 0; ///< button, from 1; 0: none
-    std::string grip = "firm", intent = "passes";
-    std::optional<double> allowance, felt;
-    OperatorRequest hand;
-};
-
-/// The names, in the order in which --help lists them.
-const std::map<std::string, OperatorIntent> intents{{"contour", OperatorIntent::contour},
-                                                    {"hostile", OperatorIntent::hostile},
-                                                    {"passes", OperatorIntent::passes},
-                                                    {"scribble", OperatorIntent::scribble}};
-
-HandImpedance gripOf(const std::string& name) {
-    if (name == "light") return lightHand;
-    return name == "middle" ? middleHand : firmHand;
-}
 
 json jsonOf(const TakeOutcome& outcome, const ToolBounds& bounds) {
     json layers = jsonOf(bounds.layers());
@@ -231,8 +209,8 @@ Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
             ErrorCode::argumentInvalid, "--trace", work.arguments.trace,
             worded(BURIN_TEXT("Command", "no file with the operator; one if --stylus is a trace or a device"))};
     OperatorRequest request = work.arguments.hand;
-    request.hand = gripOf(work.arguments.grip);
-    request.intent = intents.at(work.arguments.intent);
+    request.hand = gripOf(work.arguments);
+    request.intent = intentOf(work.arguments);
     request.allowance = work.arguments.allowance.value_or(request.allowance);
     request.timeLimit = work.arguments.seconds;
     request.pace = work.pace;
@@ -370,81 +348,13 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     return static_cast<int>(ErrorClass::checkFailed);
 }
 
-void addOperator(CommandParser command, MillArguments& arguments) {
-    command.option("--seed", arguments.hand.seed, BURIN_TEXT("Help", "Seed of the operator's random tremor and motion"))
-        .showDefault();
-    command.option("--grip", arguments.grip, BURIN_TEXT("Help", "Firmness of the operator's grip on the stylus"))
-        .choices({"light", "middle", "firm"})
-        .showDefault();
-    command.option("--intent", arguments.intent, BURIN_TEXT("Help", "Kind of strokes that the operator makes"))
-        .choices(keysOf(intents))
-        .showDefault();
-}
-
 } // namespace
 
 void registerMill(CommandParser program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<MillArguments>();
     const CommandParser command =
         program.command("mill", BURIN_TEXT("Help", "Mill a project's workpiece with a stylus and record it"));
-    command
-        .positional(BURIN_TEXT("Argument", "PROJECT"), arguments->project, BURIN_TEXT("Help", "Project file (.burin)"))
-        .required();
-    command.option("--stylus", arguments->stylus, BURIN_TEXT("Help", "Stylus: operator, trace:FILE or device:NAME"))
-        .showDefault();
-    command.option("--mode", arguments->mode,
-                   BURIN_TEXT("Help", "One of a device's modes, as \"burin devices\" lists them"));
-    command
-        .option("--rate", arguments->rate,
-                BURIN_TEXT("Help", "Rate of the haptic loop, Hz; a device with its own clock sets its own rate"))
-        .range(1000.0, 4000.0)
-        .showDefault();
-    command
-        .option("--dead-man", arguments->deadMan,
-                BURIN_TEXT("Help", "Forces only while this button of the device is held, counted from 1; 0: always"))
-        .range(0, 32)
-        .showDefault();
-    command.option(
-        "--trace", arguments->trace,
-        BURIN_TEXT("Help",
-                   "Also write the motion of the trace or device to this file, which --stylus trace:FILE replays"));
-    command.flag(
-        "--override", arguments->overrides,
-        BURIN_TEXT("Help",
-                   "Mill even if bodies are too small for the voxels to be protected, and accept that the operator "
-                   "reaches nothing"));
-    command.option("--tool", arguments->tool, BURIN_TEXT("Help", "Tool")).showDefault();
-    command.option("--machine", arguments->machine,
-                   BURIN_TEXT("Help", "Machine, for its spindle speed and travel (default: the project's)"));
-    const Argument realtime = command.flag("--realtime", arguments->realtime, BURIN_TEXT("Help", "Run in real time"));
-    command.flag("--fast", arguments->fast, BURIN_TEXT("Help", "Run as fast as the computer can (the default)"))
-        .excludes(realtime);
-    command
-        .option("--seconds", arguments->seconds,
-                BURIN_TEXT("Help", "Length of the session, s; 0: as long as the job takes"))
-        .range(0.0, 1e6);
-    command
-        .option("--allowance", arguments->allowance,
-                BURIN_TEXT("Help", "Stock to leave on the part, mm; the operator roughs with it (0.5)"))
-        .range(0.0, 10.0);
-    command
-        .option("--press", arguments->hand.press,
-                BURIN_TEXT("Help", "Depth to which the operator presses into the part when finishing, mm"))
-        .range(0.0, 10.0)
-        .showDefault();
-    command
-        .option("--step-over", arguments->hand.finishingStepOver,
-                BURIN_TEXT("Help", "Distance between finishing passes, mm; 0: chosen for the tool"))
-        .range(0.0, 100.0);
-    command
-        .option(
-            "--felt", arguments->felt,
-            BURIN_TEXT("Help",
-                       "Share of the cutting force that was felt while the trace was recorded, 0 to 1; for traces that "
-                       "do not state it"))
-        .range(0.0, 1.0);
-    addAxis(command, arguments->axis);
-    addOperator(command, *arguments);
+    addMillOptions(command, *arguments);
     addJsonFlag(command, context);
     command.run([arguments, &context, &status] { status = runMill(*arguments, context); });
 }

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/command_line.h"
+#include "core/job/milling.h"
+
+#include <optional>
+#include <string>
+
+namespace burin {
+
+/// What `burin mill` is asked for, as it was written.
+struct MillArguments {
+    std::string project, stylus = "operator", mode, tool = "ball-6", machine, trace, axis;
+    bool realtime = false, fast = false, overrides = false;
+    double seconds = 0.0, rate = 1000.0;
+    int deadMan = 0; ///< button, from 1; 0: none
+    std::string grip = "firm", intent = "passes";
+    std::optional<double> allowance, felt;
+    OperatorRequest hand;
+};
+
+/// Declares the arguments of `burin mill`.
+void addMillOptions(CommandParser command, MillArguments& arguments);
+
+/// What --grip and --intent name.
+HandImpedance gripOf(const MillArguments& arguments);
+OperatorIntent intentOf(const MillArguments& arguments);
+
+} // namespace burin
