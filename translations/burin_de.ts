@@ -504,10 +504,6 @@
         <translation>Ab der gewählten Zeile &amp;neu beginnen …</translation>
     </message>
     <message>
-        <source>Export the rest of the program from the selected line on, with a safe way back into the cut: after a broken tool.</source>
-        <translation>Den Rest des Programms ab der gewählten Zeile ausgeben, mit einem sicheren Weg zurück in den Schnitt: nach einem Werkzeugbruch.</translation>
-    </message>
-    <message>
         <source>&amp;Machines…</source>
         <translation>&amp;Maschinen …</translation>
     </message>
@@ -515,13 +511,60 @@
         <source>Look at the machines; copy, change and delete your own.</source>
         <translation>Die Maschinen ansehen; eigene kopieren, ändern und löschen.</translation>
     </message>
+    <message>
+        <source>Export the rest of the program from the selected line, with a safe re-entry into the cut, for example after tool breakage.</source>
+        <translation>Den Rest des Programms ab der gewählten Zeile ausgeben, mit einem sicheren Wiedereintritt in den Schnitt, etwa nach einem Werkzeugbruch.</translation>
+    </message>
+</context>
+<context>
+    <name>Argument</name>
+    <message>
+        <source>NAME</source>
+        <translation>NAME</translation>
+    </message>
+    <message>
+        <source>FORCES</source>
+        <translation>MESSWERTE</translation>
+    </message>
+    <message>
+        <source>MODEL</source>
+        <translation>MODELL</translation>
+    </message>
+    <message>
+        <source>PROJECT</source>
+        <translation>PROJEKT</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation>KENNUNG</translation>
+    </message>
+    <message>
+        <source>FILE</source>
+        <translation>DATEI</translation>
+    </message>
+    <message>
+        <source>NEW</source>
+        <translation>NEU</translation>
+    </message>
+    <message>
+        <source>PATH</source>
+        <translation>BAHN</translation>
+    </message>
+    <message>
+        <source>TAKE</source>
+        <translation>AUFNAHME</translation>
+    </message>
+    <message>
+        <source>LINE</source>
+        <translation>ZEILE</translation>
+    </message>
+    <message>
+        <source>PROGRAM</source>
+        <translation>PROGRAMM</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
-    <message>
-        <source>what was recorded is kept, and the next command that opens the project recovers it</source>
-        <translation>das Aufgezeichnete ist erhalten; der nächste Befehl, der das Projekt öffnet, stellt es wieder her</translation>
-    </message>
     <message>
         <source>neither &quot;%1&quot; nor the project was changed</source>
         <translation>weder „%1“ noch das Projekt wurde geändert</translation>
@@ -567,16 +610,1579 @@
         <translation>Die Argumente sind nicht zu verstehen (%1).</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is new already</source>
-        <translation>„%1“ ist schon neu</translation>
-    </message>
-    <message>
         <source>The tool can&apos;t reach anything to mill. Use a smaller or longer tool, or accept it with --override.</source>
         <translation>Das Werkzeug erreicht nichts, was zu fräsen wäre. Ein kleineres oder längeres Werkzeug verwenden oder es mit --override hinnehmen.</translation>
     </message>
     <message>
-        <source>Bodies too small for the voxels to be protected: %1. Choose smaller voxels, or go on all the same with --override.</source>
+        <source>The file of an earlier version of Burin is kept as &quot;%1&quot;.</source>
+        <translation>Die Datei einer früheren Fassung von Burin bleibt als „%1“ erhalten.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was written already</source>
+        <translation>„%1“ ist schon geschrieben</translation>
+    </message>
+    <message>
+        <source>the S-RLE engine and cutting, compared with the paper&apos;s method, dense grids, OpenVDB and VTK</source>
+        <translation>S-RLE und Schneiden, verglichen mit dem Verfahren des Fachartikels, dichten Gittern, OpenVDB und VTK</translation>
+    </message>
+    <message>
+        <source>reading programs back and judging them, compared with CAMotics, and where the time goes</source>
+        <translation>Zurücklesen und Prüfen von Programmen, verglichen mit CAMotics, und wo die Zeit bleibt</translation>
+    </message>
+    <message>
+        <source>CPU time and memory at three sizes of recordings, programs, paths, stocks and models, and how they grow</source>
+        <translation>Rechenzeit und Speicher bei drei Größen von Aufzeichnungen, Programmen, Bahnen, Rohteilen und Modellen, und wie beide wachsen</translation>
+    </message>
+    <message>
+        <source>the haptic loop: cost of a tick, push-back, stability, guards</source>
+        <translation>die Haptikschleife: Kosten eines Takts, Gegenkraft, Stabilität, Wächter</translation>
+    </message>
+    <message>
+        <source>(not built: tests/run --bench builds it)</source>
+        <translation>(nicht gebaut: tests/run --bench baut ihn)</translation>
+    </message>
+    <message>
+        <source>a known material, or --like MATERIAL</source>
+        <translation>ein bekannter Werkstoff oder --like WERKSTOFF</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 records, noise %4 N tangential, %5 N radial</source>
+        <translation>%1: %2 von %3 Messungen, Rauschen %4 N tangential, %5 N radial</translation>
+    </message>
+    <message>
+        <source>%1 J/mm^3, chips of %2 mm</source>
+        <translation>%1 J/mm^3, Späne von %2 mm</translation>
+    </message>
+    <message>
+        <source>line %1 left out: %2</source>
+        <translation>Zeile %1 weggelassen: %2</translation>
+    </message>
+    <message>
+        <source>not written (--dry-run)</source>
+        <translation>nicht geschrieben (--dry-run)</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Making the project</source>
+        <translation>Projekt anlegen</translation>
+    </message>
+    <message>
+        <source>Embedding</source>
+        <translation>Einbetten</translation>
+    </message>
+    <message>
+        <source>Computing the tool&apos;s boundary</source>
+        <translation>Grenzfläche des Werkzeugs berechnen</translation>
+    </message>
+    <message>
+        <source>Milling</source>
+        <translation>Fräsen</translation>
+    </message>
+    <message>
+        <source>Editing</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Posting and checking</source>
+        <translation>Ausgeben und prüfen</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>project  %1</source>
+        <translation>Projekt  %1</translation>
+    </message>
+    <message>
+        <source>program  %1, %2 blocks</source>
+        <translation>Programm %1, %2 Sätze</translation>
+    </message>
+    <message>
+        <source>program  refused, %1 blocks</source>
+        <translation>Programm abgelehnt, %1 Sätze</translation>
+    </message>
+    <message>
+        <source>picture  %1</source>
+        <translation>Bild     %1</translation>
+    </message>
+    <message>
+        <source>report   %1</source>
+        <translation>Bericht  %1</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>maximum force</source>
+        <translation>größte Kraft</translation>
+    </message>
+    <message>
+        <source>continuous force</source>
+        <translation>Dauerkraft</translation>
+    </message>
+    <message>
+        <source>maximum torque</source>
+        <translation>größtes Drehmoment</translation>
+    </message>
+    <message>
+        <source>maximum stiffness</source>
+        <translation>größte Steifigkeit</translation>
+    </message>
+    <message>
+        <source>maximum damping</source>
+        <translation>größte Dämpfung</translation>
+    </message>
+    <message>
+        <source>maximum rotational stiffness</source>
+        <translation>größte Drehsteifigkeit</translation>
+    </message>
+    <message>
+        <source>workspace radius</source>
+        <translation>Radius des Arbeitsraums</translation>
+    </message>
+    <message>
+        <source>position step</source>
+        <translation>Positionsauflösung</translation>
+    </message>
+    <message>
+        <source>rotation step</source>
+        <translation>Winkelauflösung</translation>
+    </message>
+    <message>
+        <source>maximum speed</source>
+        <translation>größte Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>mass of the handle</source>
+        <translation>Masse des Griffs</translation>
+    </message>
+    <message>
+        <source>mode %1: %2</source>
+        <translation>Betriebsart %1: %2</translation>
+    </message>
+    <message>
+        <source>BODY=NAME</source>
+        <translation>KÖRPER=NAME</translation>
+    </message>
+    <message>
+        <source>another file, or --replace (recordings in the project there: %1)</source>
+        <translation>eine andere Datei oder --replace (Aufzeichnungen im dortigen Projekt: %1)</translation>
+    </message>
+    <message>
+        <source>no project was made</source>
+        <translation>kein Projekt angelegt</translation>
+    </message>
+    <message>
+        <source>Saving</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>part %1 mm^3 in stock %2 mm^3, %3 x %4 x %5 voxels of %6 mm</source>
+        <translation>Teil %1 mm^3 im Rohteil %2 mm^3, %3 x %4 x %5 Voxel von %6 mm</translation>
+    </message>
+    <message>
+        <source>verdict  out of date: inputs of the program&apos;s check have changed; post it again</source>
+        <translation>Urteil   veraltet: was geprüft wurde, hat sich geändert; geben Sie das Programm neu aus</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>overridden</source>
+        <translation>übergangen</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>verdict  %2: gouge %3 mm (tolerance %4 mm), %1 error</source>
+        <translation>Urteil   %2: Konturverletzung %3 mm (Toleranz %4 mm), %1 Fehler</translation>
+    </message>
+    <message>
+        <source>verdict  %2: gouge %3 mm (tolerance %4 mm), %1 errors</source>
+        <translation>Urteil   %2: Konturverletzung %3 mm (Toleranz %4 mm), %1 Fehler</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>beschädigt</translation>
+    </message>
+    <message>
+        <source>take     %1 %2: %3 samples, %4, tool %5</source>
+        <translation>Aufnahme %1 %2: %3 Messpunkte, %4, Werkzeug %5</translation>
+    </message>
+    <message>
+        <source>take     %1 %2: %3 samples, %4, tool %5, incomplete</source>
+        <translation>Aufnahme %1 %2: %3 Messpunkte, %4, Werkzeug %5, unvollständig</translation>
+    </message>
+    <message>
+        <source>path     %1 %2: %3 takes, %4 edits</source>
+        <translation>Bahn     %1 %2: Aufnahmen: %3, Bearbeitungen: %4</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>(recovered from a run that was interrupted)</source>
+        <translation>(nach einem unterbrochenen Lauf wiederhergestellt)</translation>
+    </message>
+    <message>
+        <source>stock    %1, voxel %2 mm</source>
+        <translation>Rohteil  %1, Voxel %2 mm</translation>
+    </message>
+    <message>
+        <source>axis     %1</source>
+        <translation>Achse    %1</translation>
+    </message>
+    <message>
+        <source>program  %1 (%2, %3)</source>
+        <translation>Programm %1 (%2, %3)</translation>
+    </message>
+    <message>
+        <source>typical  %1</source>
+        <translation>typisch  %1</translation>
+    </message>
+    <message>
+        <source>own      %1</source>
+        <translation>eigene   %1</translation>
+    </message>
+    <message>
+        <source>%1: removed</source>
+        <translation>%1: gelöscht</translation>
+    </message>
+    <message>
+        <source>; shank or holder touched in %1 ticks</source>
+        <translation>; Schaft oder Halter berührten etwas in %1 Takten</translation>
+    </message>
+    <message>
+        <source>; %2 held the tool in %1 ticks</source>
+        <translation>; %2 hielt das Werkzeug in %1 Takten</translation>
+    </message>
+    <message>
+        <source>; the axis was held in %1 ticks</source>
+        <translation>; die Achse wurde in %1 Takten gehalten</translation>
+    </message>
+    <message>
+        <source>take %1: %2 samples, %3 s, removed %4 mm^3; tick %5 us (p50), %6 us (p99.9), %7 Hz</source>
+        <translation>Aufnahme %1: %2 Messpunkte, %3 s, abgetragen %4 mm^3; Takt %5 us (p50), %6 us (p99.9), %7 Hz</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not state how much of the cutting force was felt: %2 of it is assumed, as for the virtual operator. Set it with --felt; positions and the removed material don&apos;t depend on it, forces do.</source>
+        <translation>„%1“ gibt nicht an, wie viel von der Schnittkraft zu fühlen war: angenommen wird ein Anteil von %2, wie beim virtuellen Bediener. Setzen Sie ihn mit --felt; Positionen und abgetragenes Material hängen nicht davon ab, die Kräfte schon.</translation>
+    </message>
+    <message>
+        <source>%1, as when the trace was recorded</source>
+        <translation>%1, wie bei der Aufnahme der Spur</translation>
+    </message>
+    <message>
+        <source>with --felt, a trace that does not state how much of the cutting force was felt</source>
+        <translation>zusammen mit --felt eine Spur, die nicht angibt, wie viel von der Schnittkraft zu fühlen war</translation>
+    </message>
+    <message>
+        <source>--realtime with a device</source>
+        <translation>--realtime, bei einem Gerät</translation>
+    </message>
+    <message>
+        <source>no value, unless --stylus is a trace that does not state how much of the cutting force was felt</source>
+        <translation>kein Wert, außer wenn --stylus eine Spur ist, die nicht angibt, wie viel von der Schnittkraft zu fühlen war</translation>
+    </message>
+    <message>
+        <source>operator, trace:FILE, device:NAME</source>
+        <translation>operator, trace:DATEI, device:NAME</translation>
+    </message>
+    <message>
+        <source>no file with the operator; one if --stylus is a trace or a device</source>
+        <translation>keine Datei beim Bediener; eine, wenn --stylus eine Spur oder ein Gerät ist</translation>
+    </message>
+    <message>
+        <source>the recording is kept, and the next command that opens the project recovers it</source>
+        <translation>die Aufzeichnung ist erhalten; der nächste Befehl, der das Projekt öffnet, stellt sie wieder her</translation>
+    </message>
+    <message>
+        <source>nothing was milled</source>
+        <translation>nichts gefräst</translation>
+    </message>
+    <message>
+        <source>path %1 %2, takes%3</source>
+        <translation>Bahn %1 %2, Aufnahmen%3</translation>
+    </message>
+    <message>
+        <source>no paths</source>
+        <translation>keine Bahnen</translation>
+    </message>
+    <message>
+        <source>recordings made with %1, as the first one</source>
+        <translation>Aufnahmen mit dem Werkzeug %1, wie die erste</translation>
+    </message>
+    <message>
+        <source>0 to %1 (exclusive)</source>
+        <translation>0 bis %1 (ausschließlich)</translation>
+    </message>
+    <message>
+        <source>an edit of an earlier version; this one is current</source>
+        <translation>eine Bearbeitung einer früheren Version; diese ist aktuell</translation>
+    </message>
+    <message>
+        <source>%1 points, error budget %2 mm, climb %3 mm, conventional %4 mm</source>
+        <translation>%1 Punkte, Fehlerbudget %2 mm, Gleichlauf %3 mm, Gegenlauf %4 mm</translation>
+    </message>
+    <message>
+        <source>%1: %2 -&gt; %3 points, at most %4 mm</source>
+        <translation>%1: %2 -&gt; %3 Punkte, höchstens %4 mm</translation>
+    </message>
+    <message>
+        <source>%1: %2 samples</source>
+        <translation>%1: %2 Messpunkte</translation>
+    </message>
+    <message>
+        <source>Replaying the takes</source>
+        <translation>Aufnahmen wiederholen</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>%1: %2 blocks</source>
+        <translation>%1: %2 Sätze</translation>
+    </message>
+    <message>
+        <source>The project changed after its program was posted; the restart is judged by the project as it is now.</source>
+        <translation>Das Projekt wurde nach der Ausgabe seines Programms geändert; der Neubeginn wird nach dem jetzigen Stand des Projekts beurteilt.</translation>
+    </message>
+    <message>
+        <source>first cut: line %1 of the interrupted program, from %2 mm of path before it; the tool comes down at %3</source>
+        <translation>erster Schnitt: Zeile %1 des unterbrochenen Programms, ab %2 mm Bahn davor; das Werkzeug senkt sich bei %3</translation>
+    </message>
+    <message>
+        <source>Restarting and checking</source>
+        <translation>Neu beginnen und prüfen</translation>
+    </message>
+    <message>
+        <source>Reading fixtures</source>
+        <translation>Vorrichtungen lesen</translation>
+    </message>
+    <message>
+        <source>machine  %1</source>
+        <translation>Maschine %1</translation>
+    </message>
+    <message>
+        <source>machine  %1, dialect %2</source>
+        <translation>Maschine %1, Dialekt %2</translation>
+    </message>
+    <message>
+        <source>units    %1</source>
+        <translation>Einheit  %1</translation>
+    </message>
+    <message>
+        <source>Checking</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Burin ran out of memory. Choose a larger voxel.</source>
+        <translation>Burin hat keinen Speicher mehr. Wählen Sie größere Voxel.</translation>
+    </message>
+    <message>
+        <source>Internal error in Burin; report this: %1</source>
+        <translation>Interner Fehler in Burin; melden Sie dies: %1</translation>
+    </message>
+    <message>
+        <source>X=, Y= or Z= and a position in mm, such as X=12.5</source>
+        <translation>X=, Y= oder Z= und eine Position in mm, etwa X=12.5</translation>
+    </message>
+    <message>
+        <source>a position between %1 and %2 mm</source>
+        <translation>eine Position zwischen %1 und %2 mm</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>body     %1: %2 mm^3, %3 mm^2, %4 faces, %5 triangles</source>
+        <translation>Körper   %1: %2 mm^3, %3 mm^2, %4 Flächen, %5 Dreiecke</translation>
+    </message>
+    <message>
+        <source>, open</source>
+        <translation>, offen</translation>
+    </message>
+    <message>
+        <source>warning  %1</source>
+        <translation>Warnung  %1</translation>
+    </message>
+    <message>
+        <source>note     %1</source>
+        <translation>Hinweis  %1</translation>
+    </message>
+    <message>
+        <source>format   %1, unit %2</source>
+        <translation>Format   %1, Einheit %2</translation>
+    </message>
+    <message>
+        <source>size     %1 x %2 x %3 mm</source>
+        <translation>Größe    %1 x %2 x %3 mm</translation>
+    </message>
+    <message>
+        <source>volume   %1 mm^3</source>
+        <translation>Volumen  %1 mm^3</translation>
+    </message>
+    <message>
+        <source>Bodies too small for the voxels to be protected: %1. Choose smaller voxels, or continue nevertheless with --override.</source>
         <translation>Körper, die zu klein sind, um mit diesen Voxeln geschützt zu werden: %1. Wählen Sie kleinere Voxel, oder fahren Sie mit --override trotzdem fort.</translation>
+    </message>
+    <message>
+        <source>warning: %1</source>
+        <translation>Warnung: %1</translation>
+    </message>
+    <message>
+        <source>%1 %2 of %3</source>
+        <translation>%1 %2 von %3</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>%1: %2 at %3</source>
+        <translation>%1: %2 bei %3</translation>
+    </message>
+    <message>
+        <source>%2, and on %1 more line</source>
+        <translation>%2, und in %1 weiterer Zeile</translation>
+    </message>
+    <message>
+        <source>%2, and on %1 more lines</source>
+        <translation>%2, und in %1 weiteren Zeilen</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: rejected by the control: %3</source>
+        <translation>Zeile %1, Spalte %2: von der Steuerung abgelehnt: %3</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <translation>Zeile %1, Spalte %2: %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not written: the program failed its check. To write it nevertheless, state a reason with --override; the program&apos;s header shows the reason.</source>
+        <translation>„%1“ wurde nicht geschrieben: Das Programm hat seine Prüfung nicht bestanden. Um es trotzdem zu schreiben, geben Sie mit --override einen Grund an; er steht im Kopf des Programms.</translation>
+    </message>
+    <message>
+        <source>left out by %2: %3 mm of %4 mm, %1 part</source>
+        <translation>weggelassen von %2: %3 mm von %4 mm, %1 Abschnitt</translation>
+    </message>
+    <message>
+        <source>left out by %2: %3 mm of %4 mm, %1 parts</source>
+        <translation>weggelassen von %2: %3 mm von %4 mm, %1 Abschnitte</translation>
+    </message>
+    <message>
+        <source>%1 mm from %2: %3</source>
+        <translation>%1 mm ab %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: of %2 entries into material %3 by ramp, %4 by helix, %5 by plunge</source>
+        <translation>%1: Eintritte ins Material: %2, davon Rampen: %3, Helices: %4, Eintauchen: %5</translation>
+    </message>
+    <message>
+        <source>plunge of %1 mm to %2: no room for a ramp or helix</source>
+        <translation>Eintauchen um %1 mm bis %2: kein Platz für eine Rampe oder Helix</translation>
+    </message>
+    <message>
+        <source>passed: gouge %1 mm (tolerance %2 mm, %3 points, %4 of them on exact geometry)</source>
+        <translation>bestanden: Konturverletzung %1 mm (Toleranz %2 mm, %3 Punkte, davon %4 auf der genauen Geometrie)</translation>
+    </message>
+    <message>
+        <source>refused: gouge %1 mm (tolerance %2 mm, %3 points, %4 of them on exact geometry)</source>
+        <translation>abgelehnt: Konturverletzung %1 mm (Toleranz %2 mm, %3 Punkte, davon %4 auf der genauen Geometrie)</translation>
+    </message>
+    <message>
+        <source>excess   %1 mm at most, %2 mm on average, where the tool can reach</source>
+        <translation>Rest     höchstens %1 mm, im Mittel %2 mm, wo das Werkzeug hinkommt</translation>
+    </message>
+    <message>
+        <source>excess   %1 mm or more, %2 mm on average, where the tool can reach</source>
+        <translation>Rest     %1 mm oder mehr, im Mittel %2 mm, wo das Werkzeug hinkommt</translation>
+    </message>
+    <message>
+        <source>removed  %2 mm^3 in %3 s, with accelerations, corners, dwells and %1 tool change (%4 s at the programmed feeds alone)</source>
+        <translation>Abtrag   %2 mm^3 in %3 s, mit Beschleunigungen, Ecken, Verweilzeiten und %1 Werkzeugwechsel (%4 s allein mit den programmierten Vorschüben)</translation>
+    </message>
+    <message>
+        <source>removed  %2 mm^3 in %3 s, with accelerations, corners, dwells and %1 tool changes (%4 s at the programmed feeds alone)</source>
+        <translation>Abtrag   %2 mm^3 in %3 s, mit Beschleunigungen, Ecken, Verweilzeiten und %1 Werkzeugwechseln (%4 s allein mit den programmierten Vorschüben)</translation>
+    </message>
+    <message>
+        <source>%2; without %1 move whose start the program does not state (approach, return)</source>
+        <translation>%2; ohne %1 Bewegung, deren Anfang das Programm nicht angibt (Anfahrt, Rückkehr)</translation>
+    </message>
+    <message>
+        <source>%2; without %1 moves whose start the program does not state (approach, return)</source>
+        <translation>%2; ohne %1 Bewegungen, deren Anfang das Programm nicht angibt (Anfahrt, Rückkehr)</translation>
+    </message>
+    <message>
+        <source>machine  %1: typical values, not those of your machine (burin machines copy)</source>
+        <translation>Maschine %1: typische Werte, nicht die Ihrer Maschine (burin machines copy)</translation>
+    </message>
+    <message>
+        <source>load     peak %1 N, %2 W, %3 N m on line %4 at %5 s</source>
+        <translation>Last     höchstens %1 N, %2 W, %3 N m in Zeile %4 bei %5 s</translation>
+    </message>
+    <message>
+        <source>exact stop after every block</source>
+        <translation>Genauhalt nach jedem Satz</translation>
+    </message>
+    <message>
+        <source>exact path, stops at corners</source>
+        <translation>genaue Bahn, Halt an Ecken</translation>
+    </message>
+    <message>
+        <source>blended within %1 mm</source>
+        <translation>verschliffen innerhalb von %1 mm</translation>
+    </message>
+    <message>
+        <source>blended without limit</source>
+        <translation>verschliffen ohne Grenze</translation>
+    </message>
+    <message>
+        <source>line %1: %2 %3 mm at %4</source>
+        <translation>Zeile %1: %2 %3 mm bei %4</translation>
+    </message>
+    <message>
+        <source>%1; %2 lines within %3 mm of that point</source>
+        <translation>%1; %2 Zeilen innerhalb von %3 mm um diesen Punkt</translation>
+    </message>
+    <message>
+        <source>feeds    reduced on %1 move to the limits of spindle and tool (feed by engagement)</source>
+        <translation>Vorschub bei %1 Bewegung auf die Grenzen von Spindel und Werkzeug gesenkt (Vorschub nach Eingriff)</translation>
+    </message>
+    <message>
+        <source>feeds    reduced on %1 moves to the limits of spindle and tool (feed by engagement)</source>
+        <translation>Vorschub bei %1 Bewegungen auf die Grenzen von Spindel und Werkzeug gesenkt (Vorschub nach Eingriff)</translation>
+    </message>
+    <message>
+        <source>corners  from line %1 on, as the program states: %2</source>
+        <translation>Ecken    ab Zeile %1, wie das Programm angibt: %2</translation>
+    </message>
+    <message>
+        <source>remedy   %1: %2</source>
+        <translation>Abhilfe  %1: %2</translation>
+    </message>
+    <message>
+        <source>and %1 more warnings</source>
+        <translation>und %1 weitere Warnungen</translation>
+    </message>
+    <message>
+        <source>and %1 more points with warnings</source>
+        <translation>und %1 weitere Punkte mit Warnungen</translation>
+    </message>
+    <message>
+        <source>X0,Y0,Z0,X1,Y1,Z1 in mm, each of the last three above its counterpart</source>
+        <translation>X0,Y0,Z0,X1,Y1,Z1 in mm, jeder der letzten drei Werte über seinem Gegenstück</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>fixture</source>
+        <translation>Vorrichtung</translation>
+    </message>
+    <message>
+        <source>keep-out</source>
+        <translation>Sperrraum</translation>
+    </message>
+    <message>
+        <source>fixed, free, or X,Y,Z that are not all zero</source>
+        <translation>fixed, free oder X,Y,Z, die nicht alle null sind</translation>
+    </message>
+    <message>
+        <source>middle, off, or X,Y,Z in mm</source>
+        <translation>middle, off oder X,Y,Z in mm</translation>
+    </message>
+    <message>
+        <source>The project&apos;s machine &quot;%1&quot; is not on this computer; &quot;%2&quot; is used in its place. Choose another with --machine, or with burin setup --machine.</source>
+        <translation>Die Maschine „%1“ des Projekts gibt es auf diesem Rechner nicht; stattdessen gilt „%2“. Wählen Sie eine andere mit --machine oder mit burin setup --machine.</translation>
+    </message>
+    <message>
+        <source>free, with the stylus</source>
+        <translation>frei, mit dem Stift</translation>
+    </message>
+    <message>
+        <source>fixed, +Z</source>
+        <translation>fest, +Z</translation>
+    </message>
+    <message>
+        <source>chosen, %1</source>
+        <translation>gewählt, %1</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot;: %3 from (%4) to (%5) mm, clearance %6 mm</source>
+        <translation>%1 „%2“: %3 von (%4) bis (%5) mm, Abstand %6 mm</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot;: %3 from (%4) to (%5) mm, clearance %6 mm, off</source>
+        <translation>%1 „%2“: %3 von (%4) bis (%5) mm, Abstand %6 mm, aus</translation>
+    </message>
+    <message>
+        <source>the part</source>
+        <translation>das Teil</translation>
+    </message>
+    <message>
+        <source>the machine&apos;s travel</source>
+        <translation>der Verfahrweg der Maschine</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot;</source>
+        <translation>%1 „%2“</translation>
+    </message>
+    <message>
+        <source>There is no display to open the window on; log in to a desktop, set DISPLAY, or use a command: &quot;burin demo&quot; does the whole job without one, &quot;burin --help&quot; lists the others.</source>
+        <translation>Es gibt keinen Bildschirm für das Fenster; melden Sie sich an einer Arbeitsfläche an, setzen Sie DISPLAY, oder verwenden Sie einen Befehl: „burin demo“ erledigt den ganzen Auftrag ohne Bildschirm, „burin --help“ nennt die übrigen.</translation>
+    </message>
+</context>
+<context>
+    <name>Detail</name>
+    <message>
+        <source>an id that no shipped machine has; shipped machines can be copied, not changed</source>
+        <translation>eine Kennung, die keine mitgelieferte Maschine hat; mitgelieferte Maschinen lassen sich kopieren, nicht ändern</translation>
+    </message>
+    <message>
+        <source>an id that no machine has yet, or --replace</source>
+        <translation>eine Kennung, die noch keine Maschine hat, oder --replace</translation>
+    </message>
+    <message>
+        <source>an id that no material has yet, or --replace</source>
+        <translation>eine Kennung, die noch kein Werkstoff hat, oder --replace</translation>
+    </message>
+    <message>
+        <source>a machine of your own; those that Burin is shipped with can&apos;t be deleted</source>
+        <translation>eine eigene Maschine; mitgelieferte lassen sich nicht löschen</translation>
+    </message>
+    <message>
+        <source>letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;, a letter or digit first</source>
+        <translation>Buchstaben, Ziffern, „-“, „_“ und „.“, zuerst ein Buchstabe oder eine Ziffer</translation>
+    </message>
+    <message>
+        <source>a file other than &quot;%1&quot; and those that Burin keeps beside it</source>
+        <translation>eine andere Datei als „%1“ und die, die Burin daneben ablegt</translation>
+    </message>
+    <message>
+        <source>there is no home folder</source>
+        <translation>es gibt keinen Benutzerordner</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>is no plain file</source>
+        <translation>ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>the system states no reason</source>
+        <translation>das System nennt keinen Grund</translation>
+    </message>
+    <message>
+        <source>%1; the new content stands there all the same</source>
+        <translation>%1; der neue Inhalt steht trotzdem dort</translation>
+    </message>
+    <message>
+        <source>%1 is in the way</source>
+        <translation>%1 ist im Weg</translation>
+    </message>
+    <message>
+        <source>its folder is protected</source>
+        <translation>ihr Ordner ist geschützt</translation>
+    </message>
+    <message>
+        <source>it was changed while it was read</source>
+        <translation>sie wurde während des Lesens geändert</translation>
+    </message>
+    <message>
+        <source>a take that no path uses (this one: %1)</source>
+        <translation>eine Aufnahme, die keine Bahn verwendet (diese: %1)</translation>
+    </message>
+    <message>
+        <source>take %1, undone samples</source>
+        <translation>Aufnahme %1, zurückgenommene Messpunkte</translation>
+    </message>
+    <message>
+        <source>take %1, sample %2</source>
+        <translation>Aufnahme %1, Messpunkt %2</translation>
+    </message>
+    <message>
+        <source>path %1, edit %2</source>
+        <translation>Bahn %1, Bearbeitung %2</translation>
+    </message>
+    <message>
+        <source>take %1; the path is for %2</source>
+        <translation>Aufnahme %1; die Bahn ist für %2</translation>
+    </message>
+    <message>
+        <source>is not JSON</source>
+        <translation>ist kein JSON</translation>
+    </message>
+    <message>
+        <source>is not a JSON object</source>
+        <translation>ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>stands twice</source>
+        <translation>steht zweimal da</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>is not known</source>
+        <translation>ist unbekannt</translation>
+    </message>
+    <message>
+        <source>has to be the file&apos;s name</source>
+        <translation>muss der Name der Datei sein</translation>
+    </message>
+    <message>
+        <source>differs from the file&apos;s name</source>
+        <translation>weicht vom Namen der Datei ab</translation>
+    </message>
+    <message>
+        <source>names no key of this file</source>
+        <translation>nennt keinen Schlüssel dieser Datei</translation>
+    </message>
+    <message>
+        <source>has to be above 0 with this rule</source>
+        <translation>muss mit dieser Regel über 0 sein</translation>
+    </message>
+    <message>
+        <source>has to be below largest_radius_mm</source>
+        <translation>muss unter largest_radius_mm liegen</translation>
+    </message>
+    <message>
+        <source>has to be above 0 and above the one before</source>
+        <translation>muss über 0 und über dem vorigen Wert liegen</translation>
+    </message>
+    <message>
+        <source>has to hold a point at least</source>
+        <translation>muss mindestens einen Punkt enthalten</translation>
+    </message>
+    <message>
+        <source>has to be above 0</source>
+        <translation>muss über 0 sein</translation>
+    </message>
+    <message>
+        <source>has to be at most maximum_spindle_speed_rpm</source>
+        <translation>darf höchstens maximum_spindle_speed_rpm sein</translation>
+    </message>
+    <message>
+        <source>has to be at most rapid_feed_mm_per_min, the greatest feed of all</source>
+        <translation>darf höchstens rapid_feed_mm_per_min sein, der größte Vorschub überhaupt</translation>
+    </message>
+    <message>
+        <source>has to be below the travel of Z</source>
+        <translation>muss unter dem Verfahrweg von Z liegen</translation>
+    </message>
+    <message>
+        <source>has to be at most travel_mm[%1] from the machine&apos;s zero</source>
+        <translation>darf höchstens travel_mm[%1] vom Maschinennullpunkt entfernt sein</translation>
+    </message>
+    <message>
+        <source>has {%1}, which is none of {%2}</source>
+        <translation>enthält {%1}, das nicht zu {%2} gehört</translation>
+    </message>
+    <message>
+        <source>has to hold one of {%1}</source>
+        <translation>muss eines von {%1} enthalten</translation>
+    </message>
+    <message>
+        <source>has to be one line</source>
+        <translation>muss eine Zeile sein</translation>
+    </message>
+    <message>
+        <source>has more than %1, which has to stand alone</source>
+        <translation>enthält mehr als %1, das allein stehen muss</translation>
+    </message>
+    <message>
+        <source>has to be one of: %1</source>
+        <translation>muss eines davon sein: %1</translation>
+    </message>
+    <message>
+        <source>has to be a whole number from %1 to %2</source>
+        <translation>muss eine ganze Zahl von %1 bis %2 sein</translation>
+    </message>
+    <message>
+        <source>has to be whole numbers</source>
+        <translation>muss aus ganzen Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>has to be true or false</source>
+        <translation>muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>has to be a text that is not empty</source>
+        <translation>muss ein Text sein, der nicht leer ist</translation>
+    </message>
+    <message>
+        <source>has to be a list of texts</source>
+        <translation>muss eine Liste von Texten sein</translation>
+    </message>
+    <message>
+        <source>has to be a list of %1 numbers</source>
+        <translation>muss eine Liste von %1 Zahlen sein</translation>
+    </message>
+    <message>
+        <source>has to be a list</source>
+        <translation>muss eine Liste sein</translation>
+    </message>
+    <message>
+        <source>has to be an object</source>
+        <translation>muss ein Objekt sein</translation>
+    </message>
+    <message>
+        <source>has to be a number</source>
+        <translation>muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>has to be a number of at least %1</source>
+        <translation>muss eine Zahl von mindestens %1 sein</translation>
+    </message>
+    <message>
+        <source>has to be a number of at most %1</source>
+        <translation>muss eine Zahl von höchstens %1 sein</translation>
+    </message>
+    <message>
+        <source>has to be a number from %1 to %2</source>
+        <translation>muss eine Zahl von %1 bis %2 sein</translation>
+    </message>
+    <message>
+        <source>has to be %1</source>
+        <translation>muss so sein: %1</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a number of at least %1</source>
+        <translation>eine Zahl von mindestens %1</translation>
+    </message>
+    <message>
+        <source>a number of at most %1</source>
+        <translation>eine Zahl von höchstens %1</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>the material needs a value above 0</source>
+        <translation>der Werkstoff braucht einen Wert über 0</translation>
+    </message>
+    <message>
+        <source>left out: this type has none</source>
+        <translation>weggelassen: diese Art hat keinen</translation>
+    </message>
+    <message>
+        <source>half the diameter for a ball end or lollipop</source>
+        <translation>der halbe Durchmesser bei Kugel- und Kugelkopffräsern</translation>
+    </message>
+    <message>
+        <source>above 0 and below half the diameter</source>
+        <translation>über 0 und unter dem halben Durchmesser</translation>
+    </message>
+    <message>
+        <source>0 for a sharp end</source>
+        <translation>0 bei scharfer Ecke</translation>
+    </message>
+    <message>
+        <source>above 0, at most 89</source>
+        <translation>über 0, höchstens 89</translation>
+    </message>
+    <message>
+        <source>at least 0 and below the diameter</source>
+        <translation>mindestens 0 und unter dem Durchmesser</translation>
+    </message>
+    <message>
+        <source>small enough to round the edge of the tip</source>
+        <translation>klein genug, um die Kante der Spitze zu runden</translation>
+    </message>
+    <message>
+        <source>small enough to leave a cone</source>
+        <translation>klein genug, um einen Kegel übrig zu lassen</translation>
+    </message>
+    <message>
+        <source>at most what the cone reaches at the end of the flutes (%1)</source>
+        <translation>höchstens, was der Kegel am Ende der Schneiden erreicht (%1)</translation>
+    </message>
+    <message>
+        <source>above half the diameter and below the diameter: where the ball ends and the shank begins</source>
+        <translation>über dem halben und unter dem ganzen Durchmesser: wo die Kugel endet und der Schaft beginnt</translation>
+    </message>
+    <message>
+        <source>at least half the distance of the arc&apos;s ends</source>
+        <translation>mindestens der halbe Abstand der Bogenenden</translation>
+    </message>
+    <message>
+        <source>an arc that rises all the way from its beginning to its end and stays off the axis</source>
+        <translation>ein Bogen, der von Anfang bis Ende steigt und die Achse nicht erreicht</translation>
+    </message>
+    <message>
+        <source>at least one line or arc</source>
+        <translation>mindestens eine Linie oder ein Bogen</translation>
+    </message>
+    <message>
+        <source>at least the height at which the element begins: profiles never fall, so a cupped tip can&apos;t be drawn</source>
+        <translation>mindestens die Höhe, in der das Element beginnt: Profile fallen nie, eine hohle Spitze ist also nicht möglich</translation>
+    </message>
+    <message>
+        <source>a point other than the element&apos;s beginning</source>
+        <translation>ein anderer Punkt als der Anfang des Elements</translation>
+    </message>
+    <message>
+        <source>the height at which the profile ends</source>
+        <translation>die Höhe, in der das Profil endet</translation>
+    </message>
+    <message>
+        <source>twice the profile&apos;s largest radius</source>
+        <translation>das Doppelte des größten Radius des Profils</translation>
+    </message>
+    <message>
+        <source>&gt; 0 and at least the corner radius</source>
+        <translation>&gt; 0 und mindestens der Eckenradius</translation>
+    </message>
+    <message>
+        <source>at least the length of the flutes</source>
+        <translation>mindestens die Länge der Schneiden</translation>
+    </message>
+    <message>
+        <source>&gt; 0 and at most the length of the flutes</source>
+        <translation>&gt; 0 und höchstens die Länge der Schneiden</translation>
+    </message>
+    <message>
+        <source>not empty</source>
+        <translation>nicht leer</translation>
+    </message>
+    <message>
+        <source>at least 0</source>
+        <translation>mindestens 0</translation>
+    </message>
+    <message>
+        <source>at least 1</source>
+        <translation>mindestens 1</translation>
+    </message>
+    <message>
+        <source>above 0</source>
+        <translation>über 0</translation>
+    </message>
+    <message>
+        <source>two finite corners, each coordinate of the second above the first&apos;s</source>
+        <translation>zwei endliche Ecken, jede Koordinate der zweiten über der der ersten</translation>
+    </message>
+    <message>
+        <source>a finite length above 0 mm</source>
+        <translation>eine endliche Länge über 0 mm</translation>
+    </message>
+    <message>
+        <source>a finite length of 0 mm or more</source>
+        <translation>eine endliche Länge ab 0 mm</translation>
+    </message>
+    <message>
+        <source>finite lengths of 0 mm or more</source>
+        <translation>endliche Längen ab 0 mm</translation>
+    </message>
+    <message>
+        <source>finite lengths</source>
+        <translation>endliche Längen</translation>
+    </message>
+    <message>
+        <source>a finite box</source>
+        <translation>ein endlicher Quader</translation>
+    </message>
+    <message>
+        <source>a model with at least one body</source>
+        <translation>ein Modell mit mindestens einem Körper</translation>
+    </message>
+    <message>
+        <source>%1 voxels on one axis</source>
+        <translation>%1 Voxel auf einer Achse</translation>
+    </message>
+    <message>
+        <source>%1 voxels</source>
+        <translation>%1 Voxel</translation>
+    </message>
+    <message>
+        <source>its triangles face inwards</source>
+        <translation>ihre Dreiecke zeigen nach innen</translation>
+    </message>
+    <message>
+        <source>no body</source>
+        <translation>kein Körper</translation>
+    </message>
+    <message>
+        <source>%1 open edges</source>
+        <translation>%1 offene Kanten</translation>
+    </message>
+    <message>
+        <source>the end of the file is missing</source>
+        <translation>das Ende der Datei fehlt</translation>
+    </message>
+    <message>
+        <source>it refers to itself</source>
+        <translation>sie verweist auf sich selbst</translation>
+    </message>
+    <message>
+        <source>parts in other folders</source>
+        <translation>Teile in anderen Ordnern</translation>
+    </message>
+    <message>
+        <source>a tessellation alone</source>
+        <translation>nur ein Dreiecksnetz</translation>
+    </message>
+    <message>
+        <source>no shape</source>
+        <translation>keine Form</translation>
+    </message>
+    <message>
+        <source>no faces</source>
+        <translation>keine Flächen</translation>
+    </message>
+    <message>
+        <source>no triangles</source>
+        <translation>keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>triangle %1 of %2</source>
+        <translation>Dreieck %1 von %2</translation>
+    </message>
+    <message>
+        <source>triangle %1</source>
+        <translation>Dreieck %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces of &quot;%3&quot;</source>
+        <translation>%1 von %2 Flächen von „%3“</translation>
+    </message>
+    <message>
+        <source>%1 triangles with %2 open edges</source>
+        <translation>%1 Dreiecke mit %2 offenen Kanten</translation>
+    </message>
+    <message>
+        <source>1 face with %1</source>
+        <translation>1 Fläche mit %1</translation>
+    </message>
+    <message>
+        <source>%1 faces with %2</source>
+        <translation>%1 Flächen mit %2</translation>
+    </message>
+    <message>
+        <source>1 open edge</source>
+        <translation>1 offene Kante</translation>
+    </message>
+    <message>
+        <source>1 edge</source>
+        <translation>1 Kante</translation>
+    </message>
+    <message>
+        <source>%1 edges</source>
+        <translation>%1 Kanten</translation>
+    </message>
+    <message>
+        <source>it answered something else</source>
+        <translation>es antwortete etwas anderes</translation>
+    </message>
+    <message>
+        <source>its answer is damaged</source>
+        <translation>seine Antwort ist beschädigt</translation>
+    </message>
+    <message>
+        <source>its answer has no end</source>
+        <translation>seine Antwort hat kein Ende</translation>
+    </message>
+    <message>
+        <source>signal %1 (%2)</source>
+        <translation>Signal %1 (%2)</translation>
+    </message>
+    <message>
+        <source>exit status %1 without an answer</source>
+        <translation>Rückgabewert %1 ohne Antwort</translation>
+    </message>
+    <message>
+        <source>its end was lost</source>
+        <translation>sein Ende ging verloren</translation>
+    </message>
+    <message>
+        <source>noise hides the cutting force; measure deeper cuts or more of them</source>
+        <translation>Rauschen verdeckt die Schnittkraft; messen Sie tiefere Schnitte oder mehr davon</translation>
+    </message>
+    <message>
+        <source>the forces on the workpiece point against the feed; are they those on the tool?</source>
+        <translation>die Kräfte auf das Werkstück zeigen gegen den Vorschub; sind es die auf das Werkzeug?</translation>
+    </message>
+    <message>
+        <source>the forces on the tool point along the feed; are they those on the workpiece (--on-workpiece)?</source>
+        <translation>die Kräfte auf das Werkzeug zeigen in Vorschubrichtung; sind es die auf das Werkstück (--on-workpiece)?</translation>
+    </message>
+    <message>
+        <source>the records disagree too much; look for air cuts, chatter or wrong conditions in them</source>
+        <translation>die Messungen streuen zu sehr; suchen Sie darin nach Luftschnitten, Rattern oder falschen Bedingungen</translation>
+    </message>
+    <message>
+        <source>the force of the edge comes out negative; use another law (--law kienzle or constant)</source>
+        <translation>die Kraft der Schneide wird negativ; verwenden Sie ein anderes Gesetz (--law kienzle oder constant)</translation>
+    </message>
+    <message>
+        <source>the radial force pulls the tool into the material; use another projection (--projection)</source>
+        <translation>die Radialkraft zieht das Werkzeug ins Material; verwenden Sie eine andere Projektion (--projection)</translation>
+    </message>
+    <message>
+        <source>only %1 records can be used; measure %2 or more</source>
+        <translation>nur %1 Messungen sind brauchbar; messen Sie mindestens %2</translation>
+    </message>
+    <message>
+        <source>the edge&apos;s force needs chips of different thickness; measure feeds that differ by a factor of %1 or more, or use another law (--law constant)</source>
+        <translation>die Kraft der Schneide braucht verschieden dicke Späne; messen Sie Vorschübe, die sich mindestens um den Faktor %1 unterscheiden, oder verwenden Sie ein anderes Gesetz (--law constant)</translation>
+    </message>
+    <message>
+        <source>an exponent needs chips of different thickness; measure feeds that differ by a factor of %1 or more</source>
+        <translation>ein Exponent braucht verschieden dicke Späne; messen Sie Vorschübe, die sich mindestens um den Faktor %1 unterscheiden</translation>
+    </message>
+    <message>
+        <source>noise hides the exponent; measure feeds that differ more, or more of them, or use a constant K</source>
+        <translation>Rauschen verdeckt den Exponenten; messen Sie Vorschübe, die sich stärker unterscheiden, oder mehr davon, oder verwenden Sie ein konstantes K</translation>
+    </message>
+    <message>
+        <source>far off: %1 N tangential, %2 N radial deviation from the fit; %3 N and %4 N would count</source>
+        <translation>Ausreißer: %1 N tangentiale, %2 N radiale Abweichung von der Anpassung; %3 N und %4 N würden zählen</translation>
+    </message>
+    <message>
+        <source>far off: %1 N deviation from the fit; %2 N would count</source>
+        <translation>Ausreißer: %1 N Abweichung von der Anpassung; %2 N würden zählen</translation>
+    </message>
+    <message>
+        <source>nothing was removed</source>
+        <translation>nichts wurde abgetragen</translation>
+    </message>
+    <message>
+        <source>the feed is along the tool axis</source>
+        <translation>der Vorschub liegt in der Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>the column immersion does not say up or down</source>
+        <translation>die Spalte immersion sagt nicht up oder down</translation>
+    </message>
+    <message>
+        <source>is missing; write a number</source>
+        <translation>fehlt; schreiben Sie eine Zahl</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number with a decimal point</source>
+        <translation>„%1“ ist keine Zahl mit Dezimalpunkt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range; %2 to %3</source>
+        <translation>„%1“ liegt außerhalb des Bereichs; %2 bis %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has to be above 0</source>
+        <translation>„%1“ muss über 0 sein</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no id; letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;, a letter or digit first</source>
+        <translation>„%1“ ist keine Kennung; Buchstaben, Ziffern, „-“, „_“ und „.“, zuerst ein Buchstabe oder eine Ziffer</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has to be a whole number from 1 to 1000</source>
+        <translation>„%1“ muss eine ganze Zahl von 1 bis 1000 sein</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has to be slot, up, down or empty</source>
+        <translation>„%1“ muss slot, up, down oder leer sein</translation>
+    </message>
+    <message>
+        <source>there is no row below the heading</source>
+        <translation>unter der Kopfzeile steht keine Zeile</translation>
+    </message>
+    <message>
+        <source>is not UTF-8; save the table as CSV UTF-8</source>
+        <translation>ist kein UTF-8; speichern Sie die Tabelle als CSV UTF-8</translation>
+    </message>
+    <message>
+        <source>a quotation mark does not end</source>
+        <translation>ein Anführungszeichen endet nicht</translation>
+    </message>
+    <message>
+        <source>has semicolons; save the table with commas and decimal points</source>
+        <translation>enthält Semikolons; speichern Sie die Tabelle mit Kommas und Dezimalpunkten</translation>
+    </message>
+    <message>
+        <source>is not known; call columns that are for people note…</source>
+        <translation>ist unbekannt; nennen Sie Spalten für Menschen note…</translation>
+    </message>
+    <message>
+        <source>is there twice</source>
+        <translation>ist zweimal da</translation>
+    </message>
+    <message>
+        <source>is missing; the first line has to name it</source>
+        <translation>fehlt; die erste Zeile muss sie nennen</translation>
+    </message>
+    <message>
+        <source>the row has %1 values, the heading %2; write decimal points, not commas</source>
+        <translation>die Zeile hat %1 Werte, die Kopfzeile %2; schreiben Sie Dezimalpunkte, keine Kommas</translation>
+    </message>
+    <message>
+        <source>the tool axis has no length</source>
+        <translation>die Werkzeugachse hat keine Länge</translation>
+    </message>
+    <message>
+        <source>the feed has no direction</source>
+        <translation>der Vorschub hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>is more than the diameter</source>
+        <translation>ist mehr als der Durchmesser</translation>
+    </message>
+    <message>
+        <source>a slot&apos;s radial depth is the diameter; write up or down</source>
+        <translation>die radiale Tiefe einer Nut ist der Durchmesser; schreiben Sie up oder down</translation>
+    </message>
+    <message>
+        <source>its conditions differ from line %1 of the same cut; give it a name of its own</source>
+        <translation>seine Bedingungen weichen von Zeile %1 desselben Schnitts ab; geben Sie ihm einen eigenen Namen</translation>
+    </message>
+    <message>
+        <source>value %1 is not a number</source>
+        <translation>Wert %1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>buttons is not a whole number from 0 to 4294967295</source>
+        <translation>buttons ist keine ganze Zahl von 0 bis 4294967295</translation>
+    </message>
+    <message>
+        <source>not %1 values between commas</source>
+        <translation>nicht %1 Werte zwischen Kommas</translation>
+    </message>
+    <message>
+        <source>value 11 is neither 0 nor 1</source>
+        <translation>Wert 11 ist weder 0 noch 1</translation>
+    </message>
+    <message>
+        <source>value 12 is not a number of at least 0</source>
+        <translation>Wert 12 ist keine Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>the quaternion&apos;s length is not 1</source>
+        <translation>die Länge der Quaternion ist nicht 1</translation>
+    </message>
+    <message>
+        <source>the first line must be %1</source>
+        <translation>die erste Zeile muss so lauten: %1</translation>
+    </message>
+    <message>
+        <source>the second line must be %1</source>
+        <translation>die zweite Zeile muss so lauten: %1</translation>
+    </message>
+    <message>
+        <source>the time is not later than in the line before</source>
+        <translation>die Zeit ist nicht später als in der Zeile davor</translation>
+    </message>
+    <message>
+        <source>no reading follows</source>
+        <translation>kein Messwert folgt</translation>
+    </message>
+    <message>
+        <source>a session begins once, before its first reading</source>
+        <translation>eine Sitzung beginnt nur einmal, vor ihrem ersten Messwert</translation>
+    </message>
+    <message>
+        <source>the workpiece was changed there by something else than milling</source>
+        <translation>dort wurde das Werkstück durch etwas anderes als Fräsen verändert</translation>
+    </message>
+    <message>
+        <source>the boundary that this project&apos;s tool has is made of fewer</source>
+        <translation>die Grenzfläche des Werkzeugs in diesem Projekt besteht aus weniger</translation>
+    </message>
+    <message>
+        <source>tile %1</source>
+        <translation>Kachel %1</translation>
+    </message>
+    <message>
+        <source>at least one reading</source>
+        <translation>mindestens ein Messwert</translation>
+    </message>
+    <message>
+        <source>times that rise</source>
+        <translation>steigende Zeiten</translation>
+    </message>
+    <message>
+        <source>realtime with a device that keeps its own time</source>
+        <translation>Echtzeit, bei einem Gerät mit eigenem Takt</translation>
+    </message>
+    <message>
+        <source>%1; its start is set by line %2 and line %3</source>
+        <translation>%1; seinen Anfang setzen Zeile %2 und Zeile %3</translation>
+    </message>
+    <message>
+        <source>%1; its start is set by line %2</source>
+        <translation>%1; seinen Anfang setzt Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1; distances are incremental since line %2</source>
+        <translation>%1; seit Zeile %2 sind Wege inkremental</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>Zeile %1, Spalte %2</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>a move of %1 mm, and up to %2 mm are checked</source>
+        <translation>eine Bewegung von %1 mm, und bis zu %2 mm werden geprüft</translation>
+    </message>
+    <message>
+        <source>all moves up to here are longer than the %1 mm that are checked</source>
+        <translation>alle Bewegungen bis hier sind länger als die %1 mm, die geprüft werden</translation>
+    </message>
+    <message>
+        <source>a number of its own for each tool of a program</source>
+        <translation>eine eigene Nummer für jedes Werkzeug eines Programms</translation>
+    </message>
+    <message>
+        <source>has to begin with a rapid move; link it first</source>
+        <translation>muss mit einer Eilgangbewegung beginnen; verbinden Sie zuerst</translation>
+    </message>
+    <message>
+        <source>has to begin with a rapid move</source>
+        <translation>muss mit einer Eilgangbewegung beginnen</translation>
+    </message>
+    <message>
+        <source>its tool has no number</source>
+        <translation>ihr Werkzeug hat keine Nummer</translation>
+    </message>
+    <message>
+        <source>missing at point %1</source>
+        <translation>fehlt an Punkt %1</translation>
+    </message>
+    <message>
+        <source>point %1 is not finite</source>
+        <translation>Punkt %1 ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>point %1 can&apos;t be the end of an arc</source>
+        <translation>Punkt %1 kann nicht das Ende eines Bogens sein</translation>
+    </message>
+    <message>
+        <source>%1 characters, limit %2</source>
+        <translation>%1 Zeichen, Grenze %2</translation>
+    </message>
+    <message>
+        <source>%1, limit %2</source>
+        <translation>%1, Grenze %2</translation>
+    </message>
+    <message>
+        <source>not a time</source>
+        <translation>keine Zeit</translation>
+    </message>
+    <message>
+        <source>coordinate is not a valid position</source>
+        <translation>die Koordinate ist keine gültige Position</translation>
+    </message>
+    <message>
+        <source>centre is not a valid position</source>
+        <translation>der Mittelpunkt ist keine gültige Position</translation>
+    </message>
+    <message>
+        <source>one program a tool</source>
+        <translation>ein Programm je Werkzeug</translation>
+    </message>
+    <message>
+        <source>G54 to G59</source>
+        <translation>G54 bis G59</translation>
+    </message>
+    <message>
+        <source>a line with no cut from an unknown position behind it (line %1)</source>
+        <translation>eine Zeile ohne Schnitt ab unbekannter Position dahinter (Zeile %1)</translation>
+    </message>
+    <message>
+        <source>a line with no cut without a feed behind it (line %1)</source>
+        <translation>eine Zeile ohne Schnitt ohne Vorschub dahinter (Zeile %1)</translation>
+    </message>
+    <message>
+        <source>a line with no cut without a spindle behind it (line %1)</source>
+        <translation>eine Zeile ohne Schnitt ohne Spindel dahinter (Zeile %1)</translation>
+    </message>
+    <message>
+        <source>none; the program cuts nothing</source>
+        <translation>keine; das Programm schneidet nichts</translation>
+    </message>
+    <message>
+        <source>1 to %1, the line of the last cut</source>
+        <translation>1 bis %1, die Zeile des letzten Schnitts</translation>
+    </message>
+    <message>
+        <source>%1 to %2, a whole number</source>
+        <translation>%1 bis %2, eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>coordinates from %1 to %2</source>
+        <translation>Koordinaten von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2 points</source>
+        <translation>%1 bis %2 Punkte</translation>
+    </message>
+    <message>
+        <source>coordinates up to %1</source>
+        <translation>Koordinaten bis %1</translation>
+    </message>
+    <message>
+        <source>a take and a tick of it, from 0</source>
+        <translation>eine Aufnahme und einer ihrer Takte, ab 0</translation>
+    </message>
+    <message>
+        <source>a take and two ticks of it, the earlier one first</source>
+        <translation>eine Aufnahme und zwei ihrer Takte, der frühere zuerst</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>eines davon: %1</translation>
+    </message>
+    <message>
+        <source>three numbers</source>
+        <translation>drei Zahlen</translation>
+    </message>
+    <message>
+        <source>a list of points, three numbers each</source>
+        <translation>eine Liste von Punkten zu je drei Zahlen</translation>
+    </message>
+    <message>
+        <source>no parameter of %1</source>
+        <translation>kein Parameter von %1</translation>
+    </message>
+    <message>
+        <source>a JSON object</source>
+        <translation>ein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>below half of the recording&apos;s rate</source>
+        <translation>unter der halben Rate der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>no more than %1 of so long a path</source>
+        <translation>höchstens %1 von einer so langen Bahn</translation>
+    </message>
+    <message>
+        <source>moments that the path still has</source>
+        <translation>Zeitpunkte, die die Bahn noch hat</translation>
+    </message>
+    <message>
+        <source>takes milled with the axis fixed at +Z (--axis fixed), unlike take %1</source>
+        <translation>Aufnahmen, die mit der Achse +Z gefräst wurden (--axis fixed), anders als Aufnahme %1</translation>
+    </message>
+    <message>
+        <source>set-feed, then level-feed</source>
+        <translation>set-feed, dann level-feed</translation>
+    </message>
+    <message>
+        <source>one that has not ended</source>
+        <translation>eine, die nicht beendet ist</translation>
+    </message>
+    <message>
+        <source>none: the part alone is there</source>
+        <translation>keine: nur das Teil ist da</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has to be a text</source>
+        <translation>„%1“ muss ein Text sein</translation>
+    </message>
+    <message>
+        <source>unknown key &quot;%1&quot;</source>
+        <translation>unbekannter Schlüssel „%1“</translation>
+    </message>
+    <message>
+        <source>not a JSON object</source>
+        <translation>kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>not JSON</source>
+        <translation>kein JSON</translation>
+    </message>
+    <message>
+        <source>&quot;interface_version&quot; has to be a whole number</source>
+        <translation>„interface_version“ muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>&quot;kind&quot; has to be &quot;%1&quot;</source>
+        <translation>„kind“ muss „%1“ sein</translation>
+    </message>
+    <message>
+        <source>id &quot;%1&quot; is taken already</source>
+        <translation>die Kennung „%1“ ist schon vergeben</translation>
+    </message>
+    <message>
+        <source>%1 have to be plain names</source>
+        <translation>%1 müssen einfache Namen sein</translation>
+    </message>
+    <message>
+        <source>unknown reason</source>
+        <translation>Grund unbekannt</translation>
+    </message>
+    <message>
+        <source>its entry point threw</source>
+        <translation>sein Einstiegspunkt hat eine Ausnahme geworfen</translation>
+    </message>
+    <message>
+        <source>its entry point gave nothing</source>
+        <translation>sein Einstiegspunkt lieferte nichts</translation>
+    </message>
+    <message>
+        <source>it made nothing</source>
+        <translation>er lieferte nichts</translation>
+    </message>
+    <message>
+        <source>it threw: %1</source>
+        <translation>er warf eine Ausnahme: %1</translation>
+    </message>
+    <message>
+        <source>it threw</source>
+        <translation>er warf eine Ausnahme</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
     </message>
 </context>
 <context>
@@ -607,18 +2213,6 @@
     <message>
         <source>it sends nothing</source>
         <translation>es sendet nichts</translation>
-    </message>
-    <message>
-        <source>what it sends is damaged</source>
-        <translation>was es sendet, ist beschädigt</translation>
-    </message>
-    <message>
-        <source>it does not take what is sent to it</source>
-        <translation>es nimmt nicht an, was ihm gesendet wird</translation>
-    </message>
-    <message>
-        <source>it heard nothing from the computer for too long</source>
-        <translation>es hat zu lange nichts vom Rechner gehört</translation>
     </message>
     <message>
         <source>it is not calibrated yet</source>
@@ -657,8 +2251,20 @@
         <translation>der Rechner kam mit seiner Kraft zu spät</translation>
     </message>
     <message>
-        <source>the computer stood still, and its motors were switched off</source>
-        <translation>der Rechner stand still, und die Motoren wurden abgeschaltet</translation>
+        <source>its data is damaged</source>
+        <translation>seine Daten sind beschädigt</translation>
+    </message>
+    <message>
+        <source>it does not accept data</source>
+        <translation>es nimmt keine Daten an</translation>
+    </message>
+    <message>
+        <source>it received nothing from the computer for too long</source>
+        <translation>es hat zu lange nichts vom Rechner empfangen</translation>
+    </message>
+    <message>
+        <source>the computer did not respond, so its motors were switched off</source>
+        <translation>der Rechner reagierte nicht, deshalb wurden die Motoren abgeschaltet</translation>
     </message>
 </context>
 <context>
@@ -998,10 +2604,6 @@
         <translation>Um</translation>
     </message>
     <message>
-        <source>How far the points are moved</source>
-        <translation>Wie weit die Punkte verschoben werden</translation>
-    </message>
-    <message>
         <source>Falloff</source>
         <translation>Auslauf</translation>
     </message>
@@ -1044,10 +2646,6 @@
     <message>
         <source>Retract</source>
         <translation>Rückzug</translation>
-    </message>
-    <message>
-        <source>How far the tool retracts inside the area</source>
-        <translation>Wie weit das Werkzeug im Bereich angehoben wird</translation>
     </message>
     <message>
         <source>Factor</source>
@@ -1126,16 +2724,8 @@
         <translation>Kleinster Radius</translation>
     </message>
     <message>
-        <source>Tighter turns stay straight moves</source>
-        <translation>Engere Kurven bleiben gerade Bewegungen</translation>
-    </message>
-    <message>
         <source>Largest radius</source>
         <translation>Größter Radius</translation>
-    </message>
-    <message>
-        <source>Flatter turns stay straight moves</source>
-        <translation>Flachere Kurven bleiben gerade Bewegungen</translation>
     </message>
     <message>
         <source>Radius mismatch</source>
@@ -1154,20 +2744,12 @@
         <translation>Kleinster Knick</translation>
     </message>
     <message>
-        <source>Corners that turn by less stay</source>
-        <translation>Ecken mit kleinerem Knick bleiben</translation>
-    </message>
-    <message>
         <source>Strokes that get a lead-in. Select them in the view first</source>
         <translation>Züge, die eine Anfahrt bekommen. Zuerst in der Ansicht auswählen</translation>
     </message>
     <message>
         <source>Form</source>
         <translation>Form</translation>
-    </message>
-    <message>
-        <source>How the tool comes to the stroke, or leaves it</source>
-        <translation>Wie das Werkzeug zum Zug kommt oder ihn verlässt</translation>
     </message>
     <message>
         <source>Size</source>
@@ -1180,10 +2762,6 @@
     <message>
         <source>Height</source>
         <translation>Höhe</translation>
-    </message>
-    <message>
-        <source>How far a ramp or helix goes down</source>
-        <translation>Wie weit eine Rampe oder Helix hinabgeht</translation>
     </message>
     <message>
         <source>Largest descent angle of a helix</source>
@@ -1254,10 +2832,6 @@
         <translation>Y</translation>
     </message>
     <message>
-        <source>Z</source>
-        <translation>Z</translation>
-    </message>
-    <message>
         <source>freely</source>
         <translation>frei</translation>
     </message>
@@ -1292,10 +2866,6 @@
     <message>
         <source>Spindle speed</source>
         <translation>Spindeldrehzahl</translation>
-    </message>
-    <message>
-        <source>Share of the table value; feeds change with it, the chip load stays</source>
-        <translation>Anteil am Tabellenwert; Vorschübe ändern sich mit, der Zahnvorschub bleibt</translation>
     </message>
     <message>
         <source>Chip load</source>
@@ -1378,20 +2948,12 @@
         <translation>Grenzfrequenz</translation>
     </message>
     <message>
-        <source>Value to keep constant: the force or the removal rate. With the limits, feeds only come down where the cut asks more than spindle or tool bear</source>
-        <translation>Größe, die gleich bleiben soll: Kraft oder Abtragsrate. Mit den Grenzen sinken Vorschübe nur dort, wo der Schnitt mehr verlangt, als Spindel oder Werkzeug vertragen</translation>
-    </message>
-    <message>
         <source>within the limits alone</source>
         <translation>nur innerhalb der Grenzen</translation>
     </message>
     <message>
         <source>Into material</source>
         <translation>Ins Material</translation>
-    </message>
-    <message>
-        <source>How the tool goes down to a stroke that begins in material: straight down, or by a ramp along the stroke, else a helix beside it</source>
-        <translation>Wie das Werkzeug zu einem Zug hinabgeht, der im Material beginnt: senkrecht, oder auf einer Rampe entlang des Zuges, sonst auf einer Helix daneben</translation>
     </message>
     <message>
         <source>Ramp angle</source>
@@ -1425,6 +2987,46 @@
         <source>the recording</source>
         <translation>der Aufnahme</translation>
     </message>
+    <message>
+        <source>Curves with a smaller radius stay straight moves</source>
+        <translation>Kurven mit kleinerem Radius bleiben gerade Bewegungen</translation>
+    </message>
+    <message>
+        <source>Curves with a larger radius stay straight moves</source>
+        <translation>Kurven mit größerem Radius bleiben gerade Bewegungen</translation>
+    </message>
+    <message>
+        <source>Corners with a smaller angle are kept</source>
+        <translation>Ecken mit kleinerem Winkel bleiben</translation>
+    </message>
+    <message>
+        <source>Motion onto the stroke, or away from it</source>
+        <translation>Bewegung auf den Zug hin oder von ihm weg</translation>
+    </message>
+    <message>
+        <source>Height of a ramp or helix</source>
+        <translation>Höhe einer Rampe oder Helix</translation>
+    </message>
+    <message>
+        <source>Entry into a stroke that begins in material: plunge, or a ramp along the stroke, else a helix beside it</source>
+        <translation>Eintritt in einen Zug, der im Material beginnt: Eintauchen, oder eine Rampe entlang des Zugs, sonst eine Helix daneben</translation>
+    </message>
+    <message>
+        <source>Share of the table value; feeds change with it, the chip load does not</source>
+        <translation>Anteil am Tabellenwert; die Vorschübe ändern sich mit, die Spandicke nicht</translation>
+    </message>
+    <message>
+        <source>Value to keep constant: the force or the removal rate. With the limits, feeds are only reduced where the cut exceeds a limit of spindle or tool</source>
+        <translation>Wert, der gleich bleibt: die Kraft oder das Zeitspanvolumen. Bei den Grenzen sinken Vorschübe nur, wo der Schnitt eine Grenze von Spindel oder Werkzeug überschreitet</translation>
+    </message>
+    <message>
+        <source>Displacement of the points</source>
+        <translation>Verschiebung der Punkte</translation>
+    </message>
+    <message>
+        <source>Height of the retraction inside the area</source>
+        <translation>Höhe des Rückzugs im Bereich</translation>
+    </message>
 </context>
 <context>
     <name>EmbeddingWords</name>
@@ -1438,10 +3040,6 @@
         <translation>%1&#xa0;%2 bis %3</translation>
     </message>
     <message>
-        <source>The surface of “%1” is open (edges: %2, rims: %3), so what it encloses there is a guess (%4); close it in the CAD program.</source>
-        <translation>Die Oberfläche von „%1“ ist offen (Kanten: %2, Ränder: %3); was sie dort umschließt, ist geraten (%4). Schließen Sie sie im CAD-Programm.</translation>
-    </message>
-    <message>
         <source>The surface of “%1” is open (edges: %2), but no scanline meets a gap.</source>
         <translation>Die Oberfläche von „%1“ ist offen (Kanten: %2), aber keine Abtastlinie trifft eine Lücke.</translation>
     </message>
@@ -1450,16 +3048,8 @@
         <translation>Flächen von „%1“ sind sich nicht einig, was außen ist; jeder zweite Abschnitt zwischen ihnen wurde gefüllt (%2). Richten Sie ihre Normalen im CAD-Programm gleich aus.</translation>
     </message>
     <message>
-        <source>A shell of “%1” is turned inside out and was filled as well (%2); if it is meant to be a hollow, it has to lie within another shell.</source>
-        <translation>Eine Schale von „%1“ ist nach innen gewendet und wurde ebenfalls gefüllt (%2); ist sie als Hohlraum gemeint, muss sie in einer anderen Schale liegen.</translation>
-    </message>
-    <message>
         <source>Shells of “%1” overlap, so everything inside any of them was filled (%2).</source>
         <translation>Schalen von „%1“ überlappen sich; gefüllt wurde alles, was in einer von ihnen liegt (%2).</translation>
-    </message>
-    <message>
-        <source>Triangles of “%1” that are there twice were counted once (%2).</source>
-        <translation>Doppelt vorhandene Dreiecke von „%1“ wurden einmal gezählt (%2).</translation>
     </message>
     <message>
         <source>“%1” is too small for the voxels, so nothing of it is protected; choose smaller voxels.</source>
@@ -1468,6 +3058,18 @@
     <message>
         <source>“%1” overlaps “%2” in %3; there the later body counts.</source>
         <translation>„%1“ überlappt „%2“ in %3; dort gilt der spätere Körper.</translation>
+    </message>
+    <message>
+        <source>The surface of “%1” is open (edges: %2, rims: %3), so its inside is uncertain there (%4); close it in the CAD program.</source>
+        <translation>Die Oberfläche von „%1“ ist offen (Kanten: %2, Ränder: %3), deshalb ist ihr Inneres dort ungewiss (%4); schließen Sie sie im CAD-Programm.</translation>
+    </message>
+    <message>
+        <source>A shell of “%1” is inside out and was filled as well (%2); a cavity has to lie within another shell.</source>
+        <translation>Eine Schale von „%1“ ist nach innen gewendet und wurde ebenfalls gefüllt (%2); ein Hohlraum muss in einer anderen Schale liegen.</translation>
+    </message>
+    <message>
+        <source>Duplicate triangles of “%1” were counted once (%2).</source>
+        <translation>Doppelte Dreiecke von „%1“ wurden einmal gezählt (%2).</translation>
     </message>
 </context>
 <context>
@@ -1539,10 +3141,6 @@
 <context>
     <name>Finding</name>
     <message>
-        <source>lift or delete this part of the path, or mill it with a smaller tool</source>
-        <translation>diesen Teil der Bahn anheben, löschen oder mit einem kleineren Werkzeug fräsen</translation>
-    </message>
-    <message>
         <source>retract above the material before this move</source>
         <translation>vor dieser Bewegung über das Material zurückziehen</translation>
     </message>
@@ -1561,14 +3159,6 @@
     <message>
         <source>place the part elsewhere on the table, or use a machine with more travel</source>
         <translation>das Teil an einer anderen Stelle aufspannen oder eine Maschine mit größerem Verfahrweg nehmen</translation>
-    </message>
-    <message>
-        <source>lower the feed to what the machine reaches</source>
-        <translation>den Vorschub auf das senken, was die Maschine erreicht</translation>
-    </message>
-    <message>
-        <source>state a spindle speed that the machine has</source>
-        <translation>eine Drehzahl angeben, die die Maschine hat</translation>
     </message>
     <message>
         <source>state X, Y and Z before this move</source>
@@ -1637,6 +3227,157 @@
     <message>
         <source>use G64 with a small P, or G61</source>
         <translation>G64 mit einem kleinen P oder G61 verwenden</translation>
+    </message>
+    <message>
+        <source>retract or delete this part of the path, or mill it with a smaller tool</source>
+        <translation>in diesem Teil der Bahn zurückziehen, ihn löschen oder mit einem kleineren Werkzeug fräsen</translation>
+    </message>
+    <message>
+        <source>lower the feed to the machine&apos;s maximum</source>
+        <translation>den Vorschub auf den größten der Maschine senken</translation>
+    </message>
+    <message>
+        <source>use a spindle speed within the machine&apos;s range</source>
+        <translation>eine Drehzahl im Bereich der Maschine verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>FindingName</name>
+    <message>
+        <source>gouge</source>
+        <translation>Konturverletzung</translation>
+    </message>
+    <message>
+        <source>rapid_in_stock</source>
+        <translation>Eilgang im Material</translation>
+    </message>
+    <message>
+        <source>shank_collision</source>
+        <translation>Kollision des Schafts</translation>
+    </message>
+    <message>
+        <source>holder_collision</source>
+        <translation>Kollision des Halters</translation>
+    </message>
+    <message>
+        <source>spindle_off</source>
+        <translation>Spindel steht</translation>
+    </message>
+    <message>
+        <source>travel_limit</source>
+        <translation>Verfahrweg überschritten</translation>
+    </message>
+    <message>
+        <source>feed_limit</source>
+        <translation>Vorschubgrenze</translation>
+    </message>
+    <message>
+        <source>spindle_limit</source>
+        <translation>Drehzahlgrenze</translation>
+    </message>
+    <message>
+        <source>unknown_start</source>
+        <translation>unbekannter Anfang</translation>
+    </message>
+    <message>
+        <source>obstacle_collision</source>
+        <translation>Kollision mit Vorrichtung</translation>
+    </message>
+    <message>
+        <source>spindle_power</source>
+        <translation>Spindelleistung</translation>
+    </message>
+    <message>
+        <source>spindle_torque</source>
+        <translation>Spindelmoment</translation>
+    </message>
+    <message>
+        <source>tool_breakage</source>
+        <translation>Werkzeugbruch</translation>
+    </message>
+    <message>
+        <source>tool_bending</source>
+        <translation>Werkzeugbiegung</translation>
+    </message>
+    <message>
+        <source>chip_load</source>
+        <translation>Spandicke</translation>
+    </message>
+    <message>
+        <source>depth_of_cut</source>
+        <translation>Schnitttiefe</translation>
+    </message>
+    <message>
+        <source>width_of_cut</source>
+        <translation>Schnittbreite</translation>
+    </message>
+    <message>
+        <source>plunge_without_centre</source>
+        <translation>Eintauchen ohne Zentrumsschneide</translation>
+    </message>
+    <message>
+        <source>tool_unknown</source>
+        <translation>unbekanntes Werkzeug</translation>
+    </message>
+    <message>
+        <source>tool_not_loaded</source>
+        <translation>Werkzeug nicht eingewechselt</translation>
+    </message>
+    <message>
+        <source>length_offset_missing</source>
+        <translation>Längenkorrektur fehlt</translation>
+    </message>
+    <message>
+        <source>length_offset_of_another_tool</source>
+        <translation>Längenkorrektur eines anderen Werkzeugs</translation>
+    </message>
+    <message>
+        <source>other_work_offset</source>
+        <translation>andere Nullpunktverschiebung</translation>
+    </message>
+    <message>
+        <source>spindle_reversed</source>
+        <translation>Spindel dreht verkehrt</translation>
+    </message>
+    <message>
+        <source>corner_gouge</source>
+        <translation>Konturverletzung in Ecke</translation>
+    </message>
+    <message>
+        <source>corner_excess</source>
+        <translation>Aufmaß in Ecke</translation>
+    </message>
+    <message>
+        <source>allowance_differs</source>
+        <translation>abweichendes Aufmaß</translation>
+    </message>
+    <message>
+        <source>part_not_protected</source>
+        <translation>Teil nicht geschützt</translation>
+    </message>
+    <message>
+        <source>shank_near_stock</source>
+        <translation>Schaft nahe am Rohteil</translation>
+    </message>
+    <message>
+        <source>shank_near_part</source>
+        <translation>Schaft nahe am Teil</translation>
+    </message>
+    <message>
+        <source>shank_near_obstacle</source>
+        <translation>Schaft nahe an Vorrichtung</translation>
+    </message>
+    <message>
+        <source>holder_near_stock</source>
+        <translation>Halter nahe am Rohteil</translation>
+    </message>
+    <message>
+        <source>holder_near_part</source>
+        <translation>Halter nahe am Teil</translation>
+    </message>
+    <message>
+        <source>holder_near_obstacle</source>
+        <translation>Halter nahe an Vorrichtung</translation>
     </message>
 </context>
 <context>
@@ -1707,6 +3448,605 @@
     <message>
         <source>%1, %2 to %3</source>
         <translation>%1, %2 bis %3</translation>
+    </message>
+</context>
+<context>
+    <name>Help</name>
+    <message>
+        <source>Print one JSON object on standard output</source>
+        <translation>Ein JSON-Objekt auf die Standardausgabe schreiben</translation>
+    </message>
+    <message>
+        <source>Usage</source>
+        <translation>Aufruf</translation>
+    </message>
+    <message>
+        <source>OPTIONS</source>
+        <translation>OPTIONEN</translation>
+    </message>
+    <message>
+        <source>SUBCOMMAND</source>
+        <translation>BEFEHL</translation>
+    </message>
+    <message>
+        <source>SUBCOMMANDS</source>
+        <translation>BEFEHLE</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>Optionen</translation>
+    </message>
+    <message>
+        <source>Positionals</source>
+        <translation>Argumente</translation>
+    </message>
+    <message>
+        <source>Subcommands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>REQUIRED</source>
+        <translation>ERFORDERLICH</translation>
+    </message>
+    <message>
+        <source>Needs</source>
+        <translation>Nur mit</translation>
+    </message>
+    <message>
+        <source>Excludes</source>
+        <translation>Nicht mit</translation>
+    </message>
+    <message>
+        <source>TEXT</source>
+        <translation>TEXT</translation>
+    </message>
+    <message>
+        <source>INT</source>
+        <translation>GANZZAHL</translation>
+    </message>
+    <message>
+        <source>UINT</source>
+        <translation>GANZZAHL</translation>
+    </message>
+    <message>
+        <source>FLOAT</source>
+        <translation>ZAHL</translation>
+    </message>
+    <message>
+        <source>%1 in [%2 - %3]</source>
+        <translation>%1 in [%2 - %3]</translation>
+    </message>
+    <message>
+        <source>Burin: milling tool paths authored by hand</source>
+        <translation>Burin: von Hand erstellte Werkzeugbahnen zum Fräsen</translation>
+    </message>
+    <message>
+        <source>Print this help message and exit</source>
+        <translation>Diese Hilfe anzeigen und beenden</translation>
+    </message>
+    <message>
+        <source>Display program version information and exit</source>
+        <translation>Die Version anzeigen und beenden</translation>
+    </message>
+    <message>
+        <source>Help for all commands</source>
+        <translation>Hilfe zu allen Befehlen</translation>
+    </message>
+    <message>
+        <source>Run Burin&apos;s benchmarks</source>
+        <translation>Burins Benchmarks ausführen</translation>
+    </message>
+    <message>
+        <source>Benchmark to run (default: list the benchmarks)</source>
+        <translation>Benchmark, der ausgeführt wird (Vorgabe: die Benchmarks auflisten)</translation>
+    </message>
+    <message>
+        <source>Only figures whose names begin with this</source>
+        <translation>Nur Werte, deren Namen so beginnen</translation>
+    </message>
+    <message>
+        <source>Number of rounds in which everything is measured</source>
+        <translation>Anzahl der Durchgänge, in denen alles gemessen wird</translation>
+    </message>
+    <message>
+        <source>FORCES is CSV with one row per cut, or per sample of a cut (column cut), and the columns
+  %1
+and, where they are needed,
+  %2.
+Forces are means over whole revolutions; the axis points from tip to holder; any frame. Columns named note… are ignored.</source>
+        <translation>MESSWERTE ist CSV mit einer Zeile je Schnitt oder je Messpunkt eines Schnitts (Spalte cut) und den Spalten
+  %1
+und, wo nötig,
+  %2.
+Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze zum Halter; das Koordinatensystem ist beliebig. Spalten namens note… werden übergangen.</translation>
+    </message>
+    <message>
+        <source>Fit K, Kr and edge forces of materials to measured forces and add them to your own library</source>
+        <translation>K, Kr und Schneidenkräfte von Werkstoffen an gemessene Kräfte anpassen und in die eigene Bibliothek aufnehmen</translation>
+    </message>
+    <message>
+        <source>Force records (.csv)</source>
+        <translation>Gemessene Kräfte (.csv)</translation>
+    </message>
+    <message>
+        <source>Only this one of the materials in the file</source>
+        <translation>Nur dieser der Werkstoffe in der Datei</translation>
+    </message>
+    <message>
+        <source>edge: K and the force of the edge, Kte and Kre; constant: K alone; kienzle: K falling with the chip&apos;s thickness</source>
+        <translation>edge: K und die Kraft der Schneide, Kte und Kre; constant: nur K; kienzle: K, das mit der Spandicke fällt</translation>
+    </message>
+    <message>
+        <source>teeth: resolved for rotating teeth, for forces of a dynamometer; paper: tangential against the feed, radial along the axis, for the force that the hand feels</source>
+        <translation>teeth: aufgelöst für umlaufende Zähne, für Kräfte eines Dynamometers; paper: tangential gegen den Vorschub, radial entlang der Achse, für die Kraft, die die Hand fühlt</translation>
+    </message>
+    <message>
+        <source>The measured forces act on the workpiece, not on the tool</source>
+        <translation>Die gemessenen Kräfte wirken auf das Werkstück, nicht auf das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Material from which a new one takes its other values</source>
+        <translation>Werkstoff, von dem ein neuer seine übrigen Werte übernimmt</translation>
+    </message>
+    <message>
+        <source>Replace a material of that name</source>
+        <translation>Einen Werkstoff dieses Namens ersetzen</translation>
+    </message>
+    <message>
+        <source>Fit and report, but write nothing</source>
+        <translation>Anpassen und berichten, aber nichts schreiben</translation>
+    </message>
+    <message>
+        <source>Do the whole job on the sample part with a virtual operator</source>
+        <translation>Den ganzen Auftrag am Beispielteil mit einem virtuellen Bediener ausführen</translation>
+    </message>
+    <message>
+        <source>Mill the block of the paper&apos;s figure 13 (b) instead</source>
+        <translation>Stattdessen den Block aus Bild 13 (b) des Fachartikels fräsen</translation>
+    </message>
+    <message>
+        <source>Another part: STEP, IGES, BREP or STL</source>
+        <translation>Ein anderes Teil: STEP, IGES, BREP oder STL</translation>
+    </message>
+    <message>
+        <source>Tool (ball-6; ball-1 with --block)</source>
+        <translation>Werkzeug (ball-6; mit --block ball-1)</translation>
+    </message>
+    <message>
+        <source>Edge of a voxel, mm (0.5; 0.1 with --block)</source>
+        <translation>Kante eines Voxels, mm (0.5; mit --block 0.1)</translation>
+    </message>
+    <message>
+        <source>Time limit of the operator, s; 0: none</source>
+        <translation>Zeitgrenze des Bedieners, s; 0: keine</translation>
+    </message>
+    <message>
+        <source>Stock around the part, mm</source>
+        <translation>Zugabe um das Teil, mm</translation>
+    </message>
+    <message>
+        <source>Material of the stock</source>
+        <translation>Werkstoff des Rohteils</translation>
+    </message>
+    <message>
+        <source>Seed of the operator&apos;s random tremor</source>
+        <translation>Startwert für das zufällige Zittern des Bedieners</translation>
+    </message>
+    <message>
+        <source>Folder for project, program, picture and report</source>
+        <translation>Ordner für Projekt, Programm, Bild und Bericht</translation>
+    </message>
+    <message>
+        <source>List the styluses that are plugged in, and their limits</source>
+        <translation>Die angeschlossenen Stifte und ihre Grenzwerte auflisten</translation>
+    </message>
+    <message>
+        <source>Embed a CAD model in stock and make a project</source>
+        <translation>Ein CAD-Modell in ein Rohteil einbetten und ein Projekt anlegen</translation>
+    </message>
+    <message>
+        <source>STEP, IGES, BREP or STL file</source>
+        <translation>STEP-, IGES-, BREP- oder STL-Datei</translation>
+    </message>
+    <message>
+        <source>Project file to write (.burin)</source>
+        <translation>Projektdatei, die geschrieben wird (.burin)</translation>
+    </message>
+    <message>
+        <source>Replace a project that holds recordings</source>
+        <translation>Ein Projekt ersetzen, das Aufzeichnungen enthält</translation>
+    </message>
+    <message>
+        <source>Make the project even if bodies are too small for the voxels to be protected</source>
+        <translation>Das Projekt auch anlegen, wenn Körper zu klein sind, um mit diesen Voxeln geschützt zu werden</translation>
+    </message>
+    <message>
+        <source>Edge of a voxel, mm</source>
+        <translation>Kante eines Voxels, mm</translation>
+    </message>
+    <message>
+        <source>Shape of the stock: box</source>
+        <translation>Form des Rohteils: box (Quader)</translation>
+    </message>
+    <message>
+        <source>Stock around the part on every side, mm</source>
+        <translation>Zugabe um das Teil auf jeder Seite, mm</translation>
+    </message>
+    <message>
+        <source>Material of a body: BODY=NAME; may be repeated</source>
+        <translation>Werkstoff eines Körpers: KÖRPER=NAME; darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>Millimetres per unit of an STL file</source>
+        <translation>Millimeter je Einheit einer STL-Datei</translation>
+    </message>
+    <message>
+        <source>Read a CAD model and report its contents</source>
+        <translation>Ein CAD-Modell lesen und über seinen Inhalt berichten</translation>
+    </message>
+    <message>
+        <source>Chord of the mesh, mm</source>
+        <translation>Sehnenfehler des Netzes, mm</translation>
+    </message>
+    <message>
+        <source>Limit of the import&apos;s processor time, s; its elapsed time may be ten times as long</source>
+        <translation>Grenze der Rechenzeit des Imports, s; er darf insgesamt zehnmal so lange dauern</translation>
+    </message>
+    <message>
+        <source>Memory limit of the import, MB</source>
+        <translation>Speichergrenze des Imports, MB</translation>
+    </message>
+    <message>
+        <source>Report the contents of a project</source>
+        <translation>Über den Inhalt eines Projekts berichten</translation>
+    </message>
+    <message>
+        <source>Project file (.burin)</source>
+        <translation>Projektdatei (.burin)</translation>
+    </message>
+    <message>
+        <source>List and show machines; copy, add and delete your own. The machines that Burin is shipped with have typical values of their class: copy one and enter those of your machine</source>
+        <translation>Maschinen auflisten und anzeigen; eigene kopieren, hinzufügen und löschen. Die mitgelieferten Maschinen haben typische Werte ihrer Klasse: Kopieren Sie eine und geben Sie die Werte Ihrer Maschine ein</translation>
+    </message>
+    <message>
+        <source>List all machines with their names; typical: shipped with Burin</source>
+        <translation>Alle Maschinen mit ihren Namen auflisten; typisch: mitgeliefert</translation>
+    </message>
+    <message>
+        <source>Replace your machine of this ID</source>
+        <translation>Die eigene Maschine dieser Kennung ersetzen</translation>
+    </message>
+    <message>
+        <source>Print the file of a machine (JSON), in the form that add reads</source>
+        <translation>Die Datei einer Maschine (JSON) ausgeben, so wie add sie liest</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Add a machine to your own; every value is checked</source>
+        <translation>Den eigenen Maschinen eine hinzufügen; jeder Wert wird geprüft</translation>
+    </message>
+    <message>
+        <source>Machine file (JSON)</source>
+        <translation>Maschinendatei (JSON)</translation>
+    </message>
+    <message>
+        <source>Copy a machine to one of your own</source>
+        <translation>Eine Maschine als eigene kopieren</translation>
+    </message>
+    <message>
+        <source>Machine to copy</source>
+        <translation>Maschine, die kopiert wird</translation>
+    </message>
+    <message>
+        <source>ID of the copy: letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;</source>
+        <translation>Kennung der Kopie: Buchstaben, Ziffern, „-“, „_“ und „.“</translation>
+    </message>
+    <message>
+        <source>Name of the copy (default: its ID)</source>
+        <translation>Name der Kopie (Vorgabe: ihre Kennung)</translation>
+    </message>
+    <message>
+        <source>Delete one of your own machines</source>
+        <translation>Eine der eigenen Maschinen löschen</translation>
+    </message>
+    <message>
+        <source>Mill a project&apos;s workpiece with a stylus and record it</source>
+        <translation>Das Werkstück eines Projekts mit einem Stift fräsen und dies aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Seed of the operator&apos;s random tremor and motion</source>
+        <translation>Startwert für das zufällige Zittern und die Bewegung des Bedieners</translation>
+    </message>
+    <message>
+        <source>Firmness of the operator&apos;s grip on the stylus</source>
+        <translation>Festigkeit, mit der der Bediener den Stift hält</translation>
+    </message>
+    <message>
+        <source>Kind of strokes that the operator makes</source>
+        <translation>Art der Züge, die der Bediener macht</translation>
+    </message>
+    <message>
+        <source>Stylus: operator, trace:FILE or device:NAME</source>
+        <translation>Stift: operator, trace:DATEI oder device:NAME</translation>
+    </message>
+    <message>
+        <source>One of a device&apos;s modes, as &quot;burin devices&quot; lists them</source>
+        <translation>Eine der Betriebsarten eines Geräts, die „burin devices“ auflistet</translation>
+    </message>
+    <message>
+        <source>Rate of the haptic loop, Hz; a device with its own clock sets its own rate</source>
+        <translation>Rate der Haptikschleife, Hz; ein Gerät mit eigenem Takt gibt seine Rate vor</translation>
+    </message>
+    <message>
+        <source>Forces only while this button of the device is held, counted from 1; 0: always</source>
+        <translation>Kräfte nur, während dieser Knopf des Geräts gedrückt ist, gezählt ab 1; 0: immer</translation>
+    </message>
+    <message>
+        <source>Also write the motion of the trace or device to this file, which --stylus trace:FILE replays</source>
+        <translation>Die Bewegung der Spur oder des Geräts auch in diese Datei schreiben, die --stylus trace:DATEI abspielt</translation>
+    </message>
+    <message>
+        <source>Mill even if bodies are too small for the voxels to be protected, and accept that the operator reaches nothing</source>
+        <translation>Auch fräsen, wenn Körper zu klein sind, um mit diesen Voxeln geschützt zu werden, und hinnehmen, dass der Bediener nichts erreicht</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Machine, for its spindle speed and travel (default: the project&apos;s)</source>
+        <translation>Maschine, wegen Drehzahl und Verfahrweg (Vorgabe: die des Projekts)</translation>
+    </message>
+    <message>
+        <source>Run in real time</source>
+        <translation>In Echtzeit ablaufen</translation>
+    </message>
+    <message>
+        <source>Run as fast as the computer can (the default)</source>
+        <translation>So schnell ablaufen, wie der Rechner kann (Vorgabe)</translation>
+    </message>
+    <message>
+        <source>Length of the session, s; 0: as long as the job takes</source>
+        <translation>Dauer der Sitzung, s; 0: so lange, wie der Auftrag braucht</translation>
+    </message>
+    <message>
+        <source>Stock to leave on the part, mm; the operator roughs with it (0.5)</source>
+        <translation>Aufmaß auf dem Teil, mm; der Bediener schruppt damit (0.5)</translation>
+    </message>
+    <message>
+        <source>Depth to which the operator presses into the part when finishing, mm</source>
+        <translation>Tiefe, bis zu der der Bediener beim Schlichten ins Teil drückt, mm</translation>
+    </message>
+    <message>
+        <source>Distance between finishing passes, mm; 0: chosen for the tool</source>
+        <translation>Abstand der Schlichtzeilen, mm; 0: passend zum Werkzeug</translation>
+    </message>
+    <message>
+        <source>Share of the cutting force that was felt while the trace was recorded, 0 to 1; for traces that do not state it</source>
+        <translation>Anteil der Schnittkraft, der bei der Aufnahme der Spur zu fühlen war, 0 bis 1; für Spuren, die ihn nicht angeben</translation>
+    </message>
+    <message>
+        <source>List, make, edit and export paths</source>
+        <translation>Bahnen auflisten, erstellen, bearbeiten und exportieren</translation>
+    </message>
+    <message>
+        <source>Number of the path</source>
+        <translation>Nummer der Bahn</translation>
+    </message>
+    <message>
+        <source>List the paths and their edits</source>
+        <translation>Die Bahnen und ihre Bearbeitungen auflisten</translation>
+    </message>
+    <message>
+        <source>Make a path from takes, with the standard edits</source>
+        <translation>Eine Bahn aus Aufnahmen erstellen, mit den üblichen Bearbeitungen</translation>
+    </message>
+    <message>
+        <source>Takes in order, all of one tool (default: all takes of the last tool that milled)</source>
+        <translation>Aufnahmen in ihrer Reihenfolge, alle von einem Werkzeug (Vorgabe: alle Aufnahmen des Werkzeugs, das zuletzt fräste)</translation>
+    </message>
+    <message>
+        <source>Name of the path</source>
+        <translation>Name der Bahn</translation>
+    </message>
+    <message>
+        <source>Evaluate a path and report what each edit did</source>
+        <translation>Eine Bahn auswerten und die Wirkung jeder Bearbeitung berichten</translation>
+    </message>
+    <message>
+        <source>Write the points as CSV</source>
+        <translation>Die Punkte als CSV schreiben</translation>
+    </message>
+    <message>
+        <source>The same as --output</source>
+        <translation>Dasselbe wie --output</translation>
+    </message>
+    <message>
+        <source>Machine (default: the project&apos;s)</source>
+        <translation>Maschine (Vorgabe: die des Projekts)</translation>
+    </message>
+    <message>
+        <source>Add an edit to a path</source>
+        <translation>Einer Bahn eine Bearbeitung hinzufügen</translation>
+    </message>
+    <message>
+        <source>The edit as JSON, as &quot;burin path P list --json&quot; shows them</source>
+        <translation>Die Bearbeitung als JSON, wie „burin path P list --json“ sie anzeigt</translation>
+    </message>
+    <message>
+        <source>Position in the list of edits, from 0</source>
+        <translation>Position in der Liste der Bearbeitungen, ab 0</translation>
+    </message>
+    <message>
+        <source>Delete an edit from a path</source>
+        <translation>Eine Bearbeitung aus einer Bahn löschen</translation>
+    </message>
+    <message>
+        <source>Position of the edit in the list, from 0</source>
+        <translation>Position der Bearbeitung in der Liste, ab 0</translation>
+    </message>
+    <message>
+        <source>Bring an edit of an earlier version up to date</source>
+        <translation>Eine Bearbeitung einer früheren Version aktualisieren</translation>
+    </message>
+    <message>
+        <source>Write the stylus motion of a take as a trace that &quot;burin mill&quot; replays</source>
+        <translation>Die Bewegung des Stifts in einer Aufnahme als Spur schreiben, die „burin mill“ abspielt</translation>
+    </message>
+    <message>
+        <source>Write a take as CSV</source>
+        <translation>Eine Aufnahme als CSV schreiben</translation>
+    </message>
+    <message>
+        <source>Number of the take</source>
+        <translation>Nummer der Aufnahme</translation>
+    </message>
+    <message>
+        <source>File to write</source>
+        <translation>Datei, die geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Draw a project&apos;s workpiece as its takes left it</source>
+        <translation>Das Werkstück eines Projekts zeichnen, wie es nach den Aufnahmen ist</translation>
+    </message>
+    <message>
+        <source>Picture to write (.png)</source>
+        <translation>Bild, das geschrieben wird (.png)</translation>
+    </message>
+    <message>
+        <source>Paths to draw, the first in the colours of its moves</source>
+        <translation>Bahnen, die gezeichnet werden, die erste in den Farben ihrer Bewegungen</translation>
+    </message>
+    <message>
+        <source>Write a path as a program, once the program passes its check</source>
+        <translation>Eine Bahn als Programm schreiben, sobald es die Prüfung besteht</translation>
+    </message>
+    <message>
+        <source>Program to write</source>
+        <translation>Programm, das geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Units of the program: mm (G21) or inch (G20) (default: the project&apos;s)</source>
+        <translation>Einheit des Programms: mm (G21) oder inch (G20) (Vorgabe: die des Projekts)</translation>
+    </message>
+    <message>
+        <source>Dialect of the control (default: the project&apos;s, or the machine&apos;s)</source>
+        <translation>Dialekt der Steuerung (Vorgabe: der des Projekts oder der Maschine)</translation>
+    </message>
+    <message>
+        <source>Paths of the program, which may have different tools (default: the first path of each tool that milled)</source>
+        <translation>Bahnen des Programms, auch mit verschiedenen Werkzeugen (Vorgabe: die erste Bahn jedes Werkzeugs, das gefräst hat)</translation>
+    </message>
+    <message>
+        <source>Deepest gouge that passes, mm</source>
+        <translation>Tiefste Konturverletzung, die noch zugelassen wird, mm</translation>
+    </message>
+    <message>
+        <source>Restart after a broken tool: line of the program that was posted last; the lines before it are done. Writes the rest, which leads back into the cut and is checked on the stock that is left</source>
+        <translation>Neubeginn nach einem Werkzeugbruch: Zeile des zuletzt ausgegebenen Programms; die Zeilen davor sind erledigt. Schreibt den Rest, der in den Schnitt zurückführt und am verbliebenen Material geprüft wird</translation>
+    </message>
+    <message>
+        <source>With --from: the interrupted program (default: the one that the project posted last)</source>
+        <translation>Mit --from: das unterbrochene Programm (Vorgabe: das zuletzt vom Projekt ausgegebene)</translation>
+    </message>
+    <message>
+        <source>Write the program even if its check refuses it; states this reason in its header</source>
+        <translation>Das Programm auch schreiben, wenn die Prüfung es ablehnt; dieser Grund steht dann in seinem Kopf</translation>
+    </message>
+    <message>
+        <source>Show and change the fixtures, keep-out volumes, tool axis, machine and travel of a project</source>
+        <translation>Vorrichtungen, Sperrräume, Werkzeugachse, Maschine und Verfahrweg eines Projekts anzeigen und ändern</translation>
+    </message>
+    <message>
+        <source>Name of a fixture or keep-out volume to delete; may be repeated</source>
+        <translation>Name einer Vorrichtung oder eines Sperrraums zum Löschen; darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>Name of a fixture or keep-out volume to switch off; it stays in the project; may be repeated</source>
+        <translation>Name einer Vorrichtung oder eines Sperrraums zum Ausschalten; bleibt im Projekt; darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>Name of a fixture or keep-out volume to switch on again; may be repeated</source>
+        <translation>Name einer Vorrichtung oder eines Sperrraums zum Wiedereinschalten; darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>Machine of its programs</source>
+        <translation>Maschine seiner Programme</translation>
+    </message>
+    <message>
+        <source>Dialect of its programs (default: the machine&apos;s)</source>
+        <translation>Dialekt seiner Programme (Vorgabe: der der Maschine)</translation>
+    </message>
+    <message>
+        <source>Units of its programs: mm or inch</source>
+        <translation>Einheit seiner Programme: mm oder inch</translation>
+    </message>
+    <message>
+        <source>Re-simulate a program on a project&apos;s setup and judge it</source>
+        <translation>Ein Programm in der Aufspannung eines Projekts nachfräsen und beurteilen</translation>
+    </message>
+    <message>
+        <source>NC program</source>
+        <translation>NC-Programm</translation>
+    </message>
+    <message>
+        <source>Tool of the whole program (default: the project&apos;s tools by their numbers, or the tool of the first take)</source>
+        <translation>Werkzeug des ganzen Programms (Vorgabe: die Werkzeuge des Projekts nach ihren Nummern oder das Werkzeug der ersten Aufnahme)</translation>
+    </message>
+    <message>
+        <source>Dialect of the program (default: the project&apos;s, or the machine&apos;s)</source>
+        <translation>Dialekt des Programms (Vorgabe: der des Projekts oder der Maschine)</translation>
+    </message>
+    <message>
+        <source>Largest allowed difference between the stock left on the part and what the project&apos;s paths leave, and largest excess at blended corners, mm; 0: not judged (default: 0.1, and the project&apos;s paths count only for programs that Burin posted)</source>
+        <translation>Größter zulässiger Unterschied zwischen dem verbleibenden Aufmaß und dem, was die Bahnen des Projekts stehen lassen, und größtes Aufmaß an verschliffenen Ecken, mm; 0: wird nicht beurteilt (Vorgabe: 0.1, und die Bahnen des Projekts zählen nur bei Programmen, die Burin ausgegeben hat)</translation>
+    </message>
+    <message>
+        <source>Number of worst points that are judged on exact geometry</source>
+        <translation>Anzahl der schlechtesten Punkte, die auf der genauen Geometrie beurteilt werden</translation>
+    </message>
+    <message>
+        <source>Write the deviation map as a VTK file (.vtp), in the colours of the window</source>
+        <translation>Die Abweichungskarte als VTK-Datei (.vtp) schreiben, in den Farben des Fensters</translation>
+    </message>
+    <message>
+        <source>Stock to leave on the part, mm: within tolerance in the map&apos;s colours</source>
+        <translation>Aufmaß auf dem Teil, mm: in den Farben der Karte innerhalb der Toleranz</translation>
+    </message>
+    <message>
+        <source>View direction of the picture</source>
+        <translation>Blickrichtung des Bildes</translation>
+    </message>
+    <message>
+        <source>Section plane: X=, Y= or Z= and its position, mm; the side towards the viewer is hidden</source>
+        <translation>Schnittebene: X=, Y= oder Z= und ihre Position, mm; die Seite zum Betrachter hin wird ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Transparency of the workpiece, %; shows the part inside it</source>
+        <translation>Durchsichtigkeit des Werkstücks, %; zeigt das Teil darin</translation>
+    </message>
+    <message>
+        <source>Tool axis: fixed (+Z), X,Y,Z towards the holder (3+2), or free (it follows the stylus)</source>
+        <translation>Werkzeugachse: fixed (+Z), X,Y,Z zum Halter hin (3+2) oder free (sie folgt dem Stift)</translation>
+    </message>
+    <message>
+        <source>Model of a fixture in the part&apos;s frame (STEP, IGES, BREP, STL); may be repeated</source>
+        <translation>Modell einer Vorrichtung in den Koordinaten des Teils (STEP, IGES, BREP, STL); darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>Box that the tool must not enter, X0,Y0,Z0,X1,Y1,Z1 in the part&apos;s frame, mm; may be repeated</source>
+        <translation>Quader, den das Werkzeug nicht berühren darf, X0,Y0,Z0,X1,Y1,Z1 in den Koordinaten des Teils, mm; darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>Clearance between the tool and the added fixtures and keep-out volumes, mm</source>
+        <translation>Abstand zwischen dem Werkzeug und den hinzugefügten Vorrichtungen und Sperrräumen, mm</translation>
+    </message>
+    <message>
+        <source>Position of program zero in the machine&apos;s travel: X,Y,Z of the tip from its low end, mm; middle (of X and Y, Z up to the tool change height); or off</source>
+        <translation>Lage des Programmnullpunkts im Verfahrweg der Maschine: X,Y,Z der Spitze von dessen unterem Ende, mm; middle (Mitte von X und Y, Z bis zur Werkzeugwechselhöhe) oder off</translation>
     </message>
 </context>
 <context>
@@ -1818,6 +4158,10 @@
     <message>
         <source>Parts are missing because they are in other files: %1. Copy those files into the folder of the model and import it again.</source>
         <translation>Teile fehlen, weil sie in anderen Dateien stehen: %1. Diese Dateien in den Ordner des Modells kopieren und es erneut importieren.</translation>
+    </message>
+    <message>
+        <source>The file ends without &quot;endsolid&quot;; what was read of it is complete.</source>
+        <translation>Die Datei endet ohne „endsolid“; das Gelesene ist vollständig.</translation>
     </message>
 </context>
 <context>
@@ -2078,8 +4422,8 @@
         <translation>Das Lesen von „%1“ brauchte mehr als %2 Rechenzeit und wurde abgebrochen; vereinfachen Sie das Modell oder lassen Sie mehr Zeit zu.</translation>
     </message>
     <message>
-        <source>The parts of &quot;%1&quot; are in other files that are not beside it (%2); copy these into its folder, or export the assembly as one file.</source>
-        <translation>Die Teile von „%1“ stehen in anderen Dateien, die nicht daneben liegen (%2); kopieren Sie diese in seinen Ordner, oder exportieren Sie die Baugruppe als eine Datei.</translation>
+        <source>The parts of &quot;%1&quot; are in other files that are not in its folder (%2); copy them there, or export the assembly as one file.</source>
+        <translation>Die Teile von „%1“ stehen in anderen Dateien, die nicht in seinem Ordner liegen (%2); kopieren Sie sie dorthin, oder exportieren Sie die Baugruppe als eine Datei.</translation>
     </message>
 </context>
 <context>
@@ -2091,6 +4435,10 @@
     <message>
         <source>Fixtures, the tool axis and guides are kept.</source>
         <translation>Vorrichtungen, Werkzeugachse und Führungen werden mit gespeichert.</translation>
+    </message>
+    <message>
+        <source>A job may have several setups.</source>
+        <translation>Ein Auftrag kann mehrere Aufspannungen haben.</translation>
     </message>
 </context>
 <context>
@@ -2132,10 +4480,6 @@
         <translation>Der Stift liefert keine Werte: Das Werkzeug steht, und es gibt keine Kraft.</translation>
     </message>
     <message>
-        <source>There is no room to lean the tool as the hand does: its axis stays where it is.</source>
-        <translation>Für die Neigung der Hand ist kein Platz: Die Werkzeugachse bleibt, wie sie ist.</translation>
-    </message>
-    <message>
         <source>There is force while button %1 is held.</source>
         <translation>Kraft gibt es, solange Taste %1 gehalten wird.</translation>
     </message>
@@ -2151,17 +4495,13 @@
         <source>The motors are hot: forces go down until they have cooled.</source>
         <translation>Die Motoren sind heiß: Die Kräfte gehen zurück, bis sie abgekühlt sind.</translation>
     </message>
+    <message>
+        <source>There is no room to tilt the tool like the hand: its axis does not follow.</source>
+        <translation>Es ist kein Platz, das Werkzeug wie die Hand zu neigen: Seine Achse folgt nicht.</translation>
+    </message>
 </context>
 <context>
     <name>Omission</name>
-    <message>
-        <source>The tool finds no motion past the part here. Use a smaller tool or a smaller allowance.</source>
-        <translation>Hier führt keine Bewegung am Teil vorbei. Nehmen Sie ein kleineres Werkzeug oder ein kleineres Aufmaß.</translation>
-    </message>
-    <message>
-        <source>The tool cannot get here from above without entering the part. Use a smaller tool, or mill this from another side.</source>
-        <translation>Von oben kommt das Werkzeug nicht hierher, ohne in das Teil einzudringen. Nehmen Sie ein kleineres Werkzeug, oder fräsen Sie hier von einer anderen Seite.</translation>
-    </message>
     <message>
         <source>The shank would enter material here. Mill the material around it first, or use a tool with longer flutes.</source>
         <translation>Der Schaft würde hier in Material eindringen. Fräsen Sie zuerst das Material ringsum, oder nehmen Sie ein Werkzeug mit längeren Schneiden.</translation>
@@ -2193,6 +4533,14 @@
     <message>
         <source>begin beside the material, or use a centre-cutting tool</source>
         <translation>beginnen Sie neben dem Material, oder verwenden Sie ein Werkzeug mit Zentrumsschnitt</translation>
+    </message>
+    <message>
+        <source>There is no tool motion past the part here. Use a smaller tool or a smaller allowance.</source>
+        <translation>Hier führt keine Werkzeugbewegung am Teil vorbei. Verwenden Sie ein kleineres Werkzeug oder ein kleineres Aufmaß.</translation>
+    </message>
+    <message>
+        <source>The tool cannot reach this point from above without entering the part. Use a smaller tool, or mill it from another side.</source>
+        <translation>Das Werkzeug erreicht diesen Punkt von oben nicht, ohne in das Teil einzudringen. Verwenden Sie ein kleineres Werkzeug, oder fräsen Sie ihn von einer anderen Seite.</translation>
     </message>
 </context>
 <context>
@@ -2332,24 +4680,8 @@
         <translation>Der Schnitt braucht %1 N m, die Spindel hat bei dieser Drehzahl %2 N m</translation>
     </message>
     <message>
-        <source>The tool may break: bending stress of %1 N/mm², it bears %2 N/mm²</source>
-        <translation>Das Werkzeug kann brechen: Biegespannung %1 N/mm², zulässig sind %2 N/mm²</translation>
-    </message>
-    <message>
         <source>The tool bends by %1, the tolerance is %2</source>
         <translation>Das Werkzeug biegt sich um %1, die Toleranz ist %2</translation>
-    </message>
-    <message>
-        <source>Chip of %1 a tooth, the tool bears %2</source>
-        <translation>Spandicke %1 je Zahn, das Werkzeug verträgt %2</translation>
-    </message>
-    <message>
-        <source>Depth of cut of %1, the tool bears %2</source>
-        <translation>Schnitttiefe %1, das Werkzeug verträgt %2</translation>
-    </message>
-    <message>
-        <source>Width of cut of %1, the tool bears %2</source>
-        <translation>Schnittbreite %1, das Werkzeug verträgt %2</translation>
     </message>
     <message numerus="yes">
         <source>%1 (and on %n more lines)</source>
@@ -2391,10 +4723,6 @@
         <translation>Nicht die Nullpunktverschiebung des Projekts</translation>
     </message>
     <message>
-        <source>Spindle turns anticlockwise; the tool is right-handed</source>
-        <translation>Die Spindel dreht linksherum; das Werkzeug ist rechtsschneidend</translation>
-    </message>
-    <message>
         <source>Blended corners gouge by %1</source>
         <translation>Verschliffene Ecken verletzen das Teil um %1</translation>
     </message>
@@ -2410,13 +4738,29 @@
         <source>Bodies too small for the voxels, not protected: %1</source>
         <translation>Körper, die für die Voxel zu klein und nicht geschützt sind: %1</translation>
     </message>
+    <message>
+        <source>The tool may break: bending stress of %1 N/mm², limit %2 N/mm²</source>
+        <translation>Das Werkzeug kann brechen: Biegespannung %1 N/mm², Grenze %2 N/mm²</translation>
+    </message>
+    <message>
+        <source>Chip load of %1 per tooth, limit %2</source>
+        <translation>Spandicke %1 je Zahn, Grenze %2</translation>
+    </message>
+    <message>
+        <source>Depth of cut of %1, limit %2</source>
+        <translation>Schnitttiefe %1, Grenze %2</translation>
+    </message>
+    <message>
+        <source>Width of cut of %1, limit %2</source>
+        <translation>Schnittbreite %1, Grenze %2</translation>
+    </message>
+    <message>
+        <source>Spindle rotates anticlockwise; the tool is right-handed</source>
+        <translation>Die Spindel dreht linksherum; das Werkzeug ist rechtsschneidend</translation>
+    </message>
 </context>
 <context>
     <name>ProgramProblem</name>
-    <message>
-        <source>the control does not read so long a line</source>
-        <translation>so lange Zeilen liest die Steuerung nicht</translation>
-    </message>
     <message>
         <source>character is not allowed</source>
         <translation>Zeichen ist nicht erlaubt</translation>
@@ -2430,24 +4774,12 @@
         <translation>Kommentar in einem Kommentar</translation>
     </message>
     <message>
-        <source>% has to stand alone</source>
-        <translation>% muss allein stehen</translation>
-    </message>
-    <message>
         <source>the control does not read %</source>
         <translation>die Steuerung liest kein %</translation>
     </message>
     <message>
-        <source>line number has to stand first</source>
-        <translation>die Zeilennummer muss vorn stehen</translation>
-    </message>
-    <message>
         <source>the control does not read this word</source>
         <translation>dieses Wort liest die Steuerung nicht</translation>
-    </message>
-    <message>
-        <source>word stands twice</source>
-        <translation>Wort steht doppelt</translation>
     </message>
     <message>
         <source>no other word of the block uses this one</source>
@@ -2462,10 +4794,6 @@
         <translation>Zahl liegt außerhalb des Bereichs</translation>
     </message>
     <message>
-        <source>number is not whole</source>
-        <translation>Zahl ist nicht ganz</translation>
-    </message>
-    <message>
         <source>negative number</source>
         <translation>negative Zahl</translation>
     </message>
@@ -2474,16 +4802,8 @@
         <translation>Dezimalpunkt fehlt: Die Steuerung hielte die Zahl für ihre kleinsten Schritte</translation>
     </message>
     <message>
-        <source>code is not read</source>
-        <translation>Code wird nicht gelesen</translation>
-    </message>
-    <message>
         <source>two words of one modal group</source>
         <translation>zwei Wörter einer modalen Gruppe</translation>
-    </message>
-    <message>
-        <source>two codes of the block read its axis words</source>
-        <translation>zwei Codes des Satzes lesen seine Achswörter</translation>
     </message>
     <message>
         <source>the control reads no parameters or expressions</source>
@@ -2502,20 +4822,8 @@
         <translation>diesen Parameter gibt es nicht, oder er lässt sich nicht setzen</translation>
     </message>
     <message>
-        <source>the program does not say what the parameter holds</source>
-        <translation>das Programm sagt nicht, was der Parameter enthält</translation>
-    </message>
-    <message>
         <source>the program has more moves than can be kept (20 million)</source>
         <translation>das Programm hat mehr Bewegungen, als behalten werden können (20 Millionen)</translation>
-    </message>
-    <message>
-        <source>cutter radius compensation is not read: program the centre of the tool</source>
-        <translation>Fräserradiuskorrektur wird nicht gelesen: Programmieren Sie die Werkzeugmitte</translation>
-    </message>
-    <message>
-        <source>subprograms and flow control are not read</source>
-        <translation>Unterprogramme und Ablaufsteuerung werden nicht gelesen</translation>
     </message>
     <message>
         <source>tool change without a tool</source>
@@ -2542,20 +4850,12 @@
         <translation>unter G93 braucht jede Bewegung ihr F</translation>
     </message>
     <message>
-        <source>feed per revolution with a spindle that stands still</source>
-        <translation>Vorschub je Umdrehung bei stehender Spindel</translation>
-    </message>
-    <message>
         <source>dwell without its time</source>
         <translation>Verweilen ohne Zeit</translation>
     </message>
     <message>
         <source>dwell and motion in one block</source>
         <translation>Verweilen und Bewegung in einem Satz</translation>
-    </message>
-    <message>
-        <source>the program does not say where this begins</source>
-        <translation>das Programm sagt nicht, wo dies beginnt</translation>
     </message>
     <message>
         <source>axis word is missing</source>
@@ -2572,10 +4872,6 @@
     <message>
         <source>arc without its centre or radius</source>
         <translation>Bogen ohne Mitte und Radius</translation>
-    </message>
-    <message>
-        <source>arc offset across the arc&apos;s plane</source>
-        <translation>Mittelpunktwort quer zur Ebene des Bogens</translation>
     </message>
     <message>
         <source>arc offset without an arc</source>
@@ -2602,10 +4898,6 @@
         <translation>Bogen über Radius und Mitte</translation>
     </message>
     <message>
-        <source>number of turns has to be whole and above 0</source>
-        <translation>die Zahl der Umläufe muss ganz und größer als 0 sein</translation>
-    </message>
-    <message>
         <source>canned cycle with inverse time feed</source>
         <translation>Festzyklus mit Zeitvorschub</translation>
     </message>
@@ -2630,14 +4922,6 @@
         <translation>Q muss größer als 0 sein und groß genug für die Tiefe</translation>
     </message>
     <message>
-        <source>canned cycle with a spindle that stands still, or turns in the wrong direction</source>
-        <translation>Festzyklus bei stehender oder falsch drehender Spindel</translation>
-    </message>
-    <message>
-        <source>number of repeats has to be whole and from 1 to 10000</source>
-        <translation>die Zahl der Wiederholungen muss ganz sein, 1 bis 10000</translation>
-    </message>
-    <message>
         <source>program end is missing</source>
         <translation>Programmende fehlt</translation>
     </message>
@@ -2650,10 +4934,6 @@
         <translation>Drehzahl liegt außerhalb der Maschine</translation>
     </message>
     <message>
-        <source>how arc centres are read is a setting of this control: state G91.1</source>
-        <translation>wie Bogenmitten gelesen werden, ist bei dieser Steuerung einstellbar: G91.1 angeben</translation>
-    </message>
-    <message>
         <source>the program does not state its units</source>
         <translation>das Programm nennt seine Einheit nicht</translation>
     </message>
@@ -2662,12 +4942,80 @@
         <translation>Vorschub ohne Dezimalpunkt</translation>
     </message>
     <message>
-        <source>the control reads % alone in the first line, and behind the program only then</source>
-        <translation>die Steuerung liest % allein in der ersten Zeile, und hinter dem Programm nur dann</translation>
+        <source>the line is too long for the control</source>
+        <translation>die Zeile ist zu lang für die Steuerung</translation>
     </message>
     <message>
-        <source>more M words than the control takes in a block</source>
-        <translation>mehr M-Wörter, als die Steuerung in einem Satz annimmt</translation>
+        <source>% has to be alone on its line</source>
+        <translation>% muss allein in seiner Zeile stehen</translation>
+    </message>
+    <message>
+        <source>the control accepts % only in the first line, and after the program only if the first line has one</source>
+        <translation>die Steuerung nimmt % nur in der ersten Zeile an, und nach dem Programm nur, wenn es in der ersten Zeile steht</translation>
+    </message>
+    <message>
+        <source>line number has to come first</source>
+        <translation>die Zeilennummer muss zuerst kommen</translation>
+    </message>
+    <message>
+        <source>word is repeated</source>
+        <translation>das Wort kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>number is not an integer</source>
+        <translation>die Zahl ist nicht ganz</translation>
+    </message>
+    <message>
+        <source>code is not supported</source>
+        <translation>der Code wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>more M words than the control allows in a block</source>
+        <translation>mehr M-Wörter, als die Steuerung in einem Satz zulässt</translation>
+    </message>
+    <message>
+        <source>two codes of the block use its axis words</source>
+        <translation>zwei Codes des Satzes verwenden seine Achswörter</translation>
+    </message>
+    <message>
+        <source>the value of the parameter is unknown</source>
+        <translation>der Wert des Parameters ist unbekannt</translation>
+    </message>
+    <message>
+        <source>cutter radius compensation is not supported: program the centre of the tool</source>
+        <translation>Fräserradiuskorrektur wird nicht unterstützt: Programmieren Sie die Werkzeugmitte</translation>
+    </message>
+    <message>
+        <source>subprograms and flow control are not supported</source>
+        <translation>Unterprogramme und Ablaufsteuerung werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>feed per revolution with the spindle stopped</source>
+        <translation>Vorschub je Umdrehung bei stehender Spindel</translation>
+    </message>
+    <message>
+        <source>the start position is unknown</source>
+        <translation>die Anfangsposition ist unbekannt</translation>
+    </message>
+    <message>
+        <source>arc offset perpendicular to the arc&apos;s plane</source>
+        <translation>Bogenmaß senkrecht zur Ebene des Bogens</translation>
+    </message>
+    <message>
+        <source>number of turns has to be an integer above 0</source>
+        <translation>die Anzahl der Umläufe muss eine ganze Zahl über 0 sein</translation>
+    </message>
+    <message>
+        <source>canned cycle with the spindle stopped, or rotating in the wrong direction</source>
+        <translation>Festzyklus mit stehender oder verkehrt drehender Spindel</translation>
+    </message>
+    <message>
+        <source>number of repeats has to be an integer from 1 to 10000</source>
+        <translation>die Anzahl der Wiederholungen muss eine ganze Zahl von 1 bis 10000 sein</translation>
+    </message>
+    <message>
+        <source>whether arc centres are absolute is a setting of this control: state G91.1</source>
+        <translation>ob Bogenmittelpunkte absolut sind, ist eine Einstellung dieser Steuerung: Geben Sie G91.1 an</translation>
     </message>
 </context>
 <context>
@@ -2944,7 +5292,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Prüfung übergehen…</translation>
     </message>
     <message>
-        <source>Write the rest all the same; its header shows your reason</source>
+        <source>Write the rest nevertheless; its header shows your reason</source>
         <translation>Den Rest trotzdem schreiben; sein Kopf zeigt Ihren Grund</translation>
     </message>
 </context>
@@ -3094,6 +5442,82 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>restart line</source>
         <translation>Zeile des Neubeginns</translation>
     </message>
+    <message>
+        <source>plunge feed</source>
+        <translation>Eintauchvorschub</translation>
+    </message>
+    <message>
+        <source>maximum feed</source>
+        <translation>größter Vorschub</translation>
+    </message>
+    <message>
+        <source>spindle speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>maximum spindle speed</source>
+        <translation>größte Drehzahl</translation>
+    </message>
+    <message>
+        <source>X travel</source>
+        <translation>Verfahrweg X</translation>
+    </message>
+    <message>
+        <source>Y travel</source>
+        <translation>Verfahrweg Y</translation>
+    </message>
+    <message>
+        <source>Z travel</source>
+        <translation>Verfahrweg Z</translation>
+    </message>
+    <message>
+        <source>dwell</source>
+        <translation>Verweilzeit</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>interrupted program</source>
+        <translation>unterbrochenes Programm</translation>
+    </message>
+    <message>
+        <source>MODEL</source>
+        <translation>MODELL</translation>
+    </message>
+    <message>
+        <source>FORCES</source>
+        <translation>MESSWERTE</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>Spur</translation>
+    </message>
+    <message>
+        <source>paths</source>
+        <translation>Bahnen</translation>
+    </message>
+    <message>
+        <source>tool number</source>
+        <translation>Werkzeugnummer</translation>
+    </message>
+    <message>
+        <source>voxel</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>Zugabe</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>stock</source>
+        <translation>Rohteil</translation>
+    </message>
 </context>
 <context>
     <name>Take</name>
@@ -3183,16 +5607,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Aufmaß am Teil</translation>
     </message>
     <message>
-        <source>The tool can&apos;t come nearer to the part than this. Leave some stock while roughing; with 0 the cutter may touch the part and finish it.</source>
-        <translation>Näher kommt das Werkzeug dem Teil nicht. Lassen Sie beim Schruppen etwas Aufmaß stehen; mit 0 darf der Fräser das Teil berühren und es schlichten.</translation>
-    </message>
-    <message>
         <source>The allowance can&apos;t be changed while recording.</source>
         <translation>Während der Aufzeichnung lässt sich das Aufmaß nicht ändern.</translation>
     </message>
     <message>
         <source>Distance of the boundary from the part</source>
         <translation>Abstand der Grenzfläche vom Teil</translation>
+    </message>
+    <message>
+        <source>Smallest distance between the tool and the part. Leave some stock while roughing; with 0 the cutter may touch the part and finish it.</source>
+        <translation>Kleinster Abstand zwischen Werkzeug und Teil. Lassen Sie beim Schruppen etwas Aufmaß; mit 0 darf der Fräser das Teil berühren und schlichten.</translation>
     </message>
 </context>
 <context>
@@ -3309,15 +5733,15 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>„%1“ ist ein NC-Programm; um es zu prüfen, öffnen Sie sein Projekt und fügen Sie den Text in den Editor des Schritts „Programm“ ein.</translation>
     </message>
     <message>
-        <source>Take “%1” off the list of recent files?</source>
-        <translation>„%1“ aus der Liste der zuletzt benutzten Dateien entfernen?</translation>
-    </message>
-    <message>
         <source>The file was moved, renamed or deleted, or its drive is not connected.</source>
         <translation>Die Datei wurde verschoben, umbenannt oder gelöscht, oder ihr Laufwerk ist nicht verbunden.</translation>
     </message>
     <message>
-        <source>Take it off the list</source>
+        <source>Remove “%1” from the list of recent files?</source>
+        <translation>„%1“ aus der Liste der zuletzt benutzten Dateien entfernen?</translation>
+    </message>
+    <message>
+        <source>Remove it from the list</source>
         <translation>Aus der Liste entfernen</translation>
     </message>
 </context>
@@ -3389,10 +5813,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Diese Führung löschen</translation>
     </message>
     <message>
-        <source>Along which axis of the setup</source>
-        <translation>Entlang welcher Achse der Aufspannung</translation>
-    </message>
-    <message>
         <source>Across</source>
         <translation>Quer zu</translation>
     </message>
@@ -3403,14 +5823,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Spacing</source>
         <translation>Abstand</translation>
-    </message>
-    <message>
-        <source>From one level to the next</source>
-        <translation>Von einer Ebene zur nächsten</translation>
-    </message>
-    <message>
-        <source>Where one of the levels is</source>
-        <translation>Wo eine der Ebenen liegt</translation>
     </message>
     <message>
         <source>Along</source>
@@ -3437,16 +5849,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Vorlauf</translation>
     </message>
     <message>
-        <source>How far the tool leans in the direction of motion</source>
-        <translation>Wie weit sich das Werkzeug in Bewegungsrichtung neigt</translation>
-    </message>
-    <message>
         <source>Tilt</source>
         <translation>Neigung</translation>
-    </message>
-    <message>
-        <source>How far the tool leans to the left of the direction of motion</source>
-        <translation>Wie weit sich das Werkzeug nach links der Bewegungsrichtung neigt</translation>
     </message>
     <message>
         <source>From the part&apos;s surface</source>
@@ -3471,6 +5875,26 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>%1 off</source>
         <translation>%1 entfernt</translation>
+    </message>
+    <message>
+        <source>Axis of the setup along which the levels follow each other</source>
+        <translation>Achse der Aufspannung, entlang der die Ebenen aufeinander folgen</translation>
+    </message>
+    <message>
+        <source>Distance between levels</source>
+        <translation>Abstand der Ebenen</translation>
+    </message>
+    <message>
+        <source>Position of one of the levels</source>
+        <translation>Lage einer der Ebenen</translation>
+    </message>
+    <message>
+        <source>Lead angle: the tool leans in the direction of motion</source>
+        <translation>Voreilwinkel: Das Werkzeug neigt sich in Bewegungsrichtung</translation>
+    </message>
+    <message>
+        <source>Tilt angle: the tool leans to the left of the direction of motion</source>
+        <translation>Seitenwinkel: Das Werkzeug neigt sich links der Bewegungsrichtung</translation>
     </message>
 </context>
 <context>
@@ -3748,16 +6172,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Kupplungstaste</translation>
     </message>
     <message>
-        <source>While this button of the stylus is held, the tool stays</source>
-        <translation>Solange diese Taste des Stifts gehalten wird, bleibt das Werkzeug stehen</translation>
-    </message>
-    <message>
         <source>Level button</source>
         <translation>Ebenentaste</translation>
-    </message>
-    <message>
-        <source>This button of the stylus asks for the next level below, or ends a pass</source>
-        <translation>Diese Taste des Stifts wählt die nächste Ebene darunter oder beendet eine Zeile</translation>
     </message>
     <message>
         <source>Forces</source>
@@ -3854,6 +6270,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The mouse points into the view directly. The movements of a device are scaled here.</source>
         <translation>Die Maus zeigt direkt in die Ansicht. Die Bewegungen eines Geräts werden hier skaliert.</translation>
+    </message>
+    <message>
+        <source>The tool does not move while this button of the stylus is held</source>
+        <translation>Das Werkzeug bewegt sich nicht, während dieser Knopf des Stifts gedrückt ist</translation>
+    </message>
+    <message>
+        <source>This button of the stylus requests the next lower level, or ends a pass</source>
+        <translation>Dieser Knopf des Stifts fordert die nächsttiefere Ebene an oder beendet eine Zeile</translation>
     </message>
 </context>
 <context>
@@ -4164,10 +6588,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Die geänderten Werte behalten (Strg+S)</translation>
     </message>
     <message>
-        <source>Take the changes back (Ctrl+R)</source>
-        <translation>Die Änderungen zurücknehmen (Strg+R)</translation>
-    </message>
-    <message>
         <source>The programs are for this machine.</source>
         <translation>Die Programme sind für diese Maschine.</translation>
     </message>
@@ -4195,6 +6615,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>There is a machine with the ID “%1” already; give the one in the file another ID.</source>
         <translation>Es gibt schon eine Maschine mit der ID „%1“; geben Sie der in der Datei eine andere ID.</translation>
     </message>
+    <message>
+        <source>Discard the changes (Ctrl+R)</source>
+        <translation>Die Änderungen verwerfen (Strg+R)</translation>
+    </message>
 </context>
 <context>
     <name>burin::MachineForm</name>
@@ -4211,10 +6635,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Name</translation>
     </message>
     <message>
-        <source>As it stands in the list of machines</source>
-        <translation>So steht sie in der Liste der Maschinen</translation>
-    </message>
-    <message>
         <source>NC dialect that the machine&apos;s control reads</source>
         <translation>NC-Dialekt, den die Steuerung der Maschine liest</translation>
     </message>
@@ -4227,20 +6647,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Quelle</translation>
     </message>
     <message>
-        <source>Where the values come from that have no source of their own</source>
-        <translation>Woher die Werte stammen, die keine eigene Quelle haben</translation>
-    </message>
-    <message>
         <source>Travel</source>
         <translation>Verfahrweg</translation>
     </message>
     <message>
         <source>Travel X, Y, Z</source>
         <translation>Verfahrweg X, Y, Z</translation>
-    </message>
-    <message>
-        <source>How far each axis can move</source>
-        <translation>Wie weit sich jede Achse bewegen kann</translation>
     </message>
     <message>
         <source>Tool change height</source>
@@ -4283,16 +6695,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Größte Geschwindigkeit X, Y, Z</translation>
     </message>
     <message>
-        <source>Of each axis; at most the rapid feed, which stands for those that are not stated</source>
-        <translation>Jeder Achse; höchstens der Eilgang, der für nicht angegebene gilt</translation>
-    </message>
-    <message>
         <source>Rapids</source>
         <translation>Eilgänge</translation>
-    </message>
-    <message>
-        <source>How the control moves several axes in a rapid</source>
-        <translation>Wie die Steuerung mehrere Achsen im Eilgang bewegt</translation>
     </message>
     <message>
         <source>Straight, all axes arrive together</source>
@@ -4313,10 +6717,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Acceleration</source>
         <translation>Beschleunigung</translation>
-    </message>
-    <message>
-        <source>Of an axis that has none of its own</source>
-        <translation>Einer Achse, die keine eigene hat</translation>
     </message>
     <message>
         <source>Acceleration X, Y, Z</source>
@@ -4359,16 +6759,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Leistung</translation>
     </message>
     <message>
-        <source>That the spindle gives for as long as a cut takes</source>
-        <translation>Die die Spindel auf Dauer eines Schnitts abgibt</translation>
-    </message>
-    <message>
         <source>Coolant</source>
         <translation>Kühlung</translation>
-    </message>
-    <message>
-        <source>What the machine can switch on</source>
-        <translation>Was die Maschine einschalten kann</translation>
     </message>
     <message>
         <source>Not stated</source>
@@ -4399,10 +6791,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Ecken</translation>
     </message>
     <message>
-        <source>How the control moves from one block to the next</source>
-        <translation>Wie die Steuerung von einem Satz zum nächsten fährt</translation>
-    </message>
-    <message>
         <source>Exact stop</source>
         <translation>Genauhalt</translation>
     </message>
@@ -4419,32 +6807,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Toleranz der Ecken</translation>
     </message>
     <message>
-        <source>How far the control may leave a corner; above 0 unless it stops</source>
-        <translation>Wie weit die Steuerung von einer Ecke abweichen darf; über 0, außer sie hält an</translation>
-    </message>
-    <message>
-        <source>Blocks a second</source>
-        <translation>Sätze je Sekunde</translation>
-    </message>
-    <message>
-        <source>That the control carries out at most</source>
-        <translation>Die die Steuerung höchstens ausführt</translation>
-    </message>
-    <message>
         <source>Decimal places</source>
         <translation>Nachkommastellen</translation>
-    </message>
-    <message>
-        <source>Digits behind the point of a coordinate in mm</source>
-        <translation>Stellen hinter dem Punkt einer Koordinate in mm</translation>
-    </message>
-    <message>
-        <source>Characters a line</source>
-        <translation>Zeichen je Zeile</translation>
-    </message>
-    <message>
-        <source>That the control reads at most</source>
-        <translation>Die die Steuerung höchstens liest</translation>
     </message>
     <message>
         <source>Arcs</source>
@@ -4487,10 +6851,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Drehmoment über Drehzahl</translation>
     </message>
     <message>
-        <source>as the machine&apos;s source says</source>
-        <translation>wie die Quelle der Maschine sagt</translation>
-    </message>
-    <message>
         <source>Where this value comes from, e.g. the nameplate or a measurement</source>
         <translation>Woher dieser Wert stammt, z. B. vom Typenschild oder einer Messung</translation>
     </message>
@@ -4501,10 +6861,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Home</source>
         <translation>Parkposition</translation>
-    </message>
-    <message>
-        <source>Where the spindle parks for a tool change and at the end of a program (G53), if the dialect can say it</source>
-        <translation>Wo die Spindel zum Werkzeugwechsel und am Programmende parkt (G53), sofern der Dialekt es ausdrücken kann</translation>
     </message>
     <message>
         <source>Home X, Y, Z</source>
@@ -4521,6 +6877,74 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Continuous torque of the spindle. Between two points the power follows a straight line; without points: not stated</source>
         <translation>Dauerdrehmoment der Spindel. Zwischen zwei Punkten folgt die Leistung einer Geraden; ohne Punkte: nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Name in the list of machines</source>
+        <translation>Name in der Liste der Maschinen</translation>
+    </message>
+    <message>
+        <source>Source of the values that have none of their own</source>
+        <translation>Quelle der Werte, die keine eigene haben</translation>
+    </message>
+    <message>
+        <source>Travel of each axis</source>
+        <translation>Verfahrweg jeder Achse</translation>
+    </message>
+    <message>
+        <source>Parking position of the spindle for a tool change and at the end of a program (G53), if the dialect supports it</source>
+        <translation>Parkposition der Spindel für einen Werkzeugwechsel und am Ende eines Programms (G53), wenn der Dialekt sie unterstützt</translation>
+    </message>
+    <message>
+        <source>Maximum feed of each axis; at most the rapid feed, which applies to axes without a value</source>
+        <translation>Größter Vorschub jeder Achse; höchstens der Eilgang, der für Achsen ohne Wert gilt</translation>
+    </message>
+    <message>
+        <source>Motion of several axes in a rapid</source>
+        <translation>Bewegung mehrerer Achsen im Eilgang</translation>
+    </message>
+    <message>
+        <source>For axes without a value of their own</source>
+        <translation>Für Achsen ohne eigenen Wert</translation>
+    </message>
+    <message>
+        <source>Continuous power of the spindle</source>
+        <translation>Dauerleistung der Spindel</translation>
+    </message>
+    <message>
+        <source>Coolant that the machine can switch on</source>
+        <translation>Kühlung, die die Maschine einschalten kann</translation>
+    </message>
+    <message>
+        <source>Motion from one block to the next</source>
+        <translation>Bewegung von einem Satz zum nächsten</translation>
+    </message>
+    <message>
+        <source>Largest distance of the motion from a corner; above 0 unless the machine stops there</source>
+        <translation>Größter Abstand der Bewegung von einer Ecke; über 0, wenn die Maschine dort nicht anhält</translation>
+    </message>
+    <message>
+        <source>Blocks per second</source>
+        <translation>Sätze je Sekunde</translation>
+    </message>
+    <message>
+        <source>Maximum that the control executes</source>
+        <translation>Höchstzahl, die die Steuerung ausführt</translation>
+    </message>
+    <message>
+        <source>Decimal places of a coordinate in mm</source>
+        <translation>Nachkommastellen einer Koordinate in mm</translation>
+    </message>
+    <message>
+        <source>Characters per line</source>
+        <translation>Zeichen je Zeile</translation>
+    </message>
+    <message>
+        <source>Maximum that the control reads</source>
+        <translation>Höchstwert, den die Steuerung liest</translation>
+    </message>
+    <message>
+        <source>as stated in the machine&apos;s source</source>
+        <translation>wie in der Quelle der Maschine angegeben</translation>
     </message>
 </context>
 <context>
@@ -4558,10 +6982,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Das Programm steht in „%1“.</translation>
     </message>
     <message>
-        <source>Older unsaved work did not belong to this file any more; it was moved to “%1”.</source>
-        <translation>Ältere, nicht gespeicherte Arbeit gehörte nicht mehr zu dieser Datei; sie liegt jetzt in „%1“.</translation>
-    </message>
-    <message>
         <source>The folder can&apos;t be written, so this project is open for reading only; save it elsewhere to change it.</source>
         <translation>Der Ordner ist schreibgeschützt, das Projekt ist deshalb nur zum Lesen geöffnet; speichern Sie es anderswo, um es zu ändern.</translation>
     </message>
@@ -4597,6 +7017,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>The rest of the program from line %1 on passed its check and was written to “%2”.</source>
         <translation>Der Rest des Programms ab Zeile %1 hat die Prüfung bestanden und steht in „%2“.</translation>
     </message>
+    <message>
+        <source>Older unsaved work no longer belongs to this file; it was moved to “%1”.</source>
+        <translation>Ältere, nicht gespeicherte Arbeit gehört nicht mehr zu dieser Datei; sie wurde nach „%1“ verschoben.</translation>
+    </message>
+    <message>
+        <source>This project was of an earlier version of Burin; its file as it was is kept as “%1”.</source>
+        <translation>Dieses Projekt war aus einer früheren Fassung von Burin; seine bisherige Datei bleibt als „%1“ erhalten.</translation>
+    </message>
 </context>
 <context>
     <name>burin::MaterialPanel</name>
@@ -4609,24 +7037,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Rohteil</translation>
     </message>
     <message>
-        <source>What the stock is made of</source>
-        <translation>Woraus das Rohteil besteht</translation>
-    </message>
-    <message>
         <source>Body</source>
         <translation>Körper</translation>
     </message>
     <message>
-        <source>The body whose material is shown below</source>
-        <translation>Der Körper, dessen Werkstoff unten steht</translation>
-    </message>
-    <message>
         <source>Its material</source>
         <translation>Sein Werkstoff</translation>
-    </message>
-    <message>
-        <source>What this body is made of</source>
-        <translation>Woraus dieser Körper besteht</translation>
     </message>
     <message>
         <source>Values of the material</source>
@@ -4670,6 +7086,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Same as the stock</source>
         <translation>Wie das Rohteil</translation>
+    </message>
+    <message>
+        <source>Material of the stock</source>
+        <translation>Werkstoff des Rohteils</translation>
+    </message>
+    <message>
+        <source>Body whose material is shown below</source>
+        <translation>Körper, dessen Werkstoff unten gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Material of this body</source>
+        <translation>Werkstoff dieses Körpers</translation>
     </message>
 </context>
 <context>
@@ -4756,10 +7184,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Rechenzeit, p99,9</translation>
     </message>
     <message>
-        <source>999 of 1000 ticks take no longer than this, thread CPU time</source>
-        <translation>999 von 1000 Takten dauern nicht länger, CPU-Zeit des Threads</translation>
-    </message>
-    <message>
         <source>Missed</source>
         <translation>Verpasst</translation>
     </message>
@@ -4792,10 +7216,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Abgetragenes Volumen je Sekunde</translation>
     </message>
     <message>
-        <source>Ticks per second that are really reached</source>
-        <translation>Tatsächlich erreichte Takte je Sekunde</translation>
-    </message>
-    <message>
         <source>real time</source>
         <translation>Echtzeit</translation>
     </message>
@@ -4816,10 +7236,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Abstand, p99,9</translation>
     </message>
     <message>
-        <source>999 of 1000 forces come no later than this after the one before</source>
-        <translation>999 von 1000 Kräften kommen nicht später als so lange nach der vorigen</translation>
-    </message>
-    <message>
         <source>Withheld</source>
         <translation>Zurückgehalten</translation>
     </message>
@@ -4830,10 +7246,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Priority</source>
         <translation>Vorrang</translation>
-    </message>
-    <message>
-        <source>What the system grants the haptic loop; the limits in force (rtprio) or RealtimeKit give real time</source>
-        <translation>Was das System der Haptikschleife zugesteht; Echtzeit geben die geltenden Grenzen (rtprio) oder RealtimeKit</translation>
     </message>
     <message>
         <source>Show the values of the haptic loop</source>
@@ -4850,6 +7262,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Cutting force at the speed of the hand, not scaled. At the limit the bar turns red: %1</source>
         <translation>Schnittkraft bei der Geschwindigkeit der Hand, nicht skaliert. An der Grenze wird der Balken rot: %1</translation>
+    </message>
+    <message>
+        <source>Ticks per second that are reached</source>
+        <translation>Erreichte Takte je Sekunde</translation>
+    </message>
+    <message>
+        <source>Interval between two forces that 999 of 1000 do not exceed</source>
+        <translation>Abstand zweier Kräfte, den 999 von 1000 nicht überschreiten</translation>
+    </message>
+    <message>
+        <source>CPU time of a tick that 999 of 1000 do not exceed</source>
+        <translation>Rechenzeit eines Takts, die 999 von 1000 nicht überschreiten</translation>
+    </message>
+    <message>
+        <source>Scheduling that the system grants the haptic loop; the rtprio limit or RealtimeKit gives real time</source>
+        <translation>Zeitplanung, die das System der Haptikschleife gewährt; die Grenze rtprio oder RealtimeKit gibt Echtzeit</translation>
     </message>
 </context>
 <context>
@@ -4925,24 +7353,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Am Teil entlang</translation>
     </message>
     <message>
-        <source>A stroke presses onto the part, whose push-back leads the tool along it</source>
-        <translation>Ein Zug drückt auf das Teil, dessen Gegenkraft das Werkzeug daran entlangführt</translation>
-    </message>
-    <message>
         <source>Depth of cut</source>
         <translation>Zustellung</translation>
     </message>
     <message>
-        <source>How deep the tip goes below the surface under the pointer</source>
-        <translation>Wie tief die Spitze unter die Oberfläche am Zeiger geht</translation>
-    </message>
-    <message>
         <source>Press</source>
         <translation>Andruck</translation>
-    </message>
-    <message>
-        <source>How far the hand goes into the part, against its push-back</source>
-        <translation>Wie weit die Hand gegen die Gegenkraft in das Teil drückt</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -5067,6 +7483,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Press Mill, then drag in the view.</source>
         <translation>„Fräsen“ drücken, dann in der Ansicht ziehen.</translation>
+    </message>
+    <message>
+        <source>A stroke presses onto the part; its push-back guides the tool along the surface</source>
+        <translation>Ein Zug drückt auf das Teil; die Gegenkraft führt das Werkzeug an der Oberfläche entlang</translation>
+    </message>
+    <message>
+        <source>Depth of the tip below the surface under the pointer</source>
+        <translation>Tiefe der Spitze unter der Oberfläche unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Depth of the hand in the part, against its push-back</source>
+        <translation>Tiefe der Hand im Teil, gegen die Gegenkraft</translation>
     </message>
 </context>
 <context>
@@ -5208,10 +7636,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Art</translation>
     </message>
     <message>
-        <source>A fixture stands there; a keep-out volume is to be kept clear</source>
-        <translation>Eine Vorrichtung steht dort; ein Sperrraum soll frei bleiben</translation>
-    </message>
-    <message>
         <source>From</source>
         <translation>Von</translation>
     </message>
@@ -5258,6 +7682,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>%1 X, Y, Z, in %2</source>
         <translation>%1 X, Y, Z in %2</translation>
+    </message>
+    <message>
+        <source>A fixture is a solid object; a keep-out volume has to stay clear of the tool</source>
+        <translation>Eine Vorrichtung ist ein fester Körper; ein Sperrraum muss vom Werkzeug frei bleiben</translation>
     </message>
 </context>
 <context>
@@ -5530,10 +7958,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Vorschübe und Drehzahl</translation>
     </message>
     <message>
-        <source>With a spindle that turns clockwise; conventional cuts are pink in the view. Other moves cut on both sides, or from above. Reverse changes the direction of strokes</source>
-        <translation>Bei rechtsdrehender Spindel; Gegenlauf ist in der Ansicht rosa. Andere Bewegungen schneiden beidseitig oder von oben. „Umkehren“ ändert die Richtung von Zügen</translation>
-    </message>
-    <message>
         <source>Make a path of all takes, one for each tool, with the standard edits</source>
         <translation>Eine Bahn aus allen Aufnahmen machen, für jedes Werkzeug eine, mit den üblichen Bearbeitungen</translation>
     </message>
@@ -5548,6 +7972,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>%1 has not milled yet. Choose a tool that has, or record a take first.</source>
         <translation>%1 hat noch nicht gefräst. Wählen Sie ein Werkzeug, das gefräst hat, oder zeichnen Sie zuerst eine Aufnahme auf.</translation>
+    </message>
+    <message>
+        <source>With a spindle that rotates clockwise; conventional cuts are pink in the view. Other moves cut on both sides, or from above. Reverse changes the direction of strokes</source>
+        <translation>Bei rechtsdrehender Spindel; Gegenlauf ist in der Ansicht rosa. Andere Bewegungen schneiden auf beiden Seiten oder von oben. Umkehren ändert die Richtung von Zügen</translation>
     </message>
 </context>
 <context>
@@ -5894,13 +8322,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
             <numerusform>Mit Beschleunigungen, Ecken, Verweilzeiten und %n Werkzeugwechseln; %1 allein mit den programmierten Vorschüben</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>Without moves whose way the program does not state (approach, way home): %n</source>
-        <translation>
-            <numerusform>Ohne Bewegungen, deren Weg das Programm nicht angibt (Anfahrt, Fahrt zur Parkposition): %n</numerusform>
-            <numerusform>Ohne Bewegungen, deren Weg das Programm nicht angibt (Anfahrt, Fahrt zur Parkposition): %n</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Excess tolerance</source>
         <translation>Aufmaßtoleranz</translation>
@@ -5908,6 +8329,13 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Largest difference allowed between the stock left on the part and what the paths leave, and largest excess at blended corners; 0: not judged</source>
         <translation>Größter zulässiger Unterschied zwischen dem verbleibenden Aufmaß und dem, was die Bahnen stehen lassen, und größtes Aufmaß an verschliffenen Ecken; 0: wird nicht beurteilt</translation>
+    </message>
+    <message numerus="yes">
+        <source>Without moves whose start the program does not state (approach, return): %n</source>
+        <translation>
+            <numerusform>Ohne Bewegungen, deren Anfang das Programm nicht angibt (Anfahrt, Rückkehr): %n</numerusform>
+            <numerusform>Ohne Bewegungen, deren Anfang das Programm nicht angibt (Anfahrt, Rückkehr): %n</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6387,10 +8815,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Verfahrweg der Maschine</translation>
     </message>
     <message>
-        <source>What to add</source>
-        <translation>Was hinzukommt</translation>
-    </message>
-    <message>
         <source>Kind of fixture or keep-out volume to add</source>
         <translation>Art der Vorrichtung oder des Sperrraums, der hinzukommt</translation>
     </message>
@@ -6489,6 +8913,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Puts it next to the stock, or at the coordinates of its file. An STL file has the unit of the part&apos;s STL file, else mm.</source>
         <translation>Stellt es neben das Rohteil oder an die Koordinaten seiner Datei. Eine STL-Datei hat die Einheit der STL-Datei des Teils, sonst mm.</translation>
+    </message>
+    <message>
+        <source>Kind to add</source>
+        <translation>Art des Neuen</translation>
     </message>
 </context>
 <context>
