@@ -21,10 +21,11 @@ struct DropDwells {
     double time = 0.15; ///< s
 };
 
-/// Smooths the shape of strokes and leaves the law of time: a cubic spline by the stroke's own length, with a penalty on
-/// its third derivative (P-spline), leaves 1 / (1 + (wavelength / w)⁶) of what has the wavelength w across the stroke.
-/// Tremor along it is no shape: steps back of less than half of the wavelength go. Each point lies within `tolerance`
-/// of the curve, and the curve within `tolerance` of the stroke, so that corners stay where the tube demands it.
+/// Smooths the shape of strokes and leaves the law of time: a cubic spline by the stroke's own length, with a penalty
+/// on its third derivative (P-spline), leaves 1 / (1 + (wavelength / w)⁶) of what has the wavelength w across the
+/// stroke. Tremor along it is no shape: steps back of less than half of the wavelength go. Each point lies within
+/// `tolerance` of the curve, and the curve within `tolerance` of the stroke, so that corners stay where the tube
+/// demands it.
 struct SmoothShape {
     double wavelength = 3.0; ///< mm, the cut-off
     double tolerance = 0.03; ///< mm

@@ -58,8 +58,7 @@ inline std::map<const QWidget*, QRect> controlsOf(QWidget& panel) {
         const bool pressed = qobject_cast<const QAbstractButton*>(widget) != nullptr ||
                              qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
                              qobject_cast<const QComboBox*>(widget) != nullptr;
-        if (pressed && widget->isVisible())
-            controls[widget] = QRect(widget->mapTo(&panel, QPoint()), widget->size());
+        if (pressed && widget->isVisible()) controls[widget] = QRect(widget->mapTo(&panel, QPoint()), widget->size());
     }
     return controls;
 }

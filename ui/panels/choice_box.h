@@ -6,8 +6,8 @@
 
 namespace burin {
 
-/// A choice of one of several texts; a long one ends in "…" and is the tooltip in whole, and the list shows all in whole. The wheel changes it only when
-/// it has the focus. `activated` tells of the user alone.
+/// A choice of one of several texts; a long one ends in "…" and is the tooltip in whole, and the list shows all in
+/// whole. The wheel changes it only when it has the focus. `activated` tells of the user alone.
 class ChoiceBox : public QComboBox {
     Q_OBJECT
 public:

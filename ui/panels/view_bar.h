@@ -35,7 +35,7 @@ public:
     explicit ViewBar(const Offered& offered, QWidget* parent = nullptr);
 
     void setUnit(LengthUnit unit);
-    void showTransparency(int percent); ///< never emits
+    void showTransparency(int percent);                      ///< never emits
     void showSection(const std::optional<Section>& section); ///< never emits
 
 signals:

@@ -14,8 +14,8 @@ namespace burin {
 
 namespace {
 
-// @name stands for a colour or a folder. A rule for every widget would nearly double the time of another theme: what all
-// have in common, such as the colours of a selection, is the palette's.
+// @name stands for a colour or a folder. A rule for every widget would nearly double the time of another theme: what
+// all have in common, such as the colours of a selection, is the palette's.
 constexpr const char* rules = R"(
 QMainWindow, QDialog { background: @panel; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }

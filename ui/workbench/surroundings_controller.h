@@ -33,8 +33,8 @@ public:
     void load(std::vector<Obstacle> obstacles, const AxisMode& axis, const TravelPlacement& travel);
 
     // Nothing happens while it is locked.
-    void addBox(ObstacleKind kind);                     ///< beside the stock
-    void addCylinder(ObstacleKind kind);                ///< likewise
+    void addBox(ObstacleKind kind);      ///< beside the stock
+    void addCylinder(ObstacleKind kind); ///< likewise
     /// Bodies of a model as fixtures, as they lie in its frame. @param stlUnit mm per unit of an STL file
     void importFile(const std::filesystem::path& file, double stlUnit);
     void change(std::size_t place, const Obstacle& obstacle);

@@ -352,8 +352,10 @@ void ToolFieldTest::aToolGoesFreeWhereItIsClear() {
         if (truth < allowance + 0.1 * edge) continue;
         ++clear;
         const double told = field->at(tip).clearance;
-        QVERIFY2(told > allowance, qPrintable(QString("%1 %2 %3: %4 mm clear, told %5 mm")
-                                                  .arg(tip.x).arg(tip.y).arg(tip.z).arg(truth).arg(told)));
+        QVERIFY2(
+            told > allowance,
+            qPrintable(
+                QString("%1 %2 %3: %4 mm clear, told %5 mm").arg(tip.x).arg(tip.y).arg(tip.z).arg(truth).arg(told)));
     }
     QVERIFY(clear > 10000);
 }
