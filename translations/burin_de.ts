@@ -2184,6 +2184,14 @@
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
     </message>
+    <message>
+        <source>takes of the path&apos;s own setup</source>
+        <translation>Aufnahmen aus der Aufspannung der Bahn</translation>
+    </message>
+    <message>
+        <source>a tool that cuts sideways and is nowhere wider below than above</source>
+        <translation>ein Werkzeug, das seitlich schneidet und unten nirgends breiter ist als oben</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -5517,6 +5525,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>stock</source>
         <translation>Rohteil</translation>
+    </message>
+    <message>
+        <source>setup</source>
+        <translation>Aufspannung</translation>
+    </message>
+    <message>
+        <source>the virtual operator with this kind of tool</source>
+        <translation>den virtuellen Bediener mit dieser Art von Werkzeug</translation>
     </message>
 </context>
 <context>

@@ -152,7 +152,7 @@ Result<void> checkPlannable(const Tool& tool) {
     const CutterType type = tool.cutter.type;
     if (type != CutterType::drill && type != CutterType::lollipop && !narrowsUpwards(tool.cutter.profile)) return {};
     return Error{ErrorCode::notSupported,
-                 "the virtual operator with " + tool.name,
+                 "the virtual operator with this kind of tool",
                  "a tool that cuts sideways and is nowhere wider below than above",
                  {}};
 }

@@ -40,6 +40,8 @@ constexpr std::array details{
     BURIN_TEXT("Detail", "take %1, sample %2"),
     BURIN_TEXT("Detail", "path %1, edit %2"),
     BURIN_TEXT("Detail", "take %1; the path is for %2"),
+    BURIN_TEXT("Detail", "takes of the path's own setup"),
+    BURIN_TEXT("Detail", "a tool that cuts sideways and is nowhere wider below than above"),
     // JSON files
     BURIN_TEXT("Detail", "is not JSON"),
     BURIN_TEXT("Detail", "is not a JSON object"),

@@ -32,6 +32,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "obstacle"),
     BURIN_TEXT("Subject", "path"),
     BURIN_TEXT("Subject", "program"),
+    BURIN_TEXT("Subject", "setup"),
     BURIN_TEXT("Subject", "stylus"),
     BURIN_TEXT("Subject", "take"),
     BURIN_TEXT("Subject", "tool"),
@@ -55,6 +56,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "dwell"),
     BURIN_TEXT("Subject", "arc"),
     // what this version can't do
+    BURIN_TEXT("Subject", "the virtual operator with this kind of tool"),
     BURIN_TEXT("Subject", "tilted tool axis"),
     BURIN_TEXT("Subject", "a program with a tool change"),
     BURIN_TEXT("Subject", "a restart of a program that sets its own zero"),
