@@ -156,11 +156,14 @@ private slots:
         state.path.edits = {Edit{LevelFeed{.goal = LevelFeed::Goal::force, .target = 40.0}}};
         panel.setState(state);
         show(panel);
-        const auto& target = child<QDoubleSpinBox>(panel, "edit0_target");
-        QCOMPARE(target.cleanText() + target.suffix().simplified(), QStringLiteral("40N"));
+        const auto target = [&](const char* name) {
+            const auto& field = child<QDoubleSpinBox>(panel, name);
+            return field.cleanText() + field.suffix().simplified();
+        };
+        QCOMPARE(target("edit0_target_n"), QStringLiteral("40N"));
         state.path.edits = {Edit{LevelFeed{.goal = LevelFeed::Goal::removal, .target = 40.0}}};
         panel.setState(state);
-        QCOMPARE(target.cleanText() + target.suffix().simplified(), QStringLiteral("40mm³/s"));
+        QCOMPARE(target("edit0_target_mm3_s"), QStringLiteral("40mm³/s"));
     }
 
     /// As the tip's place and the program's own numbers do.

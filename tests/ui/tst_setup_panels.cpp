@@ -186,8 +186,8 @@ private slots:
         QVERIFY(whole.isVisible());
         QCOMPARE(notice.kind(), Notice::Kind::warning);
         QCOMPARE(plain(notice.sentence()),
-                 QStringLiteral("The surface of “Torn” is open (edges: 4, rims: 1), so what it encloses there is a "
-                                "guess (scanlines: 1,400; X 0.000 to 25.400 mm; Y -2.500 to 10.000 mm; Z 0.000 to "
+                 QStringLiteral("The surface of “Torn” is open (edges: 4, rims: 1), so its inside is uncertain "
+                                "there (scanlines: 1,400; X 0.000 to 25.400 mm; Y -2.500 to 10.000 mm; Z 0.000 to "
                                 "10.000 mm); close it in the CAD program.\n“Pin” is too small for the voxels, so "
                                 "nothing of it is protected; choose smaller voxels."));
         QCOMPARE(summary.kind(), Notice::Kind::warning);

@@ -16,6 +16,15 @@ GuidePresenter::GuidePresenter(Workbench& workbench, GuidePanel& panel, QObject*
     connect(&panel, &GuidePanel::levelStepped, &guides, &GuideController::stepLevel);
 }
 
+void GuidePresenter::connectActions(const Actions& actions) {
+    GuideController& guides = workbench_.guides;
+    const auto on = [&](ActionId id, auto what) { connect(actions[id], &QAction::triggered, this, what); };
+    on(ActionId::guides, [&guides](bool wanted) { guides.setOn(wanted); });
+    on(ActionId::nearestEdge, [&guides] { guides.add(GuideKind::curve); });
+    on(ActionId::levelAbove, [&guides] { guides.stepLevel(1); });
+    on(ActionId::levelBelow, [&guides] { guides.stepLevel(-1); });
+}
+
 void GuidePresenter::setUnit(LengthUnit unit) {
     panel_.setUnit(unit);
     Presenter::setUnit(unit);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/actions/actions.h"
 #include "ui/panels/guide_panel.h"
 #include "ui/window/presenter.h"
 
@@ -13,6 +14,8 @@ class GuidePresenter final : public Presenter {
 public:
     GuidePresenter(Workbench& workbench, GuidePanel& panel, QObject* parent);
     void setUnit(LengthUnit unit) override;
+    /// Guides on and off, the nearest edge, levels.
+    void connectActions(const Actions& actions);
 
 private:
     void present() override;

@@ -19,6 +19,7 @@ void MainWindow::connectActions() {
     for (std::size_t id = 0; id < static_cast<std::size_t>(ActionId::count); ++id)
         addAction(actions_[static_cast<ActionId>(id)]); // shortcuts hold wherever the keyboard is
     flow_.connectActions(actions_);
+    presenters_->connectActions(actions_, *viewport_);
     const auto on = [this](ActionId id, auto what) { connect(actions_[id], &QAction::triggered, this, what); };
     on(ActionId::quit, [this] { close(); });
     on(ActionId::preferences, [this] { showPreferences(); });
@@ -28,7 +29,6 @@ void MainWindow::connectActions() {
     };
     on(ActionId::nextStep, [step] { step(1); });
     on(ActionId::previousStep, [step] { step(-1); });
-    on(ActionId::embed, [this] { workbench_.bench.embed(); });
     on(ActionId::millMode, [this](bool wanted) {
         showStep(JobStep::mill);
         if (wanted)
@@ -36,28 +36,13 @@ void MainWindow::connectActions() {
         else
             workbench_.mill.leave();
     });
-    on(ActionId::showMe, [this] { workbench_.showHowItIsDone(); });
-    on(ActionId::stopShow, [this] { workbench_.showMe.stop(); });
-    on(ActionId::guides, [this](bool wanted) { workbench_.guides.setOn(wanted); });
-    on(ActionId::nearestEdge, [this] { workbench_.guides.add(GuideKind::curve); });
-    on(ActionId::levelAbove, [this] { workbench_.guides.stepLevel(1); });
-    on(ActionId::levelBelow, [this] { workbench_.guides.stepLevel(-1); });
     on(ActionId::addFixtureFile, [this] { flow_.importFixture(); });
-    on(ActionId::axisOfView, [this] {
-        workbench_.surroundings.setAxis({false, -viewport_->sight(QRectF(viewport_->rect()).center()).rayDirection});
-    });
     connect(&presenters_->surroundings, &SurroundingsPresenter::fixtureFileWanted, &flow_,
             &DocumentFlow::importFixture);
-    connect(panels_->surroundings, &SurroundingsPanel::axisOfViewRequested, actions_[ActionId::axisOfView],
-            &QAction::trigger);
-    on(ActionId::newPath, [this] { workbench_.path.makeNew(); });
-    on(ActionId::drawStretch, [this] { presenters_->pathScene.setDrawing(!presenters_->pathScene.drawing()); });
     on(ActionId::drawEdit, [this] {
         showStep(JobStep::path);
         presenters_->pathScene.toggleLastDrawing();
     });
-    on(ActionId::evaluatePath, [this] { workbench_.path.evaluate(); });
-    on(ActionId::post, [this] { workbench_.program.post(programName(workbench_)); });
     on(ActionId::findInProgram, [this] {
         showStep(JobStep::program);
         panels_->program->editor().startSearch();
@@ -71,8 +56,6 @@ void MainWindow::connectActions() {
         flow_.restartProgram(panels_->program->line());
     });
     on(ActionId::machines, [this] { showMachines(); });
-    connect(panels_->program, &ProgramPanel::machinesRequested, actions_[ActionId::machines], &QAction::trigger);
-    connect(panels_->program, &ProgramPanel::overrideRequested, actions_[ActionId::overrideCheck], &QAction::trigger);
     on(ActionId::welcome, [this] {
         if (pages_->currentWidget() != welcome_) {
             leftFrom_ = QApplication::focusWidget();
@@ -88,9 +71,6 @@ void MainWindow::connectActions() {
     connect(panels_->part, &PartPanel::importRequested, &flow_, &DocumentFlow::import);
     connect(panels_->part, &PartPanel::stlUnitChosen, &flow_, &DocumentFlow::importAgain);
     connect(panels_->program, &ProgramPanel::exportRequested, &flow_, &DocumentFlow::exportProgram);
-    connect(panels_->path, &PathPanel::visibilityToggled, actions_[ActionId::showPath], &QAction::setChecked);
-    presenters_->mill.connectActions(actions_);
-    presenters_->hand.connectActions(actions_, *viewport_);
     connect(&presenters_->millMode, &MillMode::refused, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
     connect(&presenters_->mill, &MillPresenter::takeRemovalRequested, this, &MainWindow::removeTake);

@@ -91,6 +91,8 @@ void MillPresenter::connectActions(const Actions& actions) {
         {ActionId::repeatRight, MillTool::Repetition::right}};
     for (const auto& [id, how] : repetitions)
         connect(actions[id], &QAction::triggered, this, [this, repetition = how] { mode_.repeat(repetition); });
+    connect(actions[ActionId::showMe], &QAction::triggered, this, [this] { workbench_.showHowItIsDone(); });
+    connect(actions[ActionId::stopShow], &QAction::triggered, this, [this] { workbench_.showMe.stop(); });
     presentSoon();
 }
 

@@ -18,7 +18,7 @@ class MillPresenter final : public Presenter {
 public:
     MillPresenter(Workbench& workbench, MillMode& mode, MillPanel& panel, QObject* parent);
     void setUnit(LengthUnit unit) override;
-    /// Raster and repetitions.
+    /// Raster, repetitions, and the virtual operator that shows how it is done.
     void connectActions(const Actions& actions);
 
 signals:

@@ -77,6 +77,15 @@ PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePr
     connect(&panel, &PathPanel::evaluateRequested, &workbench.path, &PathController::evaluate);
 }
 
+void PathPresenter::connectActions(const Actions& actions) {
+    PathController& path = workbench_.path;
+    connect(actions[ActionId::newPath], &QAction::triggered, &path, [&path] { path.makeNew(); });
+    connect(actions[ActionId::evaluatePath], &QAction::triggered, &path, [&path] { path.evaluate(); });
+    connect(actions[ActionId::drawStretch], &QAction::triggered, this,
+            [this] { scene_.setDrawing(!scene_.drawing()); });
+    connect(&panel_, &PathPanel::visibilityToggled, actions[ActionId::showPath], &QAction::setChecked);
+}
+
 void PathPresenter::setUnit(LengthUnit unit) {
     panel_.setUnit(unit);
     Presenter::setUnit(unit);
@@ -130,6 +139,13 @@ ProgramPresenter::ProgramPresenter(Workbench& workbench, ProgramPanel& panel, QO
             [this] { workbench_.program.checkText(programName(workbench_)); });
     connect(&panel, &ProgramPanel::gougeToleranceEdited, &workbench.program, &ProgramController::setGougeTolerance);
     connect(&panel, &ProgramPanel::excessToleranceEdited, &workbench.program, &ProgramController::setExcessTolerance);
+}
+
+void ProgramPresenter::connectActions(const Actions& actions) {
+    connect(actions[ActionId::post], &QAction::triggered, this,
+            [this] { workbench_.program.post(programName(workbench_)); });
+    connect(&panel_, &ProgramPanel::machinesRequested, actions[ActionId::machines], &QAction::trigger);
+    connect(&panel_, &ProgramPanel::overrideRequested, actions[ActionId::overrideCheck], &QAction::trigger);
 }
 
 void ProgramPresenter::setUnit(LengthUnit unit) {

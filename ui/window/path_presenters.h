@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/actions/actions.h"
 #include "ui/panels/path_panel.h"
 #include "ui/panels/program_panel.h"
 #include "ui/window/path_scene_presenter.h"
@@ -16,6 +17,8 @@ class PathPresenter final : public Presenter {
 public:
     PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePresenter& scene, QObject* parent);
     void setUnit(LengthUnit unit) override;
+    /// A new path, its evaluation, drawing a part of it, showing it.
+    void connectActions(const Actions& actions);
 
 private:
     void present() override;
@@ -28,6 +31,8 @@ class ProgramPresenter final : public Presenter {
 public:
     ProgramPresenter(Workbench& workbench, ProgramPanel& panel, QObject* parent);
     void setUnit(LengthUnit unit) override;
+    /// Posting, and what the panel asks the window for.
+    void connectActions(const Actions& actions);
 
 private:
     void present() override;

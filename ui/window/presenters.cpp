@@ -32,6 +32,16 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     connect(&programScene, &ProgramScenePresenter::hovered, &deviation, &DeviationPresenter::pointAt);
 }
 
+void Presenters::connectActions(const Actions& actions, const Viewport& viewport) {
+    stock.connectActions(actions);
+    surroundings.connectActions(actions);
+    guides.connectActions(actions);
+    mill.connectActions(actions);
+    hand.connectActions(actions, viewport);
+    path.connectActions(actions);
+    program.connectActions(actions);
+}
+
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{
              &part, &stock, &material, &tool, &allowance, &mill, &surroundings, &guides, &hand, &pathScene, &path,

@@ -33,6 +33,8 @@ class Presenters final : public QObject {
 public:
     Presenters(Workbench& workbench, const Actions& actions, const Stage& stage, QObject* parent);
     void setUnit(LengthUnit unit);
+    /// What actions do that need no more than a presenter and its panel.
+    void connectActions(const Actions& actions, const Viewport& viewport);
 
     MillMode millMode;
     PartPresenter part;

@@ -26,6 +26,11 @@ StockPresenter::StockPresenter(Workbench& workbench, StockPanel& panel, Embeddin
     connect(&panel, &StockPanel::embedRequested, &workbench.bench, &BenchController::embed);
 }
 
+void StockPresenter::connectActions(const Actions& actions) {
+    BenchController& bench = workbench_.bench;
+    connect(actions[ActionId::embed], &QAction::triggered, &bench, [&bench] { bench.embed(); });
+}
+
 void StockPresenter::setUnit(LengthUnit unit) {
     panel_.setUnit(unit);
     findings_.setUnit(unit);

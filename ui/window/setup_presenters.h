@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/actions/actions.h"
 #include "ui/panels/allowance_panel.h"
 #include "ui/panels/embedding_findings.h"
 #include "ui/panels/material_panel.h"
@@ -30,6 +31,8 @@ class StockPresenter final : public Presenter {
 public:
     StockPresenter(Workbench& workbench, StockPanel& panel, EmbeddingFindings& findings, QObject* parent);
     void setUnit(LengthUnit unit) override;
+    /// Embedding.
+    void connectActions(const Actions& actions);
 
 private:
     void present() override;

@@ -32,6 +32,14 @@ SurroundingsPresenter::SurroundingsPresenter(Workbench& workbench, SurroundingsP
     connect(&switches, &BoundsPanel::travelSwitched, &surroundings, &SurroundingsController::setTravelOn);
 }
 
+void SurroundingsPresenter::connectActions(const Actions& actions) {
+    const QAction* axisOfView = actions[ActionId::axisOfView];
+    connect(axisOfView, &QAction::triggered, this, [this] {
+        workbench_.surroundings.setAxis({false, -viewport_.sight(QRectF(viewport_.rect()).center()).rayDirection});
+    });
+    connect(&panel_, &SurroundingsPanel::axisOfViewRequested, axisOfView, &QAction::trigger);
+}
+
 void SurroundingsPresenter::setUnit(LengthUnit unit) {
     panel_.setUnit(unit);
     Presenter::setUnit(unit);

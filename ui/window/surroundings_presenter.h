@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/actions/actions.h"
 #include "ui/panels/bounds_panel.h"
 #include "ui/panels/surroundings_panel.h"
 #include "ui/scene/viewport.h"
@@ -16,6 +17,8 @@ public:
     SurroundingsPresenter(Workbench& workbench, SurroundingsPanel& panel, BoundsPanel& switches, Viewport& viewport,
                           QObject* parent);
     void setUnit(LengthUnit unit) override;
+    /// The axis as the view looks.
+    void connectActions(const Actions& actions);
 
 signals:
     void fixtureFileWanted();
