@@ -36,6 +36,11 @@ std::string placeText(const glm::dvec3& place) {
 
 namespace {
 
+// What a model's format and unit are called, where that is no name: formats such as "STEP AP214" are the same
+// everywhere.
+[[maybe_unused]] constexpr std::array modelWords{BURIN_TEXT("ImportUnit", "none"),
+                                                 BURIN_TEXT("ImportFormat", "STL binary")};
+
 std::string bodyText(const Body& body) {
     return worded(BURIN_TEXT("Command", "body     %1: %2 mm^3, %3 mm^2, %4 faces, %5 triangles"),
                   {bodyName(body.name).toStdString(), formatFixed(body.volume, 3), formatFixed(body.area, 3),
@@ -53,13 +58,14 @@ std::string noteText(const ImportNote& note) {
 
 std::string textOf(const Model& model) {
     const glm::dvec3 size = model.box().size();
-    std::string text = model.sourceFile + "\n  " +
-                       worded(BURIN_TEXT("Command", "format   %1, unit %2"),
-                              {model.format, worded({"ImportUnit", model.lengthUnit.c_str()})}) +
-                       "\n  " +
-                       worded(BURIN_TEXT("Command", "size     %1 x %2 x %3 mm"),
-                              {formatFixed(size.x, 3), formatFixed(size.y, 3), formatFixed(size.z, 3)}) +
-                       "\n  " + worded(BURIN_TEXT("Command", "volume   %1 mm^3"), {formatFixed(model.volume(), 3)});
+    std::string text =
+        model.sourceFile + "\n  " +
+        worded(BURIN_TEXT("Command", "format   %1, unit %2"),
+               {worded({"ImportFormat", model.format.c_str()}), worded({"ImportUnit", model.lengthUnit.c_str()})}) +
+        "\n  " +
+        worded(BURIN_TEXT("Command", "size     %1 x %2 x %3 mm"),
+               {formatFixed(size.x, 3), formatFixed(size.y, 3), formatFixed(size.z, 3)}) +
+        "\n  " + worded(BURIN_TEXT("Command", "volume   %1 mm^3"), {formatFixed(model.volume(), 3)});
     for (const Body& body : model.bodies) text += "\n  " + bodyText(body);
     for (const ImportNote& note : model.notes) text += "\n  " + noteText(note);
     return text;
@@ -170,10 +176,10 @@ std::string linesOf(const std::vector<LintMark>& marks) {
 } // namespace
 
 std::string notWritten(const std::string& file) {
-    return worded(
-        BURIN_TEXT("Command", "\"%1\" was not written: the program failed its check. To write it nevertheless, state a "
-                              "reason with --override; the program's header shows the reason."),
-        {file});
+    return worded(BURIN_TEXT("Command",
+                             "\"%1\" was not written: the program failed its check. To write it nevertheless, state a "
+                             "reason with --override; the program's header shows the reason."),
+                  {file});
 }
 
 std::string textOfOmissions(const std::vector<EditReport>& reports) {
