@@ -61,7 +61,7 @@ private:
     std::thread thread_;
 };
 
-/// Waits for the wish to stop, and ends the program where its work does not.
+/// Waits for the request to stop, and ends the program where its work does not.
 class CommandContext::Ender {
 public:
     Ender() : thread_([this] { watch(); }) {}

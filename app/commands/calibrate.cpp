@@ -50,7 +50,7 @@ CalibrationOptions optionsOf(const CalibrateArguments& arguments) {
     return options;
 }
 
-/// In the order of the file, each once; only the one that is wanted.
+/// In the order of the file, each once; only the requested one.
 Result<std::vector<std::string>> materialsOf(const std::vector<ForceRecord>& records, const std::string& wanted) {
     std::vector<std::string> materials;
     std::string known;

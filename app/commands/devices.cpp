@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A figure of a description, as people and JSON name it.
+/// A value of a description, as people and JSON name it.
 struct Limit {
     std::string name; ///< of JSON, with its unit
     TextId label;

@@ -137,7 +137,7 @@ Result<void> playAgain(const SessionTrace& trace, const MillWork& work, TakeRequ
     return {};
 }
 
-/// One take with a stylus; its end, the time given, or the wish to stop ends it.
+/// One take with a stylus; its end, the time given, or the request to stop ends it.
 Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std::string& name, bool cutsOnButton,
                                           const MillWork& work, const SessionTrace* replayed = nullptr) {
     TakeRequest request;

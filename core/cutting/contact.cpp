@@ -36,7 +36,7 @@ RevolvedPiece grown(const RevolvedPiece& piece, double margin) noexcept {
 /// One piece of a tool that must not touch, at a pose in the line frame.
 class GuardedPiece {
 public:
-    /// @param window  what the workpiece is owed, or null
+    /// @param window  pending writes to the workpiece, or null
     GuardedPiece(const RunVolume& workpiece, const GapWindow* window, const RevolvedPiece& piece,
                  const ToolPose& pose) noexcept
         : workpiece_(workpiece)

@@ -60,7 +60,7 @@ private:
 
 /// Bricks along each side of a window.
 std::size_t sideOf(const Grid& grid, double reach) noexcept {
-    // So many bricks a stretch of lines lies in at most, wherever it begins.
+    // So many bricks an interval of lines lies in at most, wherever it begins.
     const auto bricks = (static_cast<std::uint32_t>(std::ceil(std::clamp(2.0 * reach, 0.0, 65536.0))) + 15) / 8;
     // No more than the grid has, and the brick beyond its end that the lines of a group may reach.
     const auto most = static_cast<std::uint32_t>(std::max(grid.lineCountU(), grid.lineCountV())) / 8 + 2;
@@ -145,7 +145,7 @@ bool GapWindow::write(RunVolume& workpiece, Brick& brick) noexcept {
     if (brick.owing == 0) return true;
     const Gaps& gaps = gapsOf(brick);
     const auto positions = [](const std::array<std::int32_t, 64>& ends) {
-        // A gap of which anything is owed lies within its line.
+        // A gap with a pending write lies within its line.
         return std::span<const RunPosition, 64>(reinterpret_cast<const RunPosition*>(ends.data()), ends.size());
     };
     const BrickSpans spans{brick.owing, positions(gaps.low), positions(gaps.high)};
@@ -302,7 +302,7 @@ void GapWindow::collect(RemovedUnits& removed) noexcept {
     sums_.rows = 0;
 }
 
-/// Looks from a stretch in which nothing is left, `around`, as far as `span` goes and on to the next machinable
+/// Looks from an interval in which nothing is left, `around`, as far as `span` goes and on to the next machinable
 /// segments. What the volume shows within it may be gone already; what it shows beyond is there, and is counted as
 /// taken as far as `span` goes.
 GapWindow::Found GapWindow::lookAround(const RunVolume& workpiece, LineIndex line, Bounds around, Bounds span,

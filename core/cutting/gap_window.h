@@ -16,12 +16,12 @@
 
 namespace burin {
 
-/// The scanlines around a tool, kept where a tick finds them at once. For each line it holds the gap: a stretch in
+/// The scanlines around a tool, kept where a tick finds them at once. For each line it holds the gap: an interval in
 /// which nothing machinable is left, and what borders it on either side. A span that grows the gap within its
 /// neighbours is taken by arithmetic on many lines at a time, without a look at the volume; other spans read the
-/// volume's line. What was taken is owed to the volume until it is written, a brick of 8 × 8 lines at a time, within 16
-/// ticks. Memory: 16 bytes a line, toroidal: a brick of lines uses the place of another that the tool left behind.
-/// Thread: the workpiece's writer, for what asks only (`owed`, `visitAround`) as well.
+/// volume's line. What was removed is a pending write to the volume until it is written, a brick of 8 × 8 lines at a
+/// time, within 16 ticks. Memory: 16 bytes a line, toroidal: a brick of lines uses the place of another that the tool
+/// left behind. Thread: the workpiece's writer, for what asks only (`owed`, `visitAround`) as well.
 class GapWindow {
 public:
     static constexpr int brickInLines = 8; ///< what reading a brick at once costs, with what its first cut needs
@@ -31,9 +31,9 @@ public:
 
     /// Groups, or rows divided by eight, of which the window holds so many at once.
     std::int32_t side() const noexcept { return static_cast<std::int32_t>(side_); }
-    /// Makes sure that the lines of some rows and groups of eight are the window's; what was owed for the lines whose
-    /// places they take is written. @return bricks that were not the window's before; nothing where reserved memory ran
-    /// out, and nothing is lost then
+    /// Makes sure that the lines of some rows and groups of eight are the window's; what was pending for the lines
+    /// whose places they take is written. @return bricks that were not the window's before; nothing where reserved
+    /// memory ran out, and nothing is lost then
     std::optional<int> cover(RunVolume& workpiece, std::int32_t firstRow, std::int32_t lastRow, std::int32_t firstGroup,
                              std::int32_t lastGroup) noexcept;
     /// Takes spans out of rows that share their bricks. Stops at a brick for which no memory is left: see RemovedUnits.
@@ -48,13 +48,14 @@ public:
     std::uint32_t writesDue() const noexcept { return queue_.pace(); }
     /// To be called once a tick: writes what has to be, at an even pace. False: out of reserved memory.
     bool writeDue(RunVolume& workpiece) noexcept;
-    /// Writes all that is owed. False: out of reserved memory; the rest is still owed.
+    /// Writes all that is pending. False: out of reserved memory; the rest is still pending.
     bool writeAll(RunVolume& workpiece) noexcept;
     bool owesNothing() const noexcept { return queue_.empty(); }
-    /// Forgets all lines, and what is owed with them.
+    /// Forgets all lines and their pending writes.
     void forget() noexcept;
 
-    /// A stretch of which the machinable runs are gone, though the volume may show them; empty where nothing is owed.
+    /// An interval of which the machinable runs are gone, though the volume may show them; empty where nothing is
+    /// pending.
     struct Owed {
         RunPosition from = 0, to = 0;
     };

@@ -14,7 +14,7 @@ namespace burin {
 
 namespace {
 
-// Above this step the flux through the surface, a first-order figure, is worse than the volume itself.
+// Above this step the flux through the surface, a first-order value, is worse than the volume itself.
 constexpr double longestFluxStep = 0.3; // voxels
 // A larger ball takes so many scanlines a tick that the volume itself is smooth enough (README).
 constexpr double largestFluxBall = 30.0; // voxels

@@ -32,7 +32,7 @@ struct Engagement {
 
 /// What the surface of the flutes takes in a short move: the integral of normal · motion over the part of the surface
 /// that has material ahead of it. Unlike the volume that the runs lose, it does not come in rows of scanlines, so that
-/// a force that follows it does not rattle. A first-order figure, for moves well below a voxel.
+/// a force that follows it does not rattle. A first-order value, for moves well below a voxel.
 ///
 /// The surface is held as patches, each with its exact integral of the normal (by the divergence theorem the flux
 /// through a closed patchwork of them is the swept volume, whatever their number). A patch looks for material one

@@ -11,7 +11,7 @@
 namespace burin {
 
 /// Takes what any flutes sweep between two poses, any axis, any axis of the runs, out of the machinable runs of a
-/// workpiece: scanline by scanline, written at once. Exact for a standing axis (SweptPiece); an axis that turns is
+/// workpiece: scanline by scanline, written at once. Exact for a fixed axis (SweptPiece); an axis that turns is
 /// split into steps that keep each point of the flutes within an eighth of a voxel of its place (PoseSteps).
 /// No allocation, lock or exception in `cut`. Thread: the workpiece's writer.
 class SweepCutter {

@@ -15,7 +15,7 @@ class ToolBeam {
 public:
     explicit ToolBeam(const Tool& tool);
 
-    /// mm that the tool gives way where the force attacks; 0 where its modulus is not stated.
+    /// mm that the tool deflects where the force attacks; 0 where its modulus is not stated.
     /// @param force N, across the axis. @param height mm above the tip
     double bendingUnder(double force, double height) const noexcept;
     /// N/mm², the greatest bending stress along the tool.

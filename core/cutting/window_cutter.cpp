@@ -32,7 +32,7 @@ RevolvedPiece inVoxels(const RevolvedPiece& piece, double edge) noexcept {
     return scaled;
 }
 
-/// Lines about its middle that a piece takes up: upright, or leaning at any angle, as far as that is affordable.
+/// Lines about its middle that a piece covers: upright, or leaning at any angle, as far as that is affordable.
 double windowReach(const SpanRows& spans, double radius) noexcept {
     constexpr double affordable = 250.0;
     const double upright = radius + 0.5 * spans.longestWay({0.0, 0.0, 1.0}) + 1.0;
@@ -139,7 +139,7 @@ bool WindowCutter::add(RunVolume& workpiece, const Step& step, RemovedUnits& rem
     return true;
 }
 
-/// The stretch of a way on which the piece may reach the grid, as shares of it: a jump over miles must not cost more
+/// The interval of a move on which the piece may reach the grid, as shares of it: a jump over miles must not cost more
 /// than one over the stock.
 glm::dvec2 WindowCutter::stretchNearGrid(const glm::dvec3& from, const glm::dvec3& to) const noexcept {
     const double reach = spans_.reach() + 1.0;
@@ -157,7 +157,7 @@ glm::dvec2 WindowCutter::stretchNearGrid(const glm::dvec3& from, const glm::dvec
     return {first, last};
 }
 
-/// Adds the straight way between two tips, axis standing, in parts that are short enough.
+/// Adds the straight move between two tips, axis standing, in parts that are short enough.
 std::size_t WindowCutter::addWay(RunVolume& workpiece, const LinePose& from, const glm::dvec3& to, bool withStart,
                                  RemovedUnits& removed) noexcept {
     const double ways = glm::length(to - from.tip) / spans_.longestWay(from.axis);
@@ -187,7 +187,7 @@ std::size_t WindowCutter::addParts(RunVolume& workpiece, const LinePose& from, c
     return added;
 }
 
-/// Adds the way of a piece whose axis turns, in steps with a standing axis. What a step's axis covers at the step's
+/// Adds the way of a piece whose axis turns, in steps with a fixed axis. What a step's axis covers at the step's
 /// start is asked for: the gaps hold what another axis covered there.
 std::size_t WindowCutter::addTurn(RunVolume& workpiece, const LinePose& from, const LinePose& to, bool withStart,
                                   RemovedUnits& removed) noexcept {
@@ -229,7 +229,8 @@ bool WindowCutter::cut(RunVolume& workpiece, const ToolPose& from, const ToolPos
 
 void WindowCutter::approach(RunVolume& workpiece, const ToolPose& pose) noexcept {
     lookAround(workpiece, pose);
-    // A tick like any other: what the cuts before it owe must not wait for the next one. Out of memory, it stays owed.
+    // A tick like any other: the pending writes of the cuts before it must not wait for the next one. Out of memory,
+    // they stay pending.
     static_cast<void>(window_.writeDue(workpiece));
 }
 

@@ -36,7 +36,7 @@ public:
     const GapWindow& window() const noexcept { return window_; }
 
 private:
-    /// A way with a standing axis.
+    /// A way with a fixed axis.
     struct Step {
         LinePose from;
         glm::dvec3 to{0.0};

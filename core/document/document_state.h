@@ -33,7 +33,7 @@ Result<void> countChange(Database& database);
 /// 16 random bytes.
 std::string newSaveId();
 
-/// A figure that changes with any bit of any table's content, apart from `document`. SQLite itself has no checksums in
+/// A value that changes with any bit of any table's content, apart from `document`. SQLite itself has no checksums in
 /// a file at rest, so that a flipped bit could pass for a number.
 Result<std::int64_t> contentDigest(Database& database);
 

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* selectTakes =
     "SELECT id, name, tool_id, allowance, tick_period, started_unix_time, stylus, complete, "
     "setup, (SELECT COALESCE(SUM(count), 0) FROM sample_chunk WHERE take = take.id) FROM take";
-constexpr std::int64_t mostSamples = std::int64_t{1} << 62; ///< so that the end of a stretch is a number
+constexpr std::int64_t mostSamples = std::int64_t{1} << 62; ///< so that the end of an interval is a number
 
 // What a recording can have. Earlier versions kept any number, so that others are brought to the nearest.
 constexpr double largestAllowance = 10.0;                // mm, as mill and the window take it
@@ -76,7 +76,7 @@ Error unknownTake(Database& database, std::int64_t id) {
     return {ErrorCode::nameUnknown, "take", std::to_string(id), known};
 }
 
-/// A stretch may run beyond the samples: those behind its end were lost with their recorder.
+/// An interval may run beyond the samples: those behind its end were lost with their recorder.
 Result<void> loadUndone(Database& database, std::int64_t id, std::uint64_t samples, std::vector<SampleRange>& undone) {
     Result<Statement> rows =
         Statement::prepare(database, "SELECT first, count FROM undone_stretch WHERE take = ? ORDER BY first");

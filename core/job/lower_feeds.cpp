@@ -8,7 +8,7 @@ namespace burin {
 
 namespace {
 
-/// Of what is borne: a program's figures are rounded, up as well.
+/// Of what is borne: a program's numbers are rounded, up as well.
 constexpr double written = 0.99;
 
 /// By number among the points of all paths.

@@ -17,7 +17,7 @@ constexpr double made = 0.3, cut = 0.6;
 
 Result<void> MilledStock::lend(std::span<const MilledPath> paths, const StockUse& use, Progress& progress) {
     std::unique_lock mine(owner_, std::defer_lock);
-    // Whoever has it may take seconds, and the wish to stop must be heard meanwhile.
+    // Whoever has it may take seconds, and the request to stop must be heard meanwhile.
     while (!mine.try_lock_for(std::chrono::milliseconds(5)))
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "stock", "", ""};
     Result<void> done = lendKept(paths, use, progress);

@@ -23,7 +23,7 @@ struct MilledPath {
 
 /// The stock as paths leave it, one after the other. It is made when somebody asks for it first; what it looks like
 /// after each of the paths asked for last is kept, so that a change of a later one cuts no earlier one again.
-/// Thread: any; who asks while another has it waits.
+/// Thread-safe. Blocks while another caller holds the result.
 class MilledStock {
 public:
     /// @param make the stock before all paths

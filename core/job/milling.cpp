@@ -105,7 +105,7 @@ double depthShare(const Property& material) {
     return energy <= soft ? 2.0 : energy <= light ? 0.5 : 0.25;
 }
 
-/// mm that a tool may give way by while stock is left on the part: longer tools that bend by more than a hundredth of
+/// mm that a tool may deflect by while stock is left on the part: longer tools that bend by more than a hundredth of
 /// their diameter are heard in the shop. Our estimate.
 double roughingBending(const Tool& tool) {
     constexpr double share = 0.01, least = 0.02;
@@ -130,7 +130,7 @@ Tool operatedTool(const Bench& bench) {
     return tool;
 }
 
-/// What earlier takes have left of the stock, seen from above; nothing where it is whole.
+/// What earlier takes have left of the stock, seen from above; nothing where it is complete.
 StandingStock standingStock(const Bench& bench) {
     const RunVolume& workpiece = bench.embedded.workpiece;
     const Grid& grid = workpiece.grid();

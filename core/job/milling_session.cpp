@@ -86,7 +86,7 @@ Result<void> MillingSession::start(const SessionRequest& request) {
     return {};
 }
 
-/// Waits until the loop has done what was wished. False: it ended before.
+/// Waits until the loop has done what was requested. False: it ended before.
 bool MillingSession::fulfilled() {
     while (!loop_.fulfilled()) {
         if (ended()) {
@@ -99,7 +99,7 @@ bool MillingSession::fulfilled() {
     return true;
 }
 
-/// One wish after the other; when this returns it is done.
+/// One request after the other; when this returns it is done.
 void MillingSession::ask(Wish wish) {
     fulfilled();
     loop_.wish(wish);

@@ -21,7 +21,7 @@ namespace burin {
 
 namespace {
 
-/// What was found and why the program is wanted all the same: one line a kind, with its worst amount.
+/// What was found and why the program is exported nevertheless: one line a kind, with its worst amount.
 std::vector<std::string> overrideLines(const CheckedProgram& program, const std::string& reason) {
     struct Kind {
         std::size_t count = 0;

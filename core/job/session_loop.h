@@ -48,7 +48,7 @@ struct TickNews {
 };
 
 /// The loop's side of a session: follows takes and strokes from tick to tick, and does at a tick's edge what its owner
-/// wishes. Nothing in `edge` and `tick` allocates, waits or frees: what owns memory is handed to the owner.
+/// requests. Nothing in `edge` and `tick` allocates, waits or frees: what owns memory is handed to the owner.
 class SessionLoop final : public TickSink {
 public:
     /// A take to record: the recorder reads `samples()`.
@@ -67,7 +67,7 @@ public:
 
     // ---- Owner's thread, at any time
     Ring<Sample>& samples() noexcept { return samples_; }
-    /// The loop fulfils a wish at one of its next edges; one at a time.
+    /// The loop fulfils a request at one of its next edges; one at a time.
     void wish(Wish what) noexcept { wish_.store(what, std::memory_order_release); }
     void wishTake(const Recording& recording) noexcept;
     /// The last wish is done: what it changed of the workpiece and of the step is visible to the owner.
@@ -92,7 +92,7 @@ public:
     bool takeView(WorkpieceView& view) noexcept { return views_.take(view); }
 
     // ---- Owner's thread, while the loop stands or after it has ended
-    /// As at an edge: what was wished and not fulfilled yet.
+    /// As at an edge: what was requested and not fulfilled yet.
     void fulfil() noexcept;
     /// Ends the stroke under way, if there is one. False: too many wait to be taken.
     bool endStroke() noexcept;

@@ -24,7 +24,7 @@ struct LayerNews {
     std::uint64_t ticksHeld = 0; ///< ticks of the take in which it held the tool
 };
 
-/// What there is to see of a session: its newest tick, and figures over the last second.
+/// What there is to see of a session: its newest tick, and values over the last second.
 struct SessionState {
     Sample sample;
     std::chrono::steady_clock::time_point wallTime{}; ///< when the tick was over

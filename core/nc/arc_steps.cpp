@@ -28,7 +28,7 @@ StepPlace stepsOf(const glm::dvec3& place, const NumberWords& numbers) {
     return {numbers.stepsOf(place.x), numbers.stepsOf(place.y), numbers.stepsOf(place.z)};
 }
 
-/// How far quarters of an arc's way lie from another arc, in their plane, mm.
+/// How far quarters of an arc's path lie from another arc, in their plane, mm.
 double strayed(const Arc& wanted, const Arc& written) {
     const int u = (wanted.axis + 1) % 3, v = (wanted.axis + 2) % 3;
     const ArcTurn turn = turnOf(wanted), turnWritten = turnOf(written);

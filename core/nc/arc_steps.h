@@ -27,7 +27,7 @@ struct StepMove {
 /// dialect's mismatch (checked on the written numbers). A flat arc's centre goes far by that, its way does not. Where
 /// that can't be had, the way would stray, or the arc turn by another angle, and for radii and sweeps beyond what
 /// controls take (more than `largestRadius`, less than `smallestRadius` or 0.001 rad), lines stand in, which leave the
-/// arc by no more than `lineChord`. Rounding moves the way of an arc off the true one by no more than 0.005 mm with
+/// arc by no more than `lineChord`. Rounding moves the path of an arc off the true one by no more than 0.005 mm with
 /// three decimals of a millimetre, 0.008 mm with four of an inch.
 /// @param from where the program stands as it was written, within a step of `arc.from`
 std::vector<StepMove> arcSteps(const Arc& arc, const StepPlace& from, const NumberWords& numbers,

@@ -25,7 +25,7 @@ void disarm(std::string& text, char instead) {
     text[comma] = instead;
 }
 
-/// The beginning of a text that fits, up to a space: a figure that is broken in two would be another figure.
+/// The beginning of a text that fits, up to a space: a number that is broken in two would be another number.
 std::string_view upToWidth(std::string_view text, std::size_t width) {
     if (text.size() <= width) return text;
     const std::size_t space = text.rfind(' ', width);

@@ -23,7 +23,7 @@ enum class FeedMode : std::uint8_t {
 /// How a program wants corners to be taken, where its control knows words for that (LinuxCNC's G61, G61.1, G64 P).
 enum class PathMode : std::uint8_t {
     machine,   ///< it says nothing: as the machine is set
-    exactPath, ///< G61: exactly along the way, at rest where it bends
+    exactPath, ///< G61: exactly along the move, at rest where it bends
     exactStop, ///< G61.1: at rest at the end of every block
     blend      ///< G64
 };
@@ -45,7 +45,7 @@ struct NcMotion {
     glm::dvec3 from{0.0}, to{0.0};
     glm::dvec3 centre{0.0};       ///< arc; its component along the axis has no meaning
     std::uint32_t wholeTurns = 0; ///< arc: turns made before the last one, which is what `arc` describes
-    double feed = 0.0;            ///< mm/min along the way; 0 for rapids, dwells and where the text does not tell it
+    double feed = 0.0;            ///< mm/min along the move; 0 for rapids, dwells and where the text does not tell it
     double seconds = 0.0;         ///< of a dwell
     double spindleSpeed = 0.0;    ///< 1/min
     PathMode pathMode = PathMode::machine;
@@ -99,7 +99,7 @@ struct ParsedProgram {
     bool ended = false;               ///< M2, M30 or a closing %
 };
 
-/// The length of a move's way, mm: of a straight one, or of an arc with all its turns. Of a spiral, whose radius goes
+/// The length of a move's path, mm: of a straight one, or of an arc with all its turns. Of a spiral, whose radius goes
 /// evenly from one to the other, the chords of a 512th of a turn are added up: less than 1e-4 of it too short.
 double lengthOf(const NcMotion& motion) noexcept;
 

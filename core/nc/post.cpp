@@ -83,12 +83,12 @@ NcSection& sectionOf(NcProgram& program, const Path& path, const PostRequest& re
     return section;
 }
 
-/// Says which moment of the hand a stretch comes from.
+/// Says which moment of the hand an interval comes from.
 std::string originOf(const PathPoint& point) {
     return "take " + std::to_string(point.take) + ", sample " + std::to_string(point.sample);
 }
 
-/// The box of an arc's way, by the quarters that it passes.
+/// The box of an arc's path, by the quarters that it passes.
 void includeArc(const NcMove& move, const glm::dvec3& from, Box& reach) {
     const Arc arc{from, move.target, move.arc.centre, move.arc.axis, move.arc.clockwise};
     constexpr int steps = 64; // outside by at most 0.12 % of the radius, far below what travel is known to

@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    /// The stretches of the pass at x on which neighbouring rows lie far apart.
+    /// The intervals of the pass at x on which neighbouring rows lie far apart.
     std::vector<Stretch> steepStretches(double x) const {
         const EvenPlaces rows = passesOver(request_, tool_.cutter, 1, request_.stepOver);
         std::vector<Stretch> stretches;
@@ -111,7 +111,7 @@ private:
         return touch;
     }
 
-    /// Mills a stretch and whatever joins it in the passes that follow: along one wall, to and fro.
+    /// Mills an interval and whatever joins it in the passes that follow: along one wall, to and fro.
     void millFrom(std::size_t pass, Stretch& first) {
         mill(first);
         for (std::size_t i = pass + 1; i < passes_.size(); ++i) {
@@ -121,7 +121,7 @@ private:
         }
     }
 
-    /// The stretch of a pass that begins close to where the tip is; null where none does.
+    /// The interval of a pass that begins close to where the tip is; null where none does.
     Stretch* nearest(std::vector<Stretch>& pass) const {
         Stretch* best = nullptr;
         double least = 2.0 * tool_.cutter.radius();
@@ -157,7 +157,7 @@ private:
     /// Comes down beside the wall, not into it.
     void enter(const Touch& touch) { writer_.enterAt(touch.tip, touch.tip); }
 
-    /// From the end of one stretch to the start of the next, along the surface.
+    /// From the end of one interval to the start of the next, along the surface.
     void cross(const Touch& to) {
         const glm::dvec3 from = writer_.tip();
         const int steps = static_cast<int>(std::ceil(glm::distance(from, to.tip) / sampling_));

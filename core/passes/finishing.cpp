@@ -54,7 +54,7 @@ public:
 private:
     double reachedAt(double x, double y) const { return rims_.reachedAt({x, y}); }
 
-    /// The stretches of the pass at y that lie over the part or close beside it.
+    /// The intervals of the pass at y that lie over the part or close beside it.
     std::vector<std::vector<Touch>> pass(double y) const {
         const EvenPlaces places = passesOver(request_, tool_.cutter, 0, sampling_);
         std::vector<std::vector<Touch>> stretches;
@@ -143,7 +143,7 @@ private:
         }
     }
 
-    /// The lowest tip at a place, on the way from the last one, that takes no more stock at once than is wanted.
+    /// The lowest tip at a place, on the way from the last one, that removes no more stock at once than requested.
     double lowestByStock(const glm::dvec2& place) const {
         double lowest = WorkpieceHeights::nothing;
         constexpr double margins = 2.5; // beside a wall that it has cut the raster leaves stock at the edge of the tool
@@ -182,8 +182,8 @@ private:
         return found ? tip : glm::dvec3(aim.x, aim.y, reached);
     }
 
-    /// Comes down at the first place of a stretch: where stock stands there, down a ramp over the places behind it, and
-    /// back on the ground of what it cut.
+    /// Comes down at the first place of an interval: where stock stands there, down a ramp over the places behind it,
+    /// and back on the ground of what it cut.
     void enter(const std::vector<Touch>& stretch, double y) {
         const glm::dvec2 start(stretch.front().x, y);
         climbing_ = false;

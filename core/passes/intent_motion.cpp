@@ -43,7 +43,7 @@ Result<std::vector<Segment>> segments(std::span<const IntentPoint> points, const
     return result;
 }
 
-constexpr double turningShare = 0.5; // of the acceleration; the rest is for the speed along the way
+constexpr double turningShare = 0.5; // of the acceleration; the rest is for the speed along the move
 
 /// Fastest way round the corner between two segments: the change of velocity, spread over the time in which a corner is
 /// rounded, stays within a share of the acceleration, and so does the curvature that a row of short segments stands

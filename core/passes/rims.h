@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// mm that the hand keeps above a rim, and how far beside where it aims it may come: more than it trembles.
+/// mm that the hand keeps above a rim, and how far beside where it aims it may come: more than its tremor.
 inline constexpr double overRim = 0.3, swerve = 0.25;
 /// mm between where the hand turns and a rim that it does not go over.
 inline constexpr double turningRoom = 1.0;
@@ -25,7 +25,7 @@ public:
     /// Whether a wall stands between two places. @param low, high mm, where a tip is stopped there; false where it does
     /// not rise
     bool isWall(glm::dvec2 from, double low, glm::dvec2 to, double high) const noexcept;
-    /// How far below the surface the hand may aim at a place, mm, and the tool stay on the surface though it trembles:
+    /// How far below the surface the hand may aim at a place, mm, and the tool stay on the surface in spite of tremor:
     /// `press`, or as much less as a wall downwards is near; at one itself negative.
     /// @param reached mm, where a tip is stopped there
     double pressAt(const glm::dvec2& place, double reached, double press) const noexcept;

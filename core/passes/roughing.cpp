@@ -16,7 +16,7 @@ constexpr double tolerance = 1e-6;   // mm
 constexpr double longestLink = 20.0; // mm within a level
 constexpr double liftCost = 60.0;    // mm of cutting that one lift is worth
 
-/// A stretch of a row that one level cuts.
+/// An interval of a row that one level cuts.
 struct Piece {
     double y = 0.0;
     double low = 0.0, high = 0.0; ///< mm, x of its ends
@@ -140,7 +140,7 @@ private:
     }
 
     /// Where a piece runs at a place of its row: on the row, or a little beside it where stock that no level above
-    /// could take stands so close that a trembling hand would touch it with the shank. NaN: nowhere.
+    /// could take stands so close that the tremor of a hand would touch it with the shank. NaN: nowhere.
     double clearOfShank(std::size_t row, std::size_t place, double level) const {
         const double x = places_[place], y = rows_[row], step = 0.5 * lateralMargin(tool_.cutter);
         for (const double aside : {0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0}) {

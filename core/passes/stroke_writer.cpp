@@ -62,7 +62,7 @@ void StrokeWriter::rampInto(const glm::dvec3& entry, const glm::dvec3& other) {
         rampTo(surface);
     else
         enterAt(surface, surface);
-    // Whole turns, so that it ends where the stroke begins. A short stretch takes many, or it gets steep.
+    // Whole turns, so that it ends where the stroke begins. A short interval takes many, or it gets steep.
     const double leg = std::min(length, longestLeg);
     const glm::dvec3 far = glm::mix(entry, other, leg / length);
     const int turns = std::clamp(static_cast<int>(std::ceil(0.5 * depth / (rampSlope * leg))), 1, mostTurns);

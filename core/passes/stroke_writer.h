@@ -24,7 +24,7 @@ public:
     /// there.
     void enterAt(const glm::dvec3& aim, const glm::dvec3& tip);
     /// The same, but in stock down a ramp: to and fro between the entry and another tip at the same height, with the
-    /// part and all that shank and holder may touch below that stretch. Ends at the entry.
+    /// part and all that shank and holder may touch below that interval. Ends at the entry.
     void rampInto(const glm::dvec3& entry, const glm::dvec3& other);
     /// Lifts above the stock, where anything was done.
     void finish();
@@ -47,7 +47,7 @@ private:
 
 /// How steep the operator goes down into stock, as a slope: makers of end mills allow 3 to 10 degrees.
 inline constexpr double rampSlope = 0.07;
-/// mm of stock that a tool may meet straight from above: what a trembling hand leaves.
+/// mm of stock that a tool may meet straight from above: what the tremor of a hand leaves.
 inline constexpr double plungeDepth = 0.15;
 
 using NamedNumbers = std::initializer_list<std::pair<const char*, double>>;

@@ -21,10 +21,10 @@ double lowestFeasibleHeight(const ClearanceField& field, double x, double y, dou
 /// How deep below standing stock the operator takes a cutter, mm: the flutes less a margin.
 double usableFlutes(const Cutter& cutter) noexcept;
 
-/// How far beside standing stock the operator keeps shank and holder, mm: a hand trembles and rounds its corners.
+/// How far beside standing stock the operator keeps shank and holder, mm: a hand has tremor and rounds its corners.
 double lateralMargin(const Cutter& cutter) noexcept;
 
-/// How much narrower than the cutter the operator takes a cut to be, mm: a trembling hand misses some of its edge.
+/// How much narrower than the cutter the operator takes a cut to be, mm: the hand's tremor misses some of its edge.
 double trembleMargin(const Cutter& cutter) noexcept;
 
 /// How high stock stands on squares of one size, where something has been milled already.
@@ -50,7 +50,7 @@ public:
 
     /// Nothing stands higher than this any more.
     void lowerTo(const StandingStock& standing) noexcept;
-    /// The flutes at this tip surely take away what stands in them, but for the tremble margin at their edge.
+    /// The flutes at this tip surely take away what stands in them, but for the margin for tremor at their edge.
     void cut(const glm::dvec3& tip) noexcept;
     /// A straight move, by tips no further apart than the raster.
     void cut(const glm::dvec3& from, const glm::dvec3& to) noexcept;

@@ -24,7 +24,7 @@ void uprightSpans(SpanRows::Shape shape, const SpanRows::Upright& piece, const S
                   Stretches stretches) noexcept;
 } // namespace any_processor
 
-/// @param margin voxels that the shadow of the way's end is grown by
+/// @param margin voxels that the shadow of the move's end is grown by
 void planTiltedRows(const TiltedPiece& piece, const TiltedShadow& shadow, float margin, std::int32_t firstRow,
                     TiltedRows& rows) noexcept;
 void tiltedBall(const TiltedPiece& piece, const TiltedRows& rows, Stretches stretches) noexcept;

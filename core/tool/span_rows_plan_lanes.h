@@ -40,7 +40,7 @@ BURIN_INLINE Extent extentOf(const Upright& piece, const Across& across, Floats 
     Extent extent{each(far), each(-far)};
     extent.includeCircle(across.to, toSquare);
     if (piece.withStart || piece.moves) extent.includeCircle(across.from, fromSquare);
-    const float rise = piece.reach * piece.wayY; // the way's share across the rows
+    const float rise = piece.reach * piece.wayY; // the move's share across the rows
     if (!piece.moves || rise == 0.0F) return extent;
     const float perRise = 1.0F / rise;
     // The two straight sides between the circles, where a row meets them.
@@ -53,7 +53,7 @@ BURIN_INLINE Extent extentOf(const Upright& piece, const Across& across, Floats 
 }
 
 /// First and last line of each row that can be lower than at the start of the way. The height of the piece over a line
-/// is convex along the way: where it does not fall at the start, it never does. It falls where the way leads into the
+/// is convex along the move: where it does not fall at the start, it never does. It falls where the way leads into the
 /// lower face's outside: of a ball where ahead > slope * height of the centre over the face, so that the lines of a row
 /// end at an ellipse; of a flat face that does not sink, ahead of the axis.
 BURIN_INLINE void findDeeper(const Upright& piece, const Across& across, Floats ahead, Floats fromSquare,
@@ -80,7 +80,7 @@ BURIN_INLINE void findDeeper(const Upright& piece, const Across& across, Floats 
     deeper.high = none ? each(far) : across.from + (piece.wayX < 0.0F ? -low : high);
 }
 
-/// Places of a row between two distances ahead of the way's start.
+/// Places of a row between two distances ahead of the move's start.
 BURIN_INLINE Extent placesAhead(const Upright& piece, const Across& across, Floats ahead, Floats low,
                                 Floats high) noexcept {
     constexpr float slack = 0.5F; // voxels, for roundings
@@ -93,7 +93,7 @@ BURIN_INLINE Extent placesAhead(const Upright& piece, const Across& across, Floa
 }
 
 /// Between which places a ball can be lowest between the ends of the way: a line is lowest where it lies as far ahead
-/// as the sine of the way's slope times its half chord. Bounds of the half chord over the places found so far give
+/// as the sine of the move's slope times its half chord. Bounds of the half chord over the places found so far give
 /// closer ones.
 BURIN_INLINE Extent betweenOf(const Upright& piece, const Across& across, Floats ahead, Floats aside) noexcept {
     const Floats radius = each(piece.radius);

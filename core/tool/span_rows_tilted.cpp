@@ -11,7 +11,7 @@ namespace {
 
 /// Groups of a row, and where their spans go.
 struct Groups {
-    std::int32_t begin = 0, end = 0; ///< counted from the stretch's first
+    std::int32_t begin = 0, end = 0; ///< counted from the interval's first
 };
 
 /// Calls `take(heights, places, group)` for what the piece covers of some groups where it stands.
@@ -33,8 +33,8 @@ BURIN_INLINE void forEachGroup(const RowPiece<rounding, rises>& row, Floats firs
     }
 }
 
-/// Places of a stretch's first group: lines from an end's whole part, which are whole numbers, so that what is found of
-/// a line does not depend on where its stretch begins.
+/// Places of an interval's first group: lines from an end's whole part, which are whole numbers, so that what is found
+/// of a line does not depend on where its interval begins.
 BURIN_INLINE Floats linesFrom(const TiltedPiece::End& end, const RowSpans& stretch) noexcept {
     return floatsOf(Integers{0, 1, 2, 3, 4, 5, 6, 7} + (stretch.firstGroup * lanes - end.wholeX));
 }

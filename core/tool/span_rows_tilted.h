@@ -13,7 +13,7 @@
 namespace burin {
 
 /// A leaning piece on its way, as rows of lines meet it: what it covers at both ends, and the walls that the rims of
-/// its faces leave between them (a disc moved along the way: an oblique cylinder). What its smooth sides pass between
+/// its faces leave between them (a disc moved along the move: an oblique cylinder). What its smooth sides pass between
 /// the ends of a short way is within both, to SpanRows::leaningWayError. Lengths: voxels across the runs, run units
 /// along them, from the tip.
 struct TiltedPiece {

@@ -24,7 +24,7 @@ BURIN_INLINE Floats atHeightOf(const TiltedPiece& piece, Floats flatSquare, Floa
     return middle - side * rootsOf(middle * middle - (flatSquare - flatAlong * flatAlong - wide * wide) * perSquare);
 }
 
-/// Ends of some lines' stretches within a bull nose's outline, eight lines at a time, of one row.
+/// Ends of some lines' intervals within a bull nose's outline, eight lines at a time, of one row.
 template <std::size_t count>
 struct CornerEnds {
     Floats x[count];      ///< voxels from the rounding's middle

@@ -88,7 +88,7 @@ TiltedPiece::Rim rimByPart(const glm::dvec3& axis, const glm::dvec3& way, double
     return rim;
 }
 
-/// A disc about the axis, `height` above the tip, moved along the way. None where it is moved within its own plane or
+/// A disc about the axis, `height` above the tip, moved along the move. None where it is moved within its own plane or
 /// along the lines: no line enters it between its ends. Both are overlapped, so that rounding leaves nothing between.
 TiltedPiece::Rim rimOnWay(const glm::dvec3& axis, const glm::dvec3& way, double height, double radius,
                           double reach) noexcept {

@@ -123,7 +123,7 @@ struct Row {
     Floats ahead, aside;         ///< of the line at the start's x, seen from the start
 };
 
-/// Groups of a stretch, counted from its first.
+/// Groups of an interval, counted from its first.
 struct Groups {
     std::int32_t first = 0, end = 0;
     /// Those of other ones that are among these.

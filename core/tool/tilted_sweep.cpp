@@ -12,7 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // Less lean than this counts as a way along the lines: what a line meets beyond both ends' chords then lies within
-// 1e-7 of the way's length of a steep wall.
+// 1e-7 of the move's length of a steep wall.
 constexpr double leastSine = 1e-7;
 constexpr double leastLength = 1e-12; // mm
 // So far beside a line a wall's point still counts as on it. Lines of a grid and ends of ways lie on round numbers:
@@ -113,7 +113,7 @@ std::optional<Span> TiltedSweep::along(double x, double y) const noexcept {
     Span span{infinity, -infinity};
     for (const glm::dvec3& tip : {from_, to_}) {
         const std::optional<Span> chord = chord_.along(x - tip.x, y - tip.y);
-        // A line that touches an end enters the solid there; one in a side, or along the way, only touches it on.
+        // A line that touches an end enters the solid there; one in a side, or along the move, only touches it on.
         if (!chord || (chord->low == chord->high && !betweenSides)) continue;
         span.low = std::min(span.low, tip.z + chord->low);
         span.high = std::max(span.high, tip.z + chord->high);

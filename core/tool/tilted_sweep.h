@@ -14,9 +14,9 @@
 
 namespace burin {
 
-/// What a piece with a standing axis of any direction sweeps on its straight way between two tips, met by lines along
+/// What a piece with a fixed axis of any direction sweeps on its straight move between two tips, met by lines along
 /// Z. The swept solid is convex: a line's lower end lies on the piece at the first tip, on the piece at the last one,
-/// or on the wall that its outline (seen along the way) leaves in between, and is the lowest of these.
+/// or on the wall that its outline (seen along the move) leaves in between, and is the lowest of these.
 class TiltedSweep {
 public:
     TiltedSweep(const RevolvedPiece& piece, const glm::dvec3& fromTip, const glm::dvec3& toTip,
@@ -27,7 +27,7 @@ public:
     const Box& bounds() const noexcept { return bounds_; }
 
 private:
-    /// Right-handed view along the way.
+    /// Right-handed view along the move.
     struct View {
         glm::dvec3 across{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, depth{0.0, 0.0, 1.0};
     };
@@ -42,7 +42,7 @@ private:
     double sine_ = 0.0;                    ///< of the angle between way and lines
     bool leavesWall_ = false;              ///< the way is not along the lines
     Span sides_;                           ///< mm across the way from the first tip; lines in or beyond them miss
-    ShadowEdge lower_, upper_;             ///< outline along the way; the upper one is held upside down
+    ShadowEdge lower_, upper_;             ///< outline along the move; the upper one is held upside down
     ShadowEdge left_, right_;              ///< outline along the lines, lowest towards -x and +x
     std::array<glm::dvec2, 2> tangents_{}; ///< mm from the tip, where the way touches that outline
     Box bounds_;

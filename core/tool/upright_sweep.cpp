@@ -112,7 +112,7 @@ double UprightSweep::least(const Face& face, const Line& line) const noexcept {
 double UprightSweep::leastBetween(const Face& face, const Line& line) const noexcept {
     constexpr double nowhere = std::numeric_limits<double>::infinity();
     const double chord = line.insideAtFrom && line.insideAtTo ? 0.0 : chordOf(line);
-    // Offsets are from the axis to the line, along the way: high at its start, low at its end.
+    // Offsets are from the axis to the line, along the move: high at its start, low at its end.
     const double high = line.insideAtFrom ? line.ahead : std::min(line.ahead, chord);
     const double low = line.insideAtTo ? line.ahead - reach_ : std::max(line.ahead - reach_, -chord);
     if (low > high) return nowhere; // touching, to rounding
@@ -133,7 +133,7 @@ double UprightSweep::chordOf(const Line& line) const noexcept {
 double UprightSweep::bestOffset(const Face& face, const Line& line, double low, double high) const noexcept {
     if (high <= 0.0) return high;
     const double rise = std::abs(face.rise);
-    if (face.cornerRadius == outline_) { // a ball: chord · sine of the way's slope, squared until it is needed
+    if (face.cornerRadius == outline_) { // a ball: chord · sine of the move's slope, squared until it is needed
         const double square = (outline_ - line.aside) * (outline_ + line.aside) * sineSquare_;
         if (square >= high * high) return high;
         if (low > 0.0 && square <= low * low) return low;

@@ -12,8 +12,8 @@
 
 namespace burin {
 
-/// What a piece with a straight side and axis +Z sweeps on its straight way between two tips, met by lines along Z: the
-/// common case, in closed form but for the corner of a bull nose.
+/// What a piece with a straight side and axis +Z sweeps on its straight move between two tips, met by lines along Z:
+/// the common case, in closed form but for the corner of a bull nose.
 class UprightSweep {
 public:
     UprightSweep(const RevolvedPiece& piece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept;
@@ -26,7 +26,7 @@ public:
 
 private:
     /// One end face of the piece as height over the distance from the axis; the upper one is held upside down, so that
-    /// both are convex and their least value is wanted.
+    /// both are convex and their least value is needed.
     struct Face {
         double height = 0.0;         ///< mm, of its flat middle
         double flatRadius = 0.0;     ///< mm, of its flat middle
@@ -40,7 +40,7 @@ private:
         double squareAtFrom = 0.0, squareAtTo = 0.0;   ///< mm², of its distance from the axis at both ends
         bool insideAtFrom = false, insideAtTo = false; ///< the outline, at both ends
         bool passes = false;                           ///< the axis comes closest between the ends, line inside
-        double ahead = 0.0;                            ///< mm, along the way in the plane, from the first axis
+        double ahead = 0.0;                            ///< mm, along the move in the plane, from the first axis
         double aside = 0.0;                            ///< mm, across it, >= 0
     };
     std::optional<Line> lineAt(double x, double y) const noexcept;
@@ -57,7 +57,7 @@ private:
     double reach_ = 0.0;             ///< mm, length of the way in the plane
     double outline_ = 0.0;           ///< mm, largest radius
     double outlineSquare_ = 0.0;     ///< mm²
-    double sineSquare_ = 0.0;        ///< of the way's slope
+    double sineSquare_ = 0.0;        ///< of the move's slope
     Face lower_, upper_;
 };
 

@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// Tells, 64 scanlines at a time, which of them upright flutes on a straight way may cut: a lower bound of the height
+/// Tells, 64 scanlines at a time, which of them upright flutes on a straight move may cut: a lower bound of the height
 /// that they come down to, against the top of the stock. Never leaves out a line that is cut; names some that are not.
 /// The tool's axis lies along the runs. Bound: a ball that is wider by 0.02 voxel, exact on its way but for ways
 /// steeper than 4 : 1; a bull nose or a flat with the lowest height that its tip has near the line; any other form as a

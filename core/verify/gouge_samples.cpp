@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t samplesPerBatch = 256; // samples
 constexpr std::size_t longestStretch = 16;   // samples
-constexpr double straight = 5e-4;            // mm: samples of a stretch lie no farther from its chord
+constexpr double straight = 5e-4;            // mm: samples of an interval lie no farther from its chord
 /// A gouge is told exactly, what is clear to 1e-4 mm: more than that is neither reported nor ranked.
 constexpr ClearanceTolerance answers{1e-4, 0.0, 1e-8};
 constexpr double leastSearch = 0.5, greatestSearch = 8.0; // mm: farther from the part nobody asks how far
@@ -36,7 +36,7 @@ struct Stretch {
     std::size_t middle() const noexcept { return first + (end - first) / 2; }
 };
 
-/// Consecutive samples, and the stretches of them that come near the part.
+/// Consecutive samples, and the intervals of them that come near the part.
 struct Batch {
     std::vector<Place> places;
     std::vector<Stretch> near;
@@ -121,7 +121,7 @@ public:
             if (!move.rapid) cuttingFeed_[move.tool] = std::max(cuttingFeed_[move.tool], move.feed);
     }
 
-    /// The stretches that come near, by their middles.
+    /// The intervals that come near, by their middles.
     Batch begin(const MoveSamples& samples, std::size_t first, std::size_t end) const {
         Batch batch;
         batch.places.reserve(end - first);
@@ -157,7 +157,7 @@ public:
     }
 
 private:
-    /// A stretch is asked whole, then by halves, then sample by sample.
+    /// An interval is asked whole, then by halves, then sample by sample.
     void divide(Batch& batch, const Stretch& stretch, std::size_t first, std::size_t end, double limit,
                 Asking& asking) const {
         const glm::dvec3 &from = batch.places[first].tip, &to = batch.places[end - 1].tip;
@@ -175,7 +175,7 @@ private:
     void judgeEach(Batch& batch, std::size_t first, std::size_t end, Asking& asking) const {
         for (std::size_t i = first; i < end; ++i) judge(batch, batch.places[i], asking);
     }
-    /// What keeps clear of the part still lies on it, where it is near a point that the middle of its stretch met.
+    /// What keeps clear of the part still lies on it, where it is near a point that the middle of its interval met.
     void countOnPart(Batch& batch, const Stretch& stretch, std::size_t first, std::size_t end, Asking& asking) const {
         for (std::size_t i = first; i < end; ++i) {
             const Place& place = batch.places[i];

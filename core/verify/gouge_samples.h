@@ -28,10 +28,10 @@ struct NearSamples {
     std::size_t finishSamples = 0, onPart = 0; ///< as GougeJudgement
 };
 
-/// Samples the moves against the part's mesh. The middle of each straight stretch of samples is asked first. What the
-/// worst of the middles leave open is looked at by stretches: where the whole stretch certainly keeps farther from the
+/// Samples the moves against the part's mesh. The middle of each straight interval of samples is asked first. What the
+/// worst of the middles leave open is looked at by intervals: where the whole interval certainly keeps farther from the
 /// part than they do (ClearanceAsker::keeps), none of its samples matters. The same whatever the number of threads.
-/// @param worst  how many of the deepest samples are wanted
+/// @param worst  how many of the deepest samples are requested
 NearSamples nearSamples(const std::vector<ToolMove>& moves, const MoveSamples& places, std::span<const Tool> tools,
                         std::span<const ShrunkOutline> outlines, const VerifyRequest& request, std::size_t worst,
                         Progress& progress);

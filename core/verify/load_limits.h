@@ -19,7 +19,7 @@ namespace burin {
 /// judged. One thread.
 class LoadJudge {
 public:
-    /// All outlive the judge. @param bending mm that a tool may give way by
+    /// All outlive the judge. @param bending mm that a tool may deflect by
     LoadJudge(const MachineProfile& machine, std::span<const Tool> tools, double bending);
 
     void look(const ToldLoad& told);
@@ -69,7 +69,7 @@ ForceLimit forceLimit(const Tool& tool, const MachineProfile& machine, double sp
 /// A cut of which the depth is looked for.
 struct BearableCut {
     double width = 0.0;   ///< mm, across the move; the tool's diameter at most
-    double bending = 0.0; ///< mm that the tool may give way by, > 0
+    double bending = 0.0; ///< mm that the tool may deflect by, > 0
 };
 /// mm: the deepest cut of a width that spindle and tool bear, and every shallower one, and under which the tool bends
 /// by no more than it may, at the feed and speed of the tables; the flutes' length where they bear that. Forces of a

@@ -158,7 +158,7 @@ private:
         block.jerk = along(block.first, [&](int axis) { return jerkOf(machine_, axis); });
     }
 
-    /// An arc comes by directions of its plane: its axes' least figures count, whatever the part of a turn.
+    /// An arc comes by directions of its plane: its axes' least values count, whatever the part of a turn.
     void limitArc(const NcMotion& motion, Block& block) const {
         const ArcTurn turn = motion.turn();
         const int axis = motion.arcAxis, u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -210,7 +210,7 @@ private:
         return acceleration * leg / half;
     }
 
-    /// Between two places where the speed is least, all that jerk adds to one S-curve over the whole stretch is added,
+    /// Between two places where the speed is least, all that jerk adds to one S-curve over the whole interval is added,
     /// shared out as the time is.
     void limitJerk(std::vector<double>& durations) {
         const auto peakOf = [&](std::size_t i) { return time_.motions[blocks_[i].motion].peakSpeed; };

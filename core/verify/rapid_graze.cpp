@@ -22,7 +22,7 @@ constexpr int linesAcross = 4;       // of a voxel, inside the outline
 
 using Pieces = std::vector<RevolvedPiece>;
 
-/// Heights along an upright line that are left of a stretch.
+/// Heights along an upright line that are left of an interval.
 class Heights {
 public:
     explicit Heights(const Span& all) : left_{all} {}

@@ -17,7 +17,7 @@ namespace {
 constexpr glm::dvec3 toolAxis(0.0, 0.0, 1.0); // setup frame
 constexpr std::size_t movesBetweenLooks = 256;
 
-/// The part of a straight way whose place along one axis lies in a stretch, as shares of the way; none: low > high.
+/// The part of a straight move whose place along one axis lies in an interval, as shares of the move; none: low > high.
 Span shareWithin(double from, double to, const Span& stretch) noexcept {
     const double way = to - from;
     if (std::abs(way) < 1e-12) return from >= stretch.low && from <= stretch.high ? Span{0.0, 1.0} : Span{1.0, 0.0};

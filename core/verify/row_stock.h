@@ -28,7 +28,7 @@ struct UnitSum {
 };
 
 /// The machinable stock of one row of bricks (8 scanlines along v, all along u) while moves are cut out of it, in a
-/// form that is quick to cut: of each line the topmost stretch apart from those below. The volume stands unchanged
+/// form that is quick to cut: of each line the topmost interval apart from those below. The volume stands unchanged
 /// meanwhile; `brick` says what it is to hold afterwards. One thread.
 class RowStock {
 public:
@@ -39,10 +39,10 @@ public:
     std::int32_t lineCountV() const noexcept { return countV_; }
     std::int32_t brickCount() const noexcept { return bricks_; }
 
-    /// Ends of the topmost machinable stretches of a row of lines (v from firstV on), u rising, padded to whole bricks
+    /// Ends of the topmost machinable intervals of a row of lines (v from firstV on), u rising, padded to whole bricks
     /// with 0; 0 where a line has none.
     const std::int32_t* tops(std::int32_t v) const noexcept { return top_.data() + lineAt({0, v}); }
-    /// No machinable stretch of a brick ends above.
+    /// No machinable interval of a brick ends above.
     std::int32_t brickTop(std::int32_t brick) const noexcept { return brickTop_[static_cast<std::size_t>(brick)]; }
     /// Nothing in a brick, machinable or not, ends above.
     std::int32_t brickReach(std::int32_t brick) const noexcept {
@@ -74,7 +74,7 @@ private:
     void cutBelow(std::vector<Stretch>& stretches, std::int32_t from, std::int32_t to, LineIndex line,
                   UnitSum& removed);
     void popTop(std::size_t at);
-    /// Calls `visit(from, to)` for each machinable stretch of a line, rising.
+    /// Calls `visit(from, to)` for each machinable interval of a line, rising.
     template <class Visit>
     void forEachStretch(std::size_t at, const Visit& visit) const {
         for (const Stretch& stretch : below_[at]) visit(stretch.from, stretch.to);

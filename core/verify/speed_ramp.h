@@ -4,7 +4,7 @@
 
 namespace burin {
 
-/// What a stretch of a way takes: its speed goes from one to another with a greatest one between.
+/// What an interval of a move takes: its speed goes from one to another with a greatest one between.
 struct RampTime {
     double seconds = 0.0;
     double peak = 0.0; ///< mm/s that is reached

@@ -17,7 +17,7 @@ UnsavedAnswer askUnsaved(QWidget* parent, const QString& project);
 /// Asks before something goes that no undo brings back. Dialog "confirmDialog" with "confirmButton", "cancelButton".
 bool confirm(QWidget* parent, const QString& question, const QString& consequence, const QString& confirmText);
 
-/// Asks for a reason in words why a program that its check refused is wanted all the same. Dialog "reasonDialog" with
+/// Asks for the reason why a program that its check refused is exported nevertheless. Dialog "reasonDialog" with
 /// "reasonField", "confirmButton" (only with a reason), "cancelButton". @param findings of the check, > 0
 /// @return trimmed; empty: cancelled
 QString askOverride(QWidget* parent, int findings);

@@ -8,9 +8,9 @@
 
 namespace burin {
 
-/// Makes the pointer fine: while it is wanted, the sight turns (in a parallel picture: moves) by a tenth of what
-/// the pointer's did since then.
-/// Afterwards the sight goes on from where it is, so that nothing jumps, until `reset`.
+/// Makes the pointer fine: while it is requested, the line of sight rotates (in a parallel picture: moves) by a tenth
+/// of what the pointer's did since then. Afterwards the sight goes on from where it is, so that nothing jumps, until
+/// `reset`.
 class FinePointer {
 public:
     static constexpr double share = 0.1;

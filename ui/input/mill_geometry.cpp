@@ -15,7 +15,7 @@ namespace {
 constexpr double besideStock = 20.0; // mm beyond the tool's radius that the tip may leave the grid
 
 /// Highest run end within a radius of any place on a way, from discs a radius apart that are wide enough to leave no
-/// gap at the way's edges.
+/// gap at the move's edges.
 double highestAlong(const VolumeSnapshot& workpiece, const glm::dvec2& from, const glm::dvec2& to, double radius) {
     const double length = glm::distance(from, to);
     const int steps = static_cast<int>(std::ceil(length / std::max(radius, workpiece.grid().edge())));

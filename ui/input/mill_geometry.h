@@ -17,7 +17,7 @@ inline constexpr double hoverClearance = 2.0;
 /// Where a sight meets the horizontal plane z = `height`, mm. Nothing where it runs along the plane or away from it.
 std::optional<glm::dvec3> onLevel(const Sight& sight, double height);
 
-/// Height of the tip, mm, at which flutes, shank and holder clear everything by `hoverClearance` on the straight way
+/// Height of the tip, mm, at which flutes, shank and holder clear everything by `hoverClearance` on the straight move
 /// between two places (x, y). Never too low; too high by what lies within half a radius beyond the tool's reach.
 /// Above the whole grid where its runs don't lie along z.
 double clearTipHeight(const VolumeSnapshot& workpiece, const Cutter& cutter, const glm::dvec2& from,

@@ -154,7 +154,7 @@ private:
     std::uint64_t begunBefore_ = 0; ///< strokes of the stylus that others led
     StrokeLock lock_ = StrokeLock::none;
     glm::dvec3 lockAnchor_{0.0}, lockDirection_{1.0, 0.0, 0.0}; ///< mm; unit
-    glm::dvec3 target_;                                         ///< mm, that was wished last
+    glm::dvec3 target_;                                         ///< mm, that was requested last
     double wantedHeight_ = 0.0;                                 ///< mm, z that a hover asked for; clearance may lift it
     std::optional<double> surfaceHeight_;                       ///< mm, z of what was under the pointer last
     double pointedHeight_ = 0.0;          ///< mm, z of the plane on which the pointer draws a stroke: where it began

@@ -12,7 +12,7 @@
 namespace burin {
 namespace {
 
-constexpr double clickReach = 4.0;    // pixels that a click may tremble
+constexpr double clickReach = 4.0;    // pixels that a click may move
 constexpr double drawnSpacing = 0.2;  // mm between places that are drawn
 constexpr double smallestSine = 1e-3; // of a sight to a plane
 

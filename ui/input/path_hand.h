@@ -68,7 +68,7 @@ signals:
     void dropped(const burin::PathPlace& place, const glm::dvec3& by);  ///< mm; where it was let go
     void drawing(const std::vector<glm::dvec3>& places);                ///< mm; so far
     void drawn(const std::vector<glm::dvec3>& places);                  ///< mm; at least two
-    void givenUp();                                                     ///< what was under way is not wanted
+    void givenUp();                                                     ///< what was under way is discarded
     void stateChanged();                                                ///< what Esc does may be another
     void cleared(); ///< Esc with nothing under way but what is chosen, or a drawing that is not begun
 

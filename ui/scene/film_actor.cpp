@@ -48,7 +48,7 @@ vtkSmartPointer<vtkActor> filmActor(vtkPolyData* surface) {
     const vtkSmartPointer<vtkActor> actor = glassActor(surface);
     actor->GetProperty()->BackfaceCullingOff();
     actor->GetProperty()->LightingOff();
-    // As for lines (actors.cpp): VTK adds its own figures to everyone's.
+    // As for lines (actors.cpp): VTK adds its own statistics to everyone's.
     vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
     double everyFactor = 0.0, everyUnits = 0.0;
     vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(everyFactor, everyUnits);

@@ -18,7 +18,7 @@ public:
     /// @param cut when the oldest cut was made that this paint shows first
     void add(Clock::time_point begin, Clock::time_point end, std::optional<Clock::time_point> cut);
     void reset();
-    /// Its figures of time; what is drawn is the owner's to add.
+    /// Its timings; what is drawn is the owner's to add.
     FrameStatistics statistics() const;
 
 private:

@@ -7,7 +7,7 @@
 namespace burin {
 
 /// OpenGL as VTK wants it in a viewport: core profile 3.2, depth and stencil. Not forward-compatible, which Qt asks for
-/// unless deprecated functions are wanted: there, lines wider than a pixel are an error, and drawn one pixel wide.
+/// unless deprecated functions are requested: there, lines wider than a pixel are an error, and drawn one pixel wide.
 inline QSurfaceFormat sceneSurfaceFormat() {
     QSurfaceFormat format;
     format.setVersion(3, 2);

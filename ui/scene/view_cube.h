@@ -20,7 +20,7 @@
 namespace burin {
 
 /// A cube in the upper right corner with the names of the views on its faces and the axes at its low corner. Turns with
-/// the camera; a click on a face is a wish for that view.
+/// the camera; a click on a face requests that view.
 class ViewCube {
     Q_DECLARE_TR_FUNCTIONS(ViewCube)
 

@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// The deviation map of the newest program: on the part in the viewport, as shares in the panel, as a figure under the
+/// The deviation map of the newest program: on the part in the viewport, as shares in the panel, as a value under the
 /// pointer.
 class DeviationPresenter final : public Presenter {
     Q_OBJECT

@@ -38,7 +38,7 @@ public:
     void restartProgram(int line);
 
     /// Asks about unsaved changes and calls `then` unless the user cancels or saving fails.
-    /// @param then is told whether the changes are not wanted
+    /// @param then is told whether the changes are discarded
     void settle(std::function<void(bool abandon)> then);
     /// Ends session and project as `settle` decided, then calls `then`.
     void closeProject(bool abandon, std::function<void()> then);

@@ -25,7 +25,7 @@ double cuttingLength(const Path& path) {
     return length;
 }
 
-/// How all of a stretch of the hand is milled; nothing where that differs.
+/// How all of an interval of the hand is milled; nothing where that differs.
 std::optional<MillingSide> sideOf(const EvaluatedPath& path, const TakeStretch& chosen) {
     std::optional<MillingSide> side;
     for (const MillingStretch& stretch : path.sides)

@@ -324,7 +324,7 @@ Moment PathScenePresenter::momentOf(const PathPlace& place) const {
     return momentAt(path_->path.points[place.piece], path_->path.points[place.piece + 1], place.share);
 }
 
-/// Where a stretch of the path begins, or the middle height of all that cuts.
+/// Where an interval of the path begins, or the middle height of all that cuts.
 std::optional<double> PathScenePresenter::heightOf(const std::optional<TakeStretch>& stretch) const {
     if (!path_) return std::nullopt;
     const auto isUsable = [](const PathPoint& point) { return isOfTheHand(point) && point.kind != MoveKind::rapid; };

@@ -119,7 +119,7 @@ void AllowancePresenter::setUnit(LengthUnit unit) {
 }
 
 void AllowancePresenter::present() {
-    // A recording has one allowance: it is a figure of the whole take.
+    // A recording has one allowance: it is a value of the whole take.
     panel_.setState({workbench_.mill.allowance(), BenchController::maximumAllowance, workbench_.mill.recording()});
 }
 

@@ -33,7 +33,7 @@ public:
     void setWanted(const WantedBounds& bounds);
     bool hasModel() const noexcept { return model_ != nullptr; }
     const Box& wantedStock() const noexcept { return setup_.stock; } ///< mm, setup frame
-    bool embedded() const;                                           ///< the workpiece stands as it is wanted
+    bool embedded() const;                                           ///< the workpiece matches the settings
     bool embedding() const { return reading_ || desk_.tasks.running(TaskKind::embedding); }
     bool fieldBusy() const { return desk_.tasks.running(TaskKind::field); }
     bool ready() const; ///< it can be milled: workpiece and bounds are there
@@ -64,8 +64,8 @@ public:
 signals:
     void workpieceChanged();    ///< outside a session
     void toolChanged();         ///< the tool in force
-    void surroundingsChanged(); ///< obstacles or the place of the travel that are wanted
-    void machineChanged();      ///< the one that is wanted
+    void surroundingsChanged(); ///< the requested obstacles or position of the travel
+    void machineChanged();      ///< the requested one
     void readersStop();         ///< the bench is about to change: work in the background that reads it is abandoned
     void readersGoOn();         ///< it has changed: what was abandoned can be done again
     /// The workpiece was made anew with these recordings: how many strokes stand in each.

@@ -53,7 +53,7 @@ public:
     /// What comes next is called with whether it went well; errors are told by `failed`.
     using Then = std::function<void(bool)>;
     /// The project that was open before is closed, once the other one stands.
-    /// @param abandon what it had unsaved is not wanted; otherwise it waits to be taken up again
+    /// @param abandon its unsaved changes are discarded; otherwise they wait to be recovered
     void createNew(bool abandon, Then then = {});
     void openFile(const std::filesystem::path& file, bool abandon, Then then = {});
     bool holds(const std::filesystem::path& file) const; ///< it is the open one

@@ -25,7 +25,7 @@ std::size_t placeFor(const std::vector<Edit>& edits, const Edit& edit) {
     return edits.size();
 }
 
-/// An edit whose stretch and moments are those that were chosen.
+/// An edit whose interval and moments are those that were chosen.
 Edit meantFor(Edit edit, const TakeStretch& chosen) {
     for (const EditField& field : fieldsOf(edit.parameters)) {
         if (std::holds_alternative<TakeStretch>(field.value)) setField(edit.parameters, field.key, chosen);
@@ -337,7 +337,7 @@ void PathController::evaluate() {
     evaluation_.start();
 }
 
-/// The project has it already, whatever became of the wish for it.
+/// The project has it already, whatever became of the request for it.
 void PathController::keepNew(const std::vector<StoredPath>& paths) {
     notMade_.reset();
     paths_.insert(paths_.end(), paths.begin(), paths.end());

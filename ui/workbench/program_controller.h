@@ -51,7 +51,7 @@ public:
     bool postable() const;
     void post(const QString& name); ///< all paths of the job that belong into it. @param name of the program
     void include(std::int64_t path, bool wanted);
-    /// Gives a refused program, posted or written by hand, the reason why it is wanted; an entry of the undo stack.
+    /// Gives a refused program, posted or written by hand, the reason why it is exported; an entry of the undo stack.
     void overrideCheck(const QString& name, const QString& reason);
     /// The text as the user wrote it; no program to be exported until it is checked. The editor has an undo of its own;
     /// whatever takes the text's place then is an entry of the undo stack.

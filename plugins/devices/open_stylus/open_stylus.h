@@ -17,7 +17,7 @@ namespace burin::openstylus {
 /// Whether an interface speaks the protocol, as far as its descriptor tells.
 bool speaksProtocol(const hid::DeviceInfo& device);
 
-/// What the device of a port says of itself. Errors: deviceFault (no answer, a damaged one, figures out of range),
+/// What the device of a port says of itself. Errors: deviceFault (no answer, a damaged one, values out of range),
 /// deviceIncompatible. Allocates; takes as long as the device.
 Result<Identity> identify(hid::Port& port, const std::string& name);
 

@@ -80,7 +80,7 @@ enum class IdentityFault : std::uint8_t {
     foreign,      ///< not this protocol: size, id or mark
     otherVersion, ///< another major version of it
     damaged,      ///< check sum
-    outOfRange,   ///< figures that no such device can have (protocol.md)
+    outOfRange,   ///< values that no such device can have (protocol.md)
 };
 IdentityFault decodeFeature(Bytes report, Identity& identity) noexcept;
 
