@@ -4058,6 +4058,13 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     </message>
 </context>
 <context>
+    <name>ImportFormat</name>
+    <message>
+        <source>STL binary</source>
+        <translation>STL binär</translation>
+    </message>
+</context>
+<context>
     <name>ImportNote</name>
     <message>
         <source>Lengths in %1 were converted: 1 %2 = %3 mm.</source>
@@ -4185,6 +4192,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>yard</source>
         <translation>Yard</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
 </context>
 <context>
