@@ -206,7 +206,8 @@ private slots:
 
     /// A session has room for eight, and copies what it gets.
     void moreGuidesThanASessionHasAreRefused() {
-        const fs::path file = filledAndChanged("INSERT INTO guide SELECT setup, position + 100, json, curve FROM guide");
+        const fs::path file =
+            filledAndChanged("INSERT INTO guide SELECT setup, position + 100, json, curve FROM guide");
         const Result<Project> project = Project::openForReading(file);
         QVERIFY(project);
         const Result<KeptGuides> guides = project->guides();
