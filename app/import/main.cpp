@@ -67,6 +67,10 @@ void reportFraction(double fraction) {
     send(burin::encodeFrame(burin::WorkerProgress{fraction}));
 }
 
+void sendPreview(const burin::ModelPreview& preview) {
+    send(burin::encodeFrame(preview));
+}
+
 template <class T>
 burin::WorkerAnswer toAnswer(burin::Result<T> result) {
     if (result) return std::move(*result);
@@ -75,7 +79,7 @@ burin::WorkerAnswer toAnswer(burin::Result<T> result) {
 
 burin::WorkerAnswer answerTo(const burin::WorkerRequest& request) {
     if (const auto* read = std::get_if<burin::ReadRequest>(&request))
-        return toAnswer(burin::readModel(*read, reportFraction));
+        return toAnswer(burin::readModel(*read, {reportFraction, sendPreview}));
     if (const auto* edges = std::get_if<burin::EdgeRequest>(&request)) return toAnswer(burin::followEdges(*edges));
     return toAnswer(burin::measureDistances(*std::get_if<burin::DistanceRequest>(&request), reportFraction));
 }

@@ -59,16 +59,24 @@ std::vector<WorkerRequest> shares(const std::string& brep, std::span<const glm::
 
 } // namespace
 
-Result<Model> importModel(const fs::path& file, const ImportOptions& options, Progress& progress) try {
+Result<Model> importModel(const fs::path& file, const ImportOptions& options, Progress& progress,
+                          const PreviewSink& show) try {
     if (Result<void> valid = checkOptions(options); !valid) return std::move(valid).error();
     if (Result<void> valid = checkFile(file); !valid) return std::move(valid).error();
     std::error_code ignored;
     const fs::path whole = fs::absolute(file, ignored).lexically_normal();
     ReadRequest request{whole.string(), options.meshChord, options.stlUnit};
-    auto answers = runWorkers({request}, options, whole.string(), progress);
+    request.preview = show != nullptr;
+    const auto showClean = [&](ModelPreview preview) {
+        preview.sourceFile = whole.string();
+        for (PreviewBody& body : preview.bodies) body.name = cleanLine(body.name);
+        show(std::move(preview));
+    };
+    const PreviewSink sink = show ? PreviewSink(showClean) : PreviewSink();
+    auto answers = runWorkers({request}, options, whole.string(), progress, sink);
     if (!answers && answers.error().code == ErrorCode::importCrashed) {
         request.careful = true;
-        answers = runWorkers({request}, options, whole.string(), progress);
+        answers = runWorkers({request}, options, whole.string(), progress, sink);
     }
     if (!answers) return std::move(answers).error();
     auto* model = std::get_if<Model>(&answers->front());

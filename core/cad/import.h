@@ -5,8 +5,10 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/cad/model.h"
+#include "core/cad/model_preview.h"
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -25,12 +27,18 @@ struct ImportOptions {
     std::filesystem::path worker; ///< the import program; empty: `burin-import` beside the running program
 };
 
+/// Gets what there is to see of a model while its mesh is still made. Called by the thread that imports, seldom more
+/// than once: again where a crash made the file be read again.
+using PreviewSink = std::function<void(ModelPreview preview)>;
+
 /// Reads STEP, IGES, BREP or STL (the contents decide, not the suffix) in a child process with time and memory limits:
 /// heals, sews, meshes, measures. A file that hangs or kills OpenCASCADE costs an error, not the caller.
 /// Thread: any. Errors: fileNotFound, fileNotReadable, fileEmpty, fileFormatUnknown, fileDamaged, modelHasNoSolid
 /// (detail: the files of an assembly that are not beside it), modelTooLarge, meshIncomplete, importTimedOut,
 /// importOutOfMemory, importCrashed, cancelled.
-Result<Model> importModel(const std::filesystem::path& file, const ImportOptions& options, Progress& progress);
+/// @param show gets a preview of a B-rep whose mesh takes time. Without it none is made.
+Result<Model> importModel(const std::filesystem::path& file, const ImportOptions& options, Progress& progress,
+                          const PreviewSink& show = {});
 
 /// Exact distances from points to a B-rep (`Model::brep`), mm, negative inside: OpenCASCADE's extrema, in child
 /// processes. Measured: 1 to 3 ms a point. Errors: as importModel.

@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::uint32_t requestMark = 0x51525542; // "BURQ"
 constexpr std::uint32_t frameMark = 0x46525542;   // "BURF"
-constexpr std::uint32_t messageVersion = 3;
+constexpr std::uint32_t messageVersion = 4;
 
-enum class FrameKind : std::uint32_t { progress, error, model, distances, edges };
+enum class FrameKind : std::uint32_t { progress, error, model, distances, edges, preview };
 
 struct FrameHead {
     std::uint32_t mark = frameMark;
@@ -48,10 +48,14 @@ void write(ByteWriter& to, const Error& error) {
     to.text(error.detail);
 }
 
+void write(ByteWriter& to, const std::optional<std::array<std::uint8_t, 3>>& colour) {
+    to.value(static_cast<std::uint8_t>(colour.has_value()));
+    to.value(colour.value_or(std::array<std::uint8_t, 3>{}));
+}
+
 void write(ByteWriter& to, const Body& body) {
     to.text(body.name);
-    to.value(static_cast<std::uint8_t>(body.colour.has_value()));
-    to.value(body.colour.value_or(std::array<std::uint8_t, 3>{}));
+    write(to, body.colour);
     to.value(body.volume);
     to.value(body.area);
     to.value(body.box);
@@ -77,6 +81,17 @@ void write(ByteWriter& to, const Model& model) {
     to.text(model.brep);
 }
 
+void write(ByteWriter& to, const ModelPreview& preview) {
+    to.text(preview.sourceFile);
+    to.value(static_cast<std::uint64_t>(preview.bodies.size()));
+    for (const PreviewBody& body : preview.bodies) {
+        to.text(body.name);
+        write(to, body.colour);
+        to.list(body.mesh.vertices);
+        to.list(body.mesh.triangles);
+    }
+}
+
 void write(ByteWriter& to, const std::vector<PartEdge>& edges) {
     to.value(static_cast<std::uint64_t>(edges.size()));
     for (const PartEdge& edge : edges) {
@@ -90,12 +105,18 @@ bool isFinite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-bool isSound(const Body& body) {
-    const std::size_t count = body.mesh.vertices.size();
-    return std::isfinite(body.volume) && std::isfinite(body.area) && isFinite(body.box.low) &&
-           isFinite(body.box.high) && std::all_of(body.mesh.vertices.begin(), body.mesh.vertices.end(), isFinite) &&
-           std::all_of(body.mesh.triangles.begin(), body.mesh.triangles.end(),
+/// Its vertices are places and its triangles name some of them.
+template <class Mesh>
+bool isSoundMesh(const Mesh& mesh) {
+    const std::size_t count = mesh.vertices.size();
+    return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), isFinite) &&
+           std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
                        [count](const auto& t) { return t[0] < count && t[1] < count && t[2] < count; });
+}
+
+bool isSound(const Body& body) {
+    return std::isfinite(body.volume) && std::isfinite(body.area) && isFinite(body.box.low) &&
+           isFinite(body.box.high) && isSoundMesh(body.mesh);
 }
 
 Error readError(ByteReader& from) {
@@ -107,12 +128,16 @@ Error readError(ByteReader& from) {
     return error;
 }
 
+std::optional<std::array<std::uint8_t, 3>> readColour(ByteReader& from) {
+    const bool coloured = from.value<std::uint8_t>() != 0;
+    const auto colour = from.value<std::array<std::uint8_t, 3>>();
+    return coloured ? std::optional(colour) : std::nullopt;
+}
+
 Body readBody(ByteReader& from) {
     Body body;
     body.name = from.text();
-    const bool coloured = from.value<std::uint8_t>() != 0;
-    const auto colour = from.value<std::array<std::uint8_t, 3>>();
-    if (coloured) body.colour = colour;
+    body.colour = readColour(from);
     body.volume = from.value<double>();
     body.area = from.value<double>();
     body.box = from.value<Box>();
@@ -142,6 +167,22 @@ std::optional<Model> readModel(ByteReader& from) {
     model.brep = from.text();
     if (!from.finished()) return std::nullopt;
     return model;
+}
+
+std::optional<ModelPreview> readPreview(ByteReader& from) {
+    constexpr std::size_t leastBody = 28; // bytes
+    ModelPreview preview;
+    preview.sourceFile = from.text();
+    for (std::uint64_t left = from.count(leastBody); left > 0; --left) {
+        PreviewBody& body = preview.bodies.emplace_back();
+        body.name = from.text();
+        body.colour = readColour(from);
+        body.mesh.vertices = from.list<glm::vec3>();
+        body.mesh.triangles = from.list<std::array<std::uint32_t, 3>>();
+        if (!from.good() || !isSoundMesh(body.mesh)) return std::nullopt;
+    }
+    if (!from.finished()) return std::nullopt;
+    return preview;
 }
 
 bool isSound(const PartEdge& edge) {
@@ -194,6 +235,11 @@ std::optional<WorkerFrame> readFrame(FrameKind kind, std::string_view bytes) {
         if (edges) return WorkerAnswer(std::move(*edges));
         return std::nullopt;
     }
+    case FrameKind::preview: {
+        std::optional<ModelPreview> preview = readPreview(from);
+        if (preview) return std::move(*preview);
+        return std::nullopt;
+    }
     }
     return std::nullopt;
 }
@@ -202,6 +248,10 @@ FrameKind writeFrame(ByteWriter& to, const WorkerFrame& frame) {
     if (const auto* progress = std::get_if<WorkerProgress>(&frame)) {
         to.value(progress->fraction);
         return FrameKind::progress;
+    }
+    if (const auto* preview = std::get_if<ModelPreview>(&frame)) {
+        write(to, *preview);
+        return FrameKind::preview;
     }
     const auto& answer = *std::get_if<WorkerAnswer>(&frame);
     if (const auto* error = std::get_if<Error>(&answer)) {
@@ -232,6 +282,7 @@ std::string encodeRequest(const WorkerRequest& request) {
         to.value(read->meshChord);
         to.value(read->stlUnit);
         to.value(static_cast<std::uint8_t>(read->careful));
+        to.value(static_cast<std::uint8_t>(read->preview));
     } else if (const auto* distance = std::get_if<DistanceRequest>(&request)) {
         to.text(distance->brep);
         to.list(distance->points);
@@ -254,6 +305,7 @@ std::optional<WorkerRequest> decodeRequest(std::string_view bytes) {
         read.meshChord = from.value<double>();
         read.stlUnit = from.value<double>();
         read.careful = from.value<std::uint8_t>() != 0;
+        read.preview = from.value<std::uint8_t>() != 0;
         request = std::move(read);
     } else if (kind == 1) {
         DistanceRequest distance;
@@ -286,7 +338,7 @@ std::optional<WorkerFrame> FrameReader::next() {
     if (damaged_ || waiting_.size() < sizeof(FrameHead)) return std::nullopt;
     FrameHead head;
     std::memcpy(&head, waiting_.data(), sizeof head);
-    if (head.mark != frameMark || head.version != messageVersion || head.kind > FrameKind::edges) {
+    if (head.mark != frameMark || head.version != messageVersion || head.kind > FrameKind::preview) {
         damaged_ = true;
         return std::nullopt;
     }

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/cad/model.h"
+#include "core/cad/model_preview.h"
 #include "core/cad/part_edge.h"
 
 #include <glm/glm.hpp>
@@ -18,7 +19,8 @@
 namespace burin {
 
 // What Burin and its import program say to each other. The request stands on the program's standard input; the program
-// writes frames to its standard output: any number of progress frames, then one with an answer.
+// writes frames to its standard output: any number of progress frames, among them one preview at most, then one with an
+// answer.
 
 /// Read this model file.
 struct ReadRequest {
@@ -26,6 +28,7 @@ struct ReadRequest {
     double meshChord = 0.005; ///< mm
     double stlUnit = 1.0;     ///< mm per unit of an STL file
     bool careful = false;     ///< without the faster of the two meshers: a process that used it crashed
+    bool preview = false;     ///< send a preview as soon as there is one
 };
 
 /// Measure these points.
@@ -50,7 +53,7 @@ struct WorkerProgress {
     double fraction = 0.0;
 };
 
-using WorkerFrame = std::variant<WorkerProgress, WorkerAnswer>;
+using WorkerFrame = std::variant<WorkerProgress, WorkerAnswer, ModelPreview>;
 
 std::string encodeRequest(const WorkerRequest& request);
 /// Nothing when the bytes are not a request of this version.

@@ -163,6 +163,8 @@ WorkerProcess::WorkerProcess(WorkerProcess&& other) noexcept
     , output_(std::exchange(other.output_, -1))
     , frames_(std::move(other.frames_))
     , fraction_(other.fraction_)
+    , preview_(std::move(other.preview_))
+    , previewed_(other.previewed_)
     , answer_(std::move(other.answer_)) {}
 
 WorkerProcess::~WorkerProcess() {
@@ -234,7 +236,9 @@ void WorkerProcess::readFrames() {
         if (!frame || finished()) return;
         if (const auto* progress = std::get_if<WorkerProgress>(&*frame))
             fraction_ = progress->fraction;
-        else
+        else if (auto* preview = std::get_if<ModelPreview>(&*frame)) {
+            if (!std::exchange(previewed_, true)) preview_ = std::move(*preview);
+        } else
             finish(std::move(*std::get_if<WorkerAnswer>(&*frame)));
     }
 }
@@ -264,11 +268,12 @@ void waitForOutput(const std::vector<WorkerProcess>& workers) {
 
 /// Whether all have answered; an error as soon as there is one.
 Result<bool> advanceAll(std::vector<WorkerProcess>& workers, std::vector<std::optional<WorkerAnswer>>& answers,
-                        Progress& progress) {
+                        Progress& progress, const PreviewSink& show) {
     double fractions = 0.0;
     bool all = true;
     for (std::size_t i = 0; i < workers.size(); ++i) {
         workers[i].advance();
+        if (std::optional<ModelPreview> preview = workers[i].takePreview(); preview && show) show(std::move(*preview));
         if (workers[i].finished() && !answers[i]) answers[i] = workers[i].takeAnswer();
         if (answers[i])
             if (auto* error = std::get_if<Error>(&*answers[i])) return std::move(*error);
@@ -282,7 +287,7 @@ Result<bool> advanceAll(std::vector<WorkerProcess>& workers, std::vector<std::op
 } // namespace
 
 Result<std::vector<WorkerAnswer>> runWorkers(const std::vector<WorkerRequest>& requests, const ImportOptions& options,
-                                             const std::string& subject, Progress& progress) {
+                                             const std::string& subject, Progress& progress, const PreviewSink& show) {
     std::vector<WorkerProcess> workers;
     for (const WorkerRequest& request : requests) {
         Result<WorkerProcess> worker = WorkerProcess::start(request, options, subject);
@@ -292,7 +297,7 @@ Result<std::vector<WorkerAnswer>> runWorkers(const std::vector<WorkerRequest>& r
     std::vector<std::optional<WorkerAnswer>> answers(workers.size());
     while (true) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, subject, {}, {}};
-        Result<bool> all = advanceAll(workers, answers, progress);
+        Result<bool> all = advanceAll(workers, answers, progress, show);
         if (!all) return std::move(all).error();
         if (*all) break;
         waitForOutput(workers);

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <sys/types.h>
+#include <utility>
 
 namespace burin {
 
@@ -29,6 +30,8 @@ public:
     void advance();
     bool finished() const noexcept { return answer_.has_value(); }
     double fraction() const noexcept { return fraction_; }
+    /// What there is to see before the answer; nothing: not yet, or taken. One alone is ever given.
+    std::optional<ModelPreview> takePreview() { return std::exchange(preview_, std::nullopt); }
     /// What the program answered, or the error that its end means. Call when finished.
     WorkerAnswer takeAnswer() { return std::move(*answer_); }
 
@@ -50,12 +53,15 @@ private:
     int output_ = -1;
     FrameReader frames_;
     double fraction_ = 0.0;
+    std::optional<ModelPreview> preview_;
+    bool previewed_ = false;
     std::optional<WorkerAnswer> answer_;
 };
 
 /// Runs one program for each request, side by side, until all have answered or one has failed; the answers in order.
-/// `progress` shows their mean and stops them all when it is cancelled.
+/// `progress` shows their mean and stops them all when it is cancelled; `show` gets previews as they come.
 Result<std::vector<WorkerAnswer>> runWorkers(const std::vector<WorkerRequest>& requests, const ImportOptions& options,
-                                             const std::string& subject, Progress& progress);
+                                             const std::string& subject, Progress& progress,
+                                             const PreviewSink& show = {});
 
 } // namespace burin

@@ -20,7 +20,7 @@ using namespace burin;
 
 // The head of a frame: mark, version, kind and a reserved word of four bytes each, size and checksum of eight.
 constexpr std::size_t headSize = 32, kindAt = 8, sizeAt = 16, checksumAt = 24;
-constexpr std::uint32_t kinds = 6; // one more than there are
+constexpr std::uint32_t kinds = 7; // one more than there are
 
 /// As core/cad/worker_message.cpp takes it; without it no answer gets past the door and nothing behind it is tried.
 std::uint64_t checksum(std::span<const std::uint8_t> bytes) {

@@ -11,6 +11,7 @@
 #include "core/cad/reader/file_format.h"
 #include "core/cad/reader/measure.h"
 #include "core/cad/reader/model_size.h"
+#include "core/cad/reader/preview.h"
 #include "core/cad/reader/solid_mesh.h"
 #include "core/cad/reader/solids.h"
 #include "core/cad/reader/stl_model.h"
@@ -65,8 +66,7 @@ void noteMesh(Model& model, const Body& body, const SolidMesh& mesh) {
 
 Result<Body> makeBody(Model& model, const NamedSolid& solid, double chord, bool careful, const ReportFraction& report) {
     Body body;
-    body.name =
-        solid.name.empty() ? fill(import_notes::unnamedBody, {std::to_string(model.bodies.size() + 1)}) : solid.name;
+    body.name = bodyName(solid, model.bodies.size() + 1);
     body.colour = solid.colour;
     body.box = exactBox(solid.solid); // before meshing, so that no triangle has a say
     body.volume = exactVolume(solid.solid);
@@ -89,9 +89,13 @@ Result<Body> makeBody(Model& model, const NamedSolid& solid, double chord, bool 
     return body;
 }
 
-Result<Model> makeModel(CadFile file, double chord, bool careful, const ReportFraction& report) {
+Result<Model> makeModel(CadFile file, const ReadRequest& request, const ReaderReports& report) {
+    const double chord = request.meshChord;
     Result<std::vector<NamedSolid>> solids = makeSolids(file);
     if (!solids) return std::move(solids).error();
+    // A file at which the mesher crashed isn't given to it more often than it has to be.
+    if (request.preview && !request.careful)
+        if (const std::optional<ModelPreview> preview = previewOf(*solids, chord)) report.preview(*preview);
     Model model;
     model.format = file.format;
     model.lengthUnit = file.lengthUnit;
@@ -105,8 +109,10 @@ Result<Model> makeModel(CadFile file, double chord, bool careful, const ReportFr
     model.brep = encodeShape(whole);
     const auto count = static_cast<double>(solids->size());
     for (std::size_t i = 0; i < solids->size(); ++i) {
-        const auto part = [&](double fraction) { report(0.5 + 0.5 * (static_cast<double>(i) + fraction) / count); };
-        Result<Body> body = makeBody(model, (*solids)[i], chord, careful, part);
+        const auto part = [&](double fraction) {
+            report.fraction(0.5 + 0.5 * (static_cast<double>(i) + fraction) / count);
+        };
+        Result<Body> body = makeBody(model, (*solids)[i], chord, request.careful, part);
         if (!body) return std::move(body).error();
         model.bodies.push_back(std::move(*body));
     }
@@ -125,17 +131,17 @@ Result<CadFile> readCadFile(const std::string& file, FileFormat format, const st
     }
 }
 
-Result<Model> readAnyModel(const ReadRequest& request, const ReportFraction& report) {
+Result<Model> readAnyModel(const ReadRequest& request, const ReaderReports& report) {
     Result<std::string> content = readFile(request.file);
     if (!content) return std::move(content).error();
     Result<FileFormat> format = detectFormat(*content);
     if (!format) return std::move(format).error();
     if (*format == FileFormat::stlText || *format == FileFormat::stlBinary)
         return readStlModel(*content, *format == FileFormat::stlBinary, request.stlUnit);
-    Result<CadFile> file = readCadFile(request.file, *format, *content, report);
+    Result<CadFile> file = readCadFile(request.file, *format, *content, report.fraction);
     if (!file) return std::move(file).error();
     *content = std::string();
-    return makeModel(std::move(*file), request.meshChord, request.careful, report);
+    return makeModel(std::move(*file), request, report);
 }
 
 /// Whether this process came near its limit of memory. OpenCASCADE's mesher swallows a refused allocation and leaves
@@ -183,7 +189,7 @@ Result<TopoDS_Shape> shapeOf(const std::string& brep) {
 
 } // namespace
 
-Result<Model> readModel(const ReadRequest& request, const std::function<void(double)>& report) {
+Result<Model> readModel(const ReadRequest& request, const ReaderReports& report) {
     return guarded<Model>([&]() -> Result<Model> {
         Result<Model> model = readAnyModel(request, report);
         if (!model) return model;

@@ -11,8 +11,14 @@ namespace burin {
 
 // The half of importing that may hang, abort or eat memory: it runs in the import program alone.
 
+/// Where the reader says how far it is, and what there is to see already.
+struct ReaderReports {
+    std::function<void(double)> fraction;                     ///< 0 … 1
+    std::function<void(const ModelPreview& preview)> preview; ///< once at most, if the request asks for it
+};
+
 /// Reads, heals, meshes and measures a model file. Errors, with an empty subject: as importModel.
-Result<Model> readModel(const ReadRequest& request, const std::function<void(double)>& report);
+Result<Model> readModel(const ReadRequest& request, const ReaderReports& report);
 
 /// Exact signed distances of the points, in order. Errors, with an empty subject: fileDamaged, importOutOfMemory.
 Result<std::vector<double>> measureDistances(const DistanceRequest& request, const std::function<void(double)>& report);

@@ -127,6 +127,10 @@ std::string contents(const CadFile& file, int openEdges) {
 
 } // namespace
 
+std::string bodyName(const NamedSolid& solid, std::size_t number) {
+    return solid.name.empty() ? fill(import_notes::unnamedBody, {std::to_string(number)}) : solid.name;
+}
+
 TopoDS_Shape healed(const TopoDS_Shape& shape) {
     const Handle(ShapeFix_Shape) fix = new ShapeFix_Shape(shape);
     fix->Perform();

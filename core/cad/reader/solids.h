@@ -15,6 +15,9 @@ struct NamedSolid {
     std::optional<std::array<std::uint8_t, 3>> colour; ///< sRGB
 };
 
+/// As the solid's body is called: as in the file, where that says nothing by its number (from 1).
+std::string bodyName(const NamedSolid& solid, std::size_t number);
+
 /// The solids of a file: as they are where they are valid, healed where not, sewn from loose faces where there is no
 /// solid. What was done is added to `file.notes`. Error, with an empty subject: modelHasNoSolid (detail:
 /// `file.missingFiles`).

@@ -178,6 +178,84 @@ private slots:
         QVERIFY(import(modelFile("cube.brep")));
     }
 
+    /// It comes before the model, looks like it, and is asked for.
+    void aPreviewComesFirst() {
+        Progress progress;
+        std::vector<ModelPreview> previews;
+        double fractionThen = -1.0;
+        const Result<Model> model =
+            importModel(modelFile("red-cube-blue-cylinder.step"), options(), progress, [&](ModelPreview preview) {
+                fractionThen = progress.fraction();
+                previews.push_back(std::move(preview));
+            });
+        QVERIFY(model);
+        QCOMPARE(previews.size(), std::size_t{1});
+        const ModelPreview& preview = previews.front();
+        QVERIFY(fractionThen < 1.0);
+        QCOMPARE(preview.sourceFile, model->sourceFile);
+        QCOMPARE(preview.bodies.size(), model->bodies.size());
+        const double coarse = 0.01 * glm::length(model->box().size());
+        for (std::size_t i = 0; i < preview.bodies.size(); ++i) {
+            QCOMPARE(preview.bodies[i].name, model->bodies[i].name);
+            QVERIFY(preview.bodies[i].colour == model->bodies[i].colour);
+            Box box;
+            for (const glm::vec3& vertex : preview.bodies[i].mesh.vertices) box.include(glm::dvec3(vertex));
+            QVERIFY(glm::distance(box.low, model->bodies[i].box.low) < coarse);
+            QVERIFY(glm::distance(box.high, model->bodies[i].box.high) < coarse);
+        }
+    }
+    void withoutOneWhoLooksThereIsNoPreview() {
+        const ReadRequest silent{modelFile("red-cube-blue-cylinder.step").string()};
+        Result<WorkerProcess> process = WorkerProcess::start(silent, options(), "a part");
+        QVERIFY(process);
+        QTRY_VERIFY_WITH_TIMEOUT((process->advance(), process->finished()), 30000);
+        QVERIFY(!process->takePreview());
+    }
+    /// However many the program sends: whoever shows them would drown.
+    void onePreviewIsTaken() {
+        const fs::path frames = fs::path(folder_.path().toStdString()) / "frames";
+        std::string bytes;
+        for (const char* name : {"first", "second", "third"}) bytes += encodeFrame(ModelPreview{name, {}});
+        bytes += encodeFrame(WorkerAnswer(Error{ErrorCode::modelHasNoSolid, {}, {}, {}}));
+        QVERIFY(writeFileAtomically(frames, bytes));
+        std::vector<std::string> seen;
+        Progress progress;
+        const auto answers = runWorkers({ReadRequest{}}, scripted("cat '" + frames.string() + "'"), "a part", progress,
+                                        [&](const ModelPreview& preview) { seen.push_back(preview.sourceFile); });
+        QVERIFY(!answers && answers.error().code == ErrorCode::modelHasNoSolid);
+        QCOMPARE(seen, std::vector<std::string>{"first"});
+    }
+    void damagedPreviewsAreRefused() {
+        ModelPreview preview{"/a/part.step", {{"Body 1", {{1, 2, 3}}, {}}, {"lid", std::nullopt, {}}}};
+        preview.bodies[0].mesh.vertices = {{0.0F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.5F}};
+        preview.bodies[0].mesh.triangles = {{0, 1, 2}};
+        const auto read = [](const std::string& frame) {
+            FrameReader reader;
+            reader.append(frame);
+            return reader.next();
+        };
+        const std::string frame = encodeFrame(preview);
+        const std::optional<WorkerFrame> whole = read(frame);
+        const auto* same = whole ? std::get_if<ModelPreview>(&*whole) : nullptr;
+        QVERIFY(same);
+        QCOMPARE(same->sourceFile, preview.sourceFile);
+        QCOMPARE(same->bodies.size(), std::size_t{2});
+        QVERIFY(same->bodies[0].colour == preview.bodies[0].colour && !same->bodies[1].colour);
+        QCOMPARE(same->bodies[0].mesh.vertices, preview.bodies[0].mesh.vertices);
+        QVERIFY(same->bodies[0].mesh.triangles == preview.bodies[0].mesh.triangles);
+        for (std::size_t i = 0; i < frame.size(); ++i) {
+            std::string broken = frame;
+            broken[i] = static_cast<char>(broken[i] ^ 0x55);
+            QVERIFY(!read(broken) || (i >= 12 && i < 16)); // the reserved word alone may change unnoticed
+        }
+        // Sound bytes that say something wrong.
+        ModelPreview outside = preview, nowhere = preview;
+        outside.bodies[0].mesh.triangles = {{0, 1, 3}};
+        nowhere.bodies[0].mesh.vertices[1].y = std::numeric_limits<float>::quiet_NaN();
+        QVERIFY(!read(encodeFrame(outside)));
+        QVERIFY(!read(encodeFrame(nowhere)));
+    }
+
     void damagedAnswersAreRefused() {
         Progress progress;
         const Result<Model> model = import(modelFile("tet.step"));

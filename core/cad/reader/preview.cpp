@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cad/reader/preview.h"
+
+#include "core/cad/reader/shape_mesh.h"
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepTools.hxx>
+#include <Bnd_Box.hxx>
+#include <IMeshTools_Parameters.hxx>
+#include <Message_ProgressIndicator.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+namespace burin {
+
+namespace {
+
+constexpr double relativeChord = 0.002; // of the model's diagonal: half a pixel to a pixel of a window
+constexpr double angle = 0.4;           // rad between neighbours: less than what is drawn as a crease
+constexpr double leastGain = 4.0;       // how much coarser than the mesh it has to be
+
+double processorSeconds() {
+    timespec used{};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+}
+
+/// Stops the mesher between two faces when the time is over.
+class TimeLimit final : public Message_ProgressIndicator {
+public:
+    Standard_Boolean UserBreak() override { return over(); }
+    void Show(const Message_ProgressScope&, const Standard_Boolean) override {}
+    bool over() const { return processorSeconds() > end_; }
+
+private:
+    double end_ = processorSeconds() + previewSeconds;
+};
+
+bool hasCurvedFace(const TopoDS_Shape& solid) {
+    for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next())
+        if (BRepAdaptor_Surface(TopoDS::Face(faces.Current()), Standard_False).GetType() != GeomAbs_Plane) return true;
+    return false;
+}
+
+/// Of all solids, mm; 0 where they have no extent.
+double diagonalOf(std::span<const NamedSolid> solids) {
+    Bnd_Box box;
+    for (const NamedSolid& solid : solids) BRepBndLib::Add(solid.solid, box, Standard_False);
+    return box.IsVoid() || box.IsOpen() ? 0.0 : std::sqrt(box.SquareExtent());
+}
+
+PreviewMesh meshCoarsely(const TopoDS_Solid& solid, double chord, const Handle(TimeLimit) & limit) {
+    IMeshTools_Parameters parameters;
+    parameters.MeshAlgo = IMeshTools_MeshAlgoType_Delabella;
+    parameters.Deflection = chord;
+    parameters.Angle = angle;
+    parameters.Relative = Standard_False;
+    parameters.InParallel = Standard_False;
+    parameters.MinSize = 0.5 * chord;
+    parameters.ControlSurfaceDeflection = Standard_False;
+    parameters.InternalVerticesMode = Standard_False;
+    BRepTools::Clean(solid); // of what a file brought along
+    const BRepMesh_IncrementalMesh mesher(solid, parameters, limit->Start());
+    const TriangleMesh mesh = ShapeMesh(solid, chord).mesh();
+    BRepTools::Clean(solid);
+    PreviewMesh preview;
+    preview.vertices.assign(mesh.vertices.begin(), mesh.vertices.end());
+    preview.triangles = mesh.triangles;
+    return preview;
+}
+
+} // namespace
+
+std::optional<ModelPreview> previewOf(std::span<const NamedSolid> solids, double chord) try {
+    const double coarse = relativeChord * diagonalOf(solids);
+    if (!(coarse >= leastGain * chord)) return std::nullopt;
+    if (std::ranges::none_of(solids, [](const NamedSolid& solid) { return hasCurvedFace(solid.solid); }))
+        return std::nullopt;
+    const Handle(TimeLimit) limit = new TimeLimit;
+    ModelPreview preview;
+    for (const NamedSolid& solid : solids) {
+        PreviewMesh mesh = meshCoarsely(solid.solid, coarse, limit);
+        if (limit->over()) return std::nullopt;
+        preview.bodies.push_back({bodyName(solid, preview.bodies.size() + 1), solid.colour, std::move(mesh)});
+    }
+    return preview;
+} catch (const Standard_Failure&) {
+    for (const NamedSolid& solid : solids) BRepTools::Clean(solid.solid);
+    return std::nullopt;
+}
+
+} // namespace burin
