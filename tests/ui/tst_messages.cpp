@@ -166,6 +166,28 @@ private slots:
         }
     }
 
+    /// Core records places and details in English; what a user typed stays as it was typed.
+    void whatCoreRecordsIsTranslated() {
+        const Error program{ErrorCode::programSyntax, "a.ngc", "line 3, column 7",
+                            "word is repeated: X1; its start is set by line 2"};
+        const Error file{ErrorCode::resourceInvalid, "mill.json", "home_mm[2]", "has to be a number from -1 to 1e+06"};
+        const Error typed{ErrorCode::argumentInvalid, "--place", "true or false", "0 to 8"};
+        const Error unknown{ErrorCode::resourceInvalid, "mill.json", "id", "what only a driver would say"};
+        const auto says = [](const Error& error, const char* words) {
+            const QString sentence = Messages::sentence(error);
+            if (!sentence.contains(QString::fromUtf8(words))) qWarning("%s", qPrintable(sentence));
+            return sentence.contains(QString::fromUtf8(words));
+        };
+        QVERIFY(says(program, "line 3, column 7 (word is repeated: X1; its start is set by line 2)"));
+        QVERIFY(says(file, "(has to be a number from -1 to 1e+06)"));
+        const InGerman german;
+        QVERIFY(says(program, "Zeile 3, Spalte 7"));
+        QVERIFY(says(program, "das Wort kommt zweimal vor: X1; seinen Anfang setzt Zeile 2"));
+        QVERIFY(says(file, "„home_mm[2]“") && says(file, "muss eine Zahl von -1 bis 1e+06 sein"));
+        QVERIFY(says(typed, "„true or false“") && says(typed, "0 bis 8"));
+        QVERIFY(says(unknown, "(what only a driver would say)"));
+    }
+
     /// Materials, tools and machines have names in their files, which no update of the translations reads.
     void whatBurinIsShippedWithIsTranslated() {
         int names = 0;
