@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cad/model.h"
+#include "core/cad/model_preview.h"
 #include "core/haptics/guide.h"
 #include "core/haptics/tick_sink.h"
 #include "core/nc/lint.h"
@@ -27,7 +28,8 @@
 namespace burin {
 
 struct PartState {
-    std::shared_ptr<const Model> model; ///< null: none yet
+    std::shared_ptr<const Model> model;          ///< null: none yet
+    std::shared_ptr<const ModelPreview> preview; ///< of the one that is being read; null: none
     bool busy = false;
 };
 

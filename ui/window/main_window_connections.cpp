@@ -118,6 +118,7 @@ void MainWindow::connectWorkbench() {
         if (left ? left->embedded : contents.setup.has_value()) workbench_.ensureWorkpiece();
     });
     workbench_.document.keepLeftAt([this] { return toJson(leftAt()); });
+    connect(&workbench_.model, &Controller::changed, this, &MainWindow::followPreview);
     connect(&workbench_.model, &ModelController::imported, this, [this] {
         message_->dismiss();
         showStep(JobStep::stock);
