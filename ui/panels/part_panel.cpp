@@ -30,6 +30,10 @@ constexpr std::array stlUnits{std::pair{1.0, QT_TRANSLATE_NOOP("burin::PartPanel
                               std::pair{10.0, QT_TRANSLATE_NOOP("burin::PartPanel", "cm")},
                               std::pair{1000.0, QT_TRANSLATE_NOOP("burin::PartPanel", "m")}};
 
+QColor swatchOf(const std::optional<std::array<std::uint8_t, 3>>& colour) {
+    return colour ? QColor((*colour)[0], (*colour)[1], (*colour)[2]) : QColor();
+}
+
 } // namespace
 
 class PartPanel::Fields : public QObject {
@@ -42,9 +46,12 @@ public:
 
 private:
     void makeStlUnit(PartPanel* panel);
+    void refreshFile(const std::string& file);
     void refreshModel();
+    void refreshPreview();
     void refreshStlUnit();
     std::vector<ListRow> bodyRows() const;
+    std::vector<ListRow> previewRows() const;
     std::vector<ListRow> noteRows() const;
 
     QPushButton* import_;
@@ -131,25 +138,42 @@ void PartPanel::Fields::refreshStlUnit() {
 }
 
 void PartPanel::Fields::refresh() {
-    const bool shown = state.model != nullptr;
-    import_->setText(shown ? PartPanel::tr("Import another part…") : PartPanel::tr("Import a part…"));
-    setLook(import_, shown ? "" : "primary");
+    const bool shown = state.model && !state.preview;
+    import_->setText(state.model ? PartPanel::tr("Import another part…") : PartPanel::tr("Import a part…"));
+    setLook(import_, state.model ? "" : "primary");
     enableUnless(import_, state.busy ? PartPanel::tr("A part is being read.") : QString(),
                  PartPanel::tr("Read a STEP, IGES, BREP or STL file"));
-    setWrappedText(empty_, state.busy ? PartPanel::tr("The part is being read…")
-                           : shown    ? QString()
+    setWrappedText(empty_, state.preview ? PartPanel::tr("This is a preview. The fine mesh, which is milled to, is "
+                                                         "being made…")
+                           : state.busy  ? PartPanel::tr("The part is being read…")
+                           : shown       ? QString()
                                    : PartPanel::tr("The CAD solid that is to be made. STEP keeps the exact surfaces, "
                                                    "an STL file has only triangles."));
     empty_->setVisible(state.busy || !shown);
-    content_->setVisible(shown);
+    content_->setVisible(shown || state.preview);
+    for (QWidget* row : {format_, size_, volume_}) row->setVisible(shown);
     if (shown) refreshModel();
+    if (state.preview) refreshPreview();
+}
+
+void PartPanel::Fields::refreshFile(const std::string& name) {
+    const QString file = QString::fromStdString(name);
+    file_->setText(QFileInfo(file).fileName());
+    file_->setToolTip(file);
+}
+
+/// No value of it: none stands yet.
+void PartPanel::Fields::refreshPreview() {
+    refreshFile(state.preview->sourceFile);
+    bodies_->setRows(previewRows());
+    for (QWidget* row :
+         {static_cast<QWidget*>(stlUnitRow_), static_cast<QWidget*>(notesTitle_), static_cast<QWidget*>(notes_)})
+        row->hide();
 }
 
 void PartPanel::Fields::refreshModel() {
     const Model& model = *state.model;
-    const QString file = QString::fromStdString(model.sourceFile);
-    file_->setText(QFileInfo(file).fileName());
-    file_->setToolTip(file);
+    refreshFile(model.sourceFile);
     const QString scale = QString::fromStdString(model.lengthUnit);
     format_->setValue(QString::fromStdString(model.format) +
                       (scale.isEmpty() || scale == QLatin1String("none") ? QString() : QStringLiteral(", ") + scale));
@@ -182,9 +206,20 @@ std::vector<ListRow> PartPanel::Fields::bodyRows() const {
         if (body.openEdges > 0) {
             row.icon = QStringLiteral("warning");
             row.iconRole = &Palette::accent;
-        } else if (body.colour) {
-            row.swatch = QColor((*body.colour)[0], (*body.colour)[1], (*body.colour)[2]);
+        } else {
+            row.swatch = swatchOf(body.colour);
         }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+std::vector<ListRow> PartPanel::Fields::previewRows() const {
+    std::vector<ListRow> rows;
+    for (const PreviewBody& body : state.preview->bodies) {
+        ListRow row;
+        row.title = row.toolTip = bodyName(body.name);
+        row.swatch = swatchOf(body.colour);
         rows.push_back(row);
     }
     return rows;

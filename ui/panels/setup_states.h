@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cad/model.h"
+#include "core/cad/model_preview.h"
 #include "core/setup/axis_mode.h"
 #include "core/setup/obstacle.h"
 #include "core/setup/setup.h"
@@ -21,7 +22,8 @@
 namespace burin {
 
 struct PartState {
-    std::shared_ptr<const Model> model; ///< null: none yet
+    std::shared_ptr<const Model> model;          ///< null: none yet
+    std::shared_ptr<const ModelPreview> preview; ///< of the one that is being read; null: none
     bool busy = false;
 };
 

@@ -72,6 +72,12 @@ void addBenchLights(vtkRenderer& renderer) {
     addLight(renderer, {{0.0, 0.3, 1.0}, skyLight}); // VTK has no sky
 }
 
+void setBackdrop(vtkRenderer& renderer, const QColor& top, const QColor& bottom) {
+    renderer.GradientBackgroundOn();
+    renderer.SetBackground(bottom.redF(), bottom.greenF(), bottom.blueF());
+    renderer.SetBackground2(top.redF(), top.greenF(), top.blueF());
+}
+
 void shadeSimply(vtkActor& actor) {
     static const std::string shading = simpleShading();
     actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, shading, false);

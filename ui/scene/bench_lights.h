@@ -7,11 +7,16 @@
 #include <vtkActor.h>
 #include <vtkRenderer.h>
 
+#include <QColor>
+
 namespace burin {
 
 /// Lights that go with the eye: a strong one from the upper left, so that faces of every direction differ and a groove
 /// reads as a groove, a weak one from the right, and what a bright sky gives.
 void addBenchLights(vtkRenderer& renderer);
+
+/// What is seen behind everything.
+void setBackdrop(vtkRenderer& renderer, const QColor& top, const QColor& bottom);
 
 /// Shades a matt surface by the bench's lights as an eye far away would see it: no reflection, power or root a light
 /// and pixel, which in software takes half of the time of a picture. Hollow edges are darker, raised ones lighter. For

@@ -24,14 +24,16 @@ constexpr double edgeHeight = 0.3; // just above their own faces: not through st
 
 } // namespace
 
+ShadedBody shadedBody(const TriangleMesh& mesh, const std::optional<std::array<std::uint8_t, 3>>& colour) {
+    ShadedBody body{std::make_shared<const ShadedMesh>(shaded(mesh, creaseAngle)), std::nullopt};
+    if (colour) body.colour = QColor((*colour)[0], (*colour)[1], (*colour)[2]);
+    return body;
+}
+
 std::vector<ShadedBody> shadedBodies(const Model& model) {
     std::vector<ShadedBody> bodies;
     bodies.reserve(model.bodies.size());
-    for (const Body& body : model.bodies) {
-        ShadedBody drawn{std::make_shared<const ShadedMesh>(shaded(body.mesh, creaseAngle)), std::nullopt};
-        if (body.colour) drawn.colour = QColor((*body.colour)[0], (*body.colour)[1], (*body.colour)[2]);
-        bodies.push_back(std::move(drawn));
-    }
+    for (const Body& body : model.bodies) bodies.push_back(shadedBody(body.mesh, body.colour));
     return bodies;
 }
 

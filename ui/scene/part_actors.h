@@ -28,6 +28,7 @@ struct ShadedBody {
     std::optional<QColor> colour;           ///< the file's; none: the part's blue
 };
 
+ShadedBody shadedBody(const TriangleMesh& mesh, const std::optional<std::array<std::uint8_t, 3>>& colour);
 /// Takes some tenths of a second for a large model: for a worker thread.
 std::vector<ShadedBody> shadedBodies(const Model& model);
 

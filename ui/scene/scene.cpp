@@ -12,17 +12,13 @@
 namespace burin {
 namespace {
 
-std::array<double, 3> components(const QColor& colour) {
-    return {colour.redF(), colour.greenF(), colour.blueF()};
-}
-
 std::array<std::uint8_t, 3> bytes(const QColor& colour) {
     return {static_cast<std::uint8_t>(colour.red()), static_cast<std::uint8_t>(colour.green()),
             static_cast<std::uint8_t>(colour.blue())};
 }
 
 /// What is drawn, mm, as far as near and far plane have to reach.
-Box boundsOf(vtkRenderer& renderer) {
+Box drawnBy(vtkRenderer& renderer) {
     std::array<double, 6> b{};
     renderer.ComputeVisiblePropBounds(b.data());
     return {{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
@@ -32,7 +28,8 @@ Box boundsOf(vtkRenderer& renderer) {
 
 Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, GuideActors::SurfaceMaker surfaces,
              ObstacleActors::SurfaceMaker obstacles)
-    : part_(*bench_, *marks_)
+    : preview_(window)
+    , part_(*bench_, *marks_)
     , workpiece_(*bench_, *films_, std::move(workpieceReady))
     , tool_(*bench_, *films_)
     , livePath_(*bench_)
@@ -54,7 +51,6 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , force_(*marks_)
     , cube_(window, 3) {
     window.SetNumberOfLayers(4);
-    bench_->GradientBackgroundOn();
     addBenchLights(*bench_);
     addBenchLights(*marks_);
     addBenchLights(*films_);
@@ -69,8 +65,8 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
 }
 
 void Scene::setPalette(const Palette& palette) {
-    bench_->SetBackground(components(palette.sceneBottom).data());
-    bench_->SetBackground2(components(palette.sceneTop).data());
+    setBackdrop(*bench_, palette.sceneTop, palette.sceneBottom);
+    preview_.setPalette(palette);
     part_.setColours(palette.part, palette.pathHalo);
     workpiece_.setPartColour(bytes(palette.part));
     tool_.setPalette(palette);
@@ -97,6 +93,17 @@ void Scene::setPart(std::vector<ShadedBody> bodies, const Box& box) {
     workpiece_.setPartDrawn(!bodies.empty());
     part_.setBodies(std::move(bodies));
     partBox_ = box;
+    refresh();
+}
+
+void Scene::setPreview(std::vector<ShadedBody> bodies, const Box& content) {
+    preview_.set(std::move(bodies), content);
+    for (vtkRenderer* layer : {bench_.Get(), films_.Get(), marks_.Get()}) layer->DrawOff();
+}
+
+void Scene::clearPreview() {
+    preview_.clear();
+    bench_->DrawOn(); // the others' turn comes with the next paint
     refresh();
 }
 
@@ -177,6 +184,7 @@ void Scene::setObstacles(std::vector<ObstacleMark> marks) {
 }
 
 Box Scene::contentBox() const {
+    if (preview_.shown()) return preview_.content();
     Box content = partBox_;
     if (stock_.box()) content.include(*stock_.box());
     if (!shown_.empty()) content.include(shown_.grid().box());
@@ -193,6 +201,7 @@ void Scene::refresh() {
 }
 
 std::optional<glm::dvec3> Scene::pick(const Sight& sight) const {
+    if (preview_.shown()) return preview_.pick(sight);
     Sight seen = sight;
     if (section_.plane()) seen.origin += burin::seenFrom(*section_.plane(), sight) * sight.direction;
     std::optional<glm::dvec3> nearest = part_.pick(seen);
@@ -213,6 +222,7 @@ std::vector<CutPlace> Scene::cuts() const {
 void Scene::setLineWidths(double ratio) {
     if (ratio == lineRatio_) return;
     lineRatio_ = ratio;
+    preview_.setLineWidths(ratio);
     livePath_.setLineWidth(pathLine * ratio);
     editedPath_.setLineWidth(pathLine * ratio);
     otherPaths_.setLineWidth(pathLine * ratio);
@@ -233,6 +243,13 @@ void Scene::setLineWidths(double ratio) {
 std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const CameraView& view, const QSizeF& size,
                                                                     double ratio, bool moving) {
     setLineWidths(ratio);
+    cube_.place(view, size, ratio);
+    if (preview_.shown()) {
+        preview_.place(view, size, ratio);
+        aimCamera(preview_.renderer(), drawnBy(preview_.renderer()), view);
+        preview_.setDepthCue(depthCue(preview_.renderer()));
+        return std::nullopt;
+    }
     part_.setDetail(moving, pixelAt(view, size, view.focus) / ratio);
     workpiece_.update(moving, toolMarks_.proxy.tip);
     part_.setBare(workpiece_.bare());
@@ -245,40 +262,44 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     guides_.place(view, size, ratio);
     touch_.place(view, size, ratio);
     section_.place(workpieceSeen() ? shown_ : VolumeSnapshot(), contentBox(), view, size);
-    cube_.place(view, size, ratio);
     films_->SetDraw(guides_.visible() || obstacles_.filmsVisible() || tool_.filmsVisible() ||
                     workpiece_.filmsVisible());
     marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible() || moveMark_.visible() ||
                     outlines_.visible() || strokePlans_.visible() || touch_.visible() || section_.plane().has_value());
 
-    aimCamera(view);
-    cueDepth();
+    aimCamera(*bench_, drawnBounds(), view);
+    const DepthCue cue = depthCue(*bench_);
+    part_.setDepthCue(cue);
+    workpiece_.setDepthCue(cue);
     return workpieceSeen() ? workpiece_.takeCutShown() : std::nullopt;
 }
 
-void Scene::aimCamera(const CameraView& view) {
-    Box bounds = boundsOf(*bench_);
+Box Scene::drawnBounds() {
+    Box bounds = drawnBy(*bench_);
     for (vtkRenderer* layer : {films_.Get(), marks_.Get()})
-        if (layer->GetDraw() != 0) bounds.include(boundsOf(*layer));
-    vtkCamera* camera = bench_->GetActiveCamera();
+        if (layer->GetDraw() != 0) bounds.include(drawnBy(*layer));
+    return bounds;
+}
+
+void Scene::aimCamera(vtkRenderer& renderer, const Box& bounds, const CameraView& view) {
+    vtkCamera* camera = renderer.GetActiveCamera();
     if (bounds.empty()) return aim(*camera, view, view.distance);
     aim(*camera, view, glm::distance(view.focus, bounds.centre()) + glm::length(bounds.size()));
     const std::array<double, 6> b{bounds.low.x,  bounds.high.x, bounds.low.y,
                                   bounds.high.y, bounds.low.z,  bounds.high.z};
-    bench_->ResetCameraClippingRange(b.data());
+    renderer.ResetCameraClippingRange(b.data());
 }
 
-void Scene::cueDepth() {
-    vtkCamera& camera = *bench_->GetActiveCamera();
+DepthCue Scene::depthCue(vtkRenderer& renderer) const {
+    vtkCamera& camera = *renderer.GetActiveCamera();
     glm::dvec3 eye, along;
     camera.GetPosition(&eye.x);
     camera.GetDirectionOfProjection(&along.x);
-    const DepthCue cue = depthCueOf(contentBox(), eye, along);
-    part_.setDepthCue(cue);
-    workpiece_.setDepthCue(cue);
+    return depthCueOf(contentBox(), eye, along);
 }
 
 std::size_t Scene::triangles() const {
+    if (preview_.shown()) return preview_.triangles();
     return part_.triangles() + deviations_.triangles() + tool_.triangles() +
            (workpieceSeen() ? workpiece_.triangles() : 0);
 }

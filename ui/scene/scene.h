@@ -14,6 +14,7 @@
 #include "ui/scene/obstacle_actors.h"
 #include "ui/scene/other_paths.h"
 #include "ui/scene/part_actors.h"
+#include "ui/scene/preview_stage.h"
 #include "ui/scene/scale_bar.h"
 #include "ui/scene/section_actors.h"
 #include "ui/scene/stock_outline.h"
@@ -31,7 +32,8 @@
 
 namespace burin {
 
-/// Everything that stands on the bench, in one VTK window of four layers: the bench, the guides with the bench's
+/// Everything that stands on the bench, and in its stead what there is to see of a part that is being read, in one VTK
+/// window of four layers: the bench, the guides with the bench's
 /// depths, the marks that must never be hidden (ghost, coupling, force, guides seen through), the view cube. Knows no
 /// Qt widget. Thread: user interface.
 class Scene {
@@ -44,10 +46,15 @@ public:
     void setPalette(const Palette& palette);
     void setLengthUnit(LengthUnit unit) {
         scaleBar_.setUnit(unit);
+        preview_.setLengthUnit(unit);
         touch_.setUnit(unit);
     }
     void setPart(std::vector<ShadedBody> bodies, const Box& box);
     void setCoarsePart(const CoarseBodies& coarse) { part_.setCoarse(coarse); }
+    /// In the stead of all else, until it is cleared. @param content what a fitted view shows, mm
+    void setPreview(std::vector<ShadedBody> bodies, const Box& content);
+    void clearPreview();
+    bool previewing() const noexcept { return preview_.shown(); }
     /// Nothing: while there is no workpiece to be seen.
     void setPartVisible(std::optional<bool> visible);
     void setStock(const std::optional<Box>& stock);
@@ -75,9 +82,10 @@ public:
     ViewCube& cube() noexcept { return cube_; }
     const WorkpieceActors& workpiece() const noexcept { return workpiece_; }
 
-    /// Part, stock, workpiece and what stands around them: what `fit` shows. Not the tool, which may be far away.
+    /// Part, stock, workpiece and what stands around them, or the preview: what `fit` shows. Not the tool, which may be
+    /// far away.
     Box contentBox() const;
-    /// The nearest place of workpiece or part on a sight. Nothing: it misses them.
+    /// The nearest place of workpiece or part, or of the preview, on a sight. Nothing: it misses them.
     std::optional<glm::dvec3> pick(const Sight& sight) const;
     /// Puts everything in its place for a paint.
     /// @param size of the widget, device-independent pixels; @param ratio screen pixels a device-independent one
@@ -91,11 +99,13 @@ private:
     bool workpieceSeen() const noexcept { return workpieceVisible_ && !shown_.empty(); }
     void refresh();
     void setLineWidths(double ratio);
-    void aimCamera(const CameraView& view);
-    void cueDepth();
+    void aimCamera(vtkRenderer& renderer, const Box& bounds, const CameraView& view);
+    Box drawnBounds();
+    DepthCue depthCue(vtkRenderer& renderer) const;
     std::vector<CutPlace> cuts() const; ///< those that nothing may hide
 
     vtkNew<vtkRenderer> bench_, films_, marks_;
+    PreviewStage preview_;
     PartActors part_;
     WorkpieceActors workpiece_;
     ToolActors tool_;

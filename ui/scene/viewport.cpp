@@ -64,17 +64,41 @@ void Viewport::setLengthUnit(LengthUnit unit) {
 }
 
 void Viewport::setPart(std::shared_ptr<const Model> model) {
-    const std::uint64_t order = ++impl_->partOrdered;
-    impl_->part = model;
+    impl_->orderPart(std::move(model), [] {});
+}
+
+void Viewport::setPreviewedPart(std::shared_ptr<const Model> model) {
+    ++impl_->previewOrdered; // what isn't drawn yet is too late
+    if (!impl_->scene.previewing()) fit();
+    impl_->orderPart(std::move(model), [this] { impl_->endPreview(true); });
+}
+
+void Viewport::setPreview(const std::shared_ptr<const ModelPreview>& preview, double margin) {
+    const std::uint64_t order = ++impl_->previewOrdered;
+    if (!preview) return impl_->endPreview(false);
+    impl_->onPool([preview, margin] { return std::pair(shadedBodies(*preview), boundsOf(*preview, margin)); },
+                  [impl = impl_.get(), order](const auto& made) {
+                      if (impl->previewOrdered == order) impl->showPreview(made->first, made->second);
+                  });
+}
+
+bool Viewport::showsPreview() const {
+    return impl_->scene.previewing();
+}
+
+/// @param drawn called as soon as the part is
+void Viewport::Impl::orderPart(std::shared_ptr<const Model> model, std::function<void()> drawn) {
+    const std::uint64_t order = ++partOrdered;
+    part = model;
     if (!model) {
-        impl_->scene.setPart({}, {});
-        impl_->contentChanged();
+        scene.setPart({}, {});
+        contentChanged();
         return;
     }
     // Shading takes some tenths of a second for a large part, what is drawn while things move some more: on a thread of
     // the pool.
-    const QPointer<Viewport> self(this);
-    QThreadPool::globalInstance()->start([self, model = std::move(model), order] {
+    const QPointer<Viewport> self(&widget);
+    QThreadPool::globalInstance()->start([self, model = std::move(model), order, drawn = std::move(drawn)] {
         workInBackground();
         const auto inWindow = [&](auto change) {
             QMetaObject::invokeMethod(
@@ -88,9 +112,11 @@ void Viewport::setPart(std::shared_ptr<const Model> model) {
         };
         const std::vector<ShadedBody> bodies = shadedBodies(*model);
         const Box box = model->box();
-        inWindow([bodies, box](Scene& scene) { scene.setPart(bodies, box); });
-        inWindow(
-            [coarse = coarseBodies(bodies, glm::length(box.size()))](Scene& scene) { scene.setCoarsePart(coarse); });
+        inWindow([bodies, box, drawn](Scene& of) {
+            of.setPart(bodies, box);
+            drawn();
+        });
+        inWindow([coarse = coarseBodies(bodies, glm::length(box.size()))](Scene& of) { of.setCoarsePart(coarse); });
     });
 }
 
@@ -280,6 +306,7 @@ ViewportEvent Viewport::sight(const QPointF& position) const {
 }
 
 std::optional<glm::dvec3> Viewport::pick(const QPointF& position) const {
+    if (impl_->scene.previewing()) return std::nullopt;
     return impl_->scene.pick(sightThrough(impl_->motion.view(), impl_->motion.size(), position));
 }
 
@@ -351,7 +378,9 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
             return;
         }
     }
-    if (impl_->tool != nullptr && impl_->tool->press(impl_->eventAt(*event, event->modifiers()))) return;
+    if (InteractiveTool* tool = impl_->toolInHand();
+        tool != nullptr && tool->press(impl_->eventAt(*event, event->modifiers())))
+        return;
     if (event->button() != Qt::MiddleButton && event->button() != Qt::RightButton) return;
     const bool both = event->buttons().testFlags(Qt::MiddleButton | Qt::RightButton);
     const bool pan = both || (event->button() == Qt::MiddleButton && event->modifiers().testFlag(Qt::ShiftModifier));
@@ -368,13 +397,13 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     const bool pressed = event->buttons() != Qt::NoButton;
     setCursor(!pressed && impl_->onSectionGrip(event->position()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
     impl_->hoverCube(pressed ? std::nullopt : std::optional(event->position()));
-    if (impl_->tool != nullptr) impl_->tool->move(impl_->eventAt(*event, event->modifiers()));
+    if (InteractiveTool* tool = impl_->toolInHand()) tool->move(impl_->eventAt(*event, event->modifiers()));
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton && std::exchange(impl_->sectionGrip, std::nullopt)) return;
     if (!event->buttons().testAnyFlags(Qt::MiddleButton | Qt::RightButton)) impl_->motion.endDrag();
-    if (impl_->tool != nullptr) impl_->tool->release(impl_->eventAt(*event, event->modifiers()));
+    if (InteractiveTool* tool = impl_->toolInHand()) tool->release(impl_->eventAt(*event, event->modifiers()));
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -386,7 +415,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
     const QPoint angle = event->angleDelta(); // some platforms turn it aside while a modifier is down
     ViewportEvent sighted = impl_->eventAt(*event, event->modifiers());
     sighted.wheelSteps = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
-    if (impl_->tool != nullptr && impl_->tool->wheel(sighted)) return;
+    if (InteractiveTool* tool = impl_->toolInHand(); tool != nullptr && tool->wheel(sighted)) return;
     impl_->motion.zoom(sighted.wheelSteps, impl_->pivotAt(event->position()));
     impl_->moved();
 }
@@ -395,13 +424,14 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
     // Only what moves by steps may repeat; a spindle that is switched by a key that is held would chatter.
     const bool mayRepeat = event->key() >= Qt::Key_Left && event->key() <= Qt::Key_PageDown;
     if (event->isAutoRepeat() && !mayRepeat) return;
-    if (impl_->tool != nullptr && impl_->tool->key(event->key(), event->modifiers())) return;
+    if (InteractiveTool* tool = impl_->toolInHand(); tool != nullptr && tool->key(event->key(), event->modifiers()))
+        return;
     QWidget::keyPressEvent(event);
 }
 
 void Viewport::leaveEvent(QEvent* event) {
     impl_->hoverCube(std::nullopt);
-    if (impl_->tool != nullptr) impl_->tool->leave();
+    if (InteractiveTool* tool = impl_->toolInHand()) tool->leave();
     QWidget::leaveEvent(event);
 }
 

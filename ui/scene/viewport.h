@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cad/model.h"
+#include "core/cad/model_preview.h"
 #include "core/path/evaluate.h"
 #include "core/recording/sample.h"
 #include "core/tool/tool.h"
@@ -73,6 +74,14 @@ public:
     void setLengthUnit(LengthUnit unit);
     /// The bare part, drawn until there is a workpiece (and on wish beside it). Null: none.
     void setPart(std::shared_ptr<const Model> model);
+    /// As setPart, of the part whose preview is drawn: that stays until the part can be drawn, which is seen from where
+    /// the preview was. Where no preview was drawn yet, the part is fitted into the picture.
+    void setPreviewedPart(std::shared_ptr<const Model> model);
+    /// Drawn in the stead of everything else, as soon as it can be, and fitted into the picture; the interactive tool
+    /// then gets nothing, and nothing is picked. Null: what was drawn before, seen from where it was.
+    /// @param margin around it that is in the picture, too, mm
+    void setPreview(const std::shared_ptr<const ModelPreview>& preview, double margin = 0.0);
+    bool showsPreview() const; ///< it is drawn
     void setPartVisible(bool visible);
     /// Outline of the stock to be, mm, setup frame. Nothing: none.
     void setStockOutline(const std::optional<Box>& stock);
@@ -127,7 +136,7 @@ public:
     InteractiveTool* interactiveTool() const; ///< null: the camera alone
     /// Sight through a place of the widget (device-independent pixels).
     ViewportEvent sight(const QPointF& position) const;
-    /// The place of workpiece or part that appears there, mm, setup frame; nothing: the bench alone does.
+    /// The place of workpiece or part that appears there, mm, setup frame; nothing: the bench alone does, or a preview.
     std::optional<glm::dvec3> pick(const QPointF& position) const;
     /// Where a place in the setup frame appears, device-independent pixels.
     QPointF project(const glm::dvec3& place) const;

@@ -50,6 +50,27 @@ CameraMotion::Clock::duration Viewport::Impl::flight() const {
     return duration > 0 && widget.isVisible() ? flightTime : 0ms;
 }
 
+void Viewport::Impl::showPreview(std::vector<ShadedBody> bodies, const Box& content) {
+    if (tool != nullptr) tool->leave();
+    scene.setPreview(std::move(bodies), content);
+    const bool first = !motionBefore;
+    if (first) motionBefore = motion;
+    contentChanged();
+    if (first) motion.fit(CameraMotion::Clock::now(), flight());
+    moved();
+}
+
+void Viewport::Impl::endPreview(bool keepView) {
+    if (!motionBefore) return;
+    scene.clearPreview();
+    if (!keepView) {
+        motion = *motionBefore;
+        motion.setSize(QSizeF(widget.size()));
+    }
+    motionBefore.reset();
+    contentChanged();
+}
+
 void Viewport::Impl::begin(QOpenGLContext& context) {
     const QString obstacle = obstacleOf(&context);
     if (!obstacle.isEmpty()) {

@@ -18,6 +18,7 @@
 #include <QThreadPool>
 #include <QTimer>
 
+#include <functional>
 #include <type_traits>
 #include <utility>
 
@@ -59,8 +60,10 @@ public:
         sighted.modifiers = modifiers;
         return sighted;
     }
+    /// That gets what the pointer and the keys do; null: the camera alone.
+    InteractiveTool* toolInHand() const { return scene.previewing() ? nullptr : tool; }
     bool onSectionGrip(const QPointF& position) {
-        return scene.section().gripAt(motion.view(), motion.size(), position);
+        return !scene.previewing() && scene.section().gripAt(motion.view(), motion.size(), position);
     }
     void dragSection(const QPointF& position) {
         const SectionPlane plane = *scene.section().plane();
@@ -96,6 +99,9 @@ public:
         onPool([field = of.field, tips = of.tips, distance] { return guideSurface(*field, tips, distance); },
                std::move(then));
     }
+    void orderPart(std::shared_ptr<const Model> model, std::function<void()> drawn);
+    void showPreview(std::vector<ShadedBody> bodies, const Box& content);
+    void endPreview(bool keepView);
     void begin(QOpenGLContext& context) override;
     void paint(unsigned framebuffer) override;
     void painted() override;
@@ -117,9 +123,11 @@ public:
     GuideMarks guides;
     std::vector<ObstacleMark> obstacles;
     std::shared_ptr<const Model> part;
-    std::uint64_t deviationsOrdered = 0; ///< counts setDeviations, as partOrdered
-    std::uint64_t partOrdered = 0;       ///< counts setPart: a part that comes late must not replace a newer one
-    bool usable = false;                 ///< there is a context that can draw
+    std::uint64_t deviationsOrdered = 0;      ///< counts setDeviations, as partOrdered
+    std::uint64_t partOrdered = 0;            ///< counts setPart: a part that comes late must not replace a newer one
+    std::uint64_t previewOrdered = 0;         ///< counts setPreview, as partOrdered
+    std::optional<CameraMotion> motionBefore; ///< the preview, while that is drawn
+    bool usable = false;                      ///< there is a context that can draw
     bool failureTold = false;
     bool flashLit = true;
     bool paintedMoving = true;      ///< the newest paint was made in motion

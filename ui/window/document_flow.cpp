@@ -139,6 +139,7 @@ void DocumentFlow::importFile(const QString& file, double stlUnit) {
             workbench_.adoptPart(part, false);
             return;
         }
+        if (workbench_.document.isOpen()) workbench_.model.dropPreview(); // what is asked is about that
         settle([this, part](bool abandon) { workbench_.adoptPart(part, abandon); });
     });
 }

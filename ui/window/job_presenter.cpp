@@ -25,6 +25,7 @@ void JobPresenter::present() {
 
 JobStepState JobPresenter::part() const {
     const auto& model = workbench_.model.model();
+    if (workbench_.model.preview()) return {StepProgress::current, tr("preview")};
     if (workbench_.model.importing()) return {StepProgress::current, tr("importing")};
     if (!model) return {StepProgress::ready, tr("import one")};
     return {StepProgress::done, QFileInfo(QString::fromStdString(model->sourceFile)).fileName()};

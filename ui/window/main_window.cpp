@@ -22,6 +22,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace burin {
 
@@ -124,6 +125,19 @@ void MainWindow::followPage() {
     message_->layOver(working ? static_cast<QWidget*>(viewport_) : welcome_, working ? cube : 0);
     followProgram();
     status_->setPageEscape(leadsBack ? tr("Esc: back to the project") : QString(), !working);
+}
+
+/// Whoever imports from the welcome page sees the preview, and is back there where nothing came of it.
+void MainWindow::followPreview() {
+    const bool shown = workbench_.model.preview() != nullptr;
+    if (shown == std::exchange(previewShown_, shown)) return;
+    if (shown && pages_->currentWidget() == welcome_) {
+        fromWelcome_ = true;
+        showBench(true);
+        showStep(JobStep::part);
+    } else if (!shown && std::exchange(fromWelcome_, false) && !workbench_.document.isOpen()) {
+        showWelcome();
+    }
 }
 
 void MainWindow::followProgram() {

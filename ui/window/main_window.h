@@ -51,6 +51,7 @@ private:
     void showBench(bool shown);
     void showWelcome();
     void followPage();
+    void followPreview();
     void goBack();
     void escape();
     void lookForLeftWork();
@@ -91,7 +92,8 @@ private:
     MessageStrip* message_ = nullptr;
     Menus* menus_ = nullptr;
     std::unique_ptr<Presenters> presenters_;
-    QTimer lookAgain_; ///< for left work
+    QTimer lookAgain_;                                ///< for left work
+    bool previewShown_ = false, fromWelcome_ = false; ///< a preview, and where from
     bool ending_ = false, ended_ = false;
 };
 

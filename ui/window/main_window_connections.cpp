@@ -103,6 +103,7 @@ void MainWindow::connectWorkbench() {
                            .arg(QString::fromStdString(file.filename().string())));
     });
     workbench_.document.keepLeftAt([this] { return toJson(leftAt()); });
+    connect(&workbench_.model, &Controller::changed, this, &MainWindow::followPreview);
     connect(&workbench_.model, &ModelController::imported, this, [this] {
         message_->dismiss();
         showStep(JobStep::stock);

@@ -42,11 +42,7 @@ ScenePresenter::ScenePresenter(Workbench& workbench, Viewport& viewport, const A
 
 void ScenePresenter::present() {
     const bool embedded = workbench_.bench.embedded();
-    if (part_ != workbench_.model.model()) {
-        part_ = workbench_.model.model();
-        viewport_.setPart(part_);
-        viewport_.fit();
-    }
+    presentPart();
     viewport_.setPartVisible(!embedded || bare_ || actions_[ActionId::showPart]->isChecked());
     viewport_.setWorkpieceVisible(embedded && !bare_ && actions_[ActionId::showWorkpiece]->isChecked());
     const bool outline = workbench_.setup.usable() && !embedded;
@@ -55,6 +51,25 @@ void ScenePresenter::present() {
     drawTool();
     viewport_.setToolVisible(embedded && actions_[ActionId::showTool]->isChecked());
     placeTool();
+}
+
+/// A part takes the place of its preview, which is drawn only while the tool is not in hand: that needs the picture.
+void ScenePresenter::presentPart() {
+    const auto& preview = workbench_.model.preview();
+    if (part_ != workbench_.model.model()) {
+        part_ = workbench_.model.model();
+        if (preview_ && !preview && part_ && part_->sourceFile == preview_->sourceFile) {
+            preview_.reset();
+            viewport_.setPreviewedPart(part_);
+        } else {
+            viewport_.setPart(part_);
+            viewport_.fit();
+        }
+    }
+    const auto shown = workbench_.session.running() ? nullptr : preview;
+    if (shown == preview_) return;
+    preview_ = shown;
+    viewport_.setPreview(preview_, firstMargin);
 }
 
 void ScenePresenter::drawTool() {

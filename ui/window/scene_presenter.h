@@ -24,6 +24,7 @@ public:
 
 private:
     void present() override;
+    void presentPart();
     void showTicks();
     void showTrace(const std::vector<TracePoint>& points);
     void showWorkpiece();
@@ -33,7 +34,8 @@ private:
     Viewport& viewport_;
     LiveStrokes live_;
     const Actions& actions_;
-    std::shared_ptr<const Model> part_; ///< that is drawn
+    std::shared_ptr<const Model> part_;           ///< that is drawn
+    std::shared_ptr<const ModelPreview> preview_; ///< that is drawn in its stead
     bool bare_ = false;
     std::optional<glm::dvec3> toolTip_;
     std::optional<Tool> shownTool_; ///< in the stead of the one in force

@@ -2,22 +2,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/model_controller.h"
 
+#include <QPointer>
+
 #include <utility>
 
 namespace burin {
 
 void ModelController::read(const std::filesystem::path& file, double stlUnit, Then then) {
-    const QString title = tr("Importing %1").arg(QString::fromStdString(file.filename().string()));
+    preview_.reset();
+    const QString name = QString::fromStdString(file.filename().string());
+    // The tasks outlive this; who waits for the end of one would wait for what it tells this.
+    const auto show = [tasks = &desk_.tasks, self = QPointer(this), read = ++reads_,
+                       title = tr("%1: preview; the fine mesh is being made").arg(name)](ModelPreview preview) {
+        const auto shared = std::make_shared<const ModelPreview>(std::move(preview));
+        QMetaObject::invokeMethod(
+            tasks,
+            [self, read, title, shared] {
+                if (self) self->showPreview(read, shared, title);
+            },
+            Qt::QueuedConnection);
+    };
     desk_.tasks.start(
-        TaskKind::importing, title,
-        [file, stlUnit](Progress& progress) -> Result<std::shared_ptr<const Model>> {
+        TaskKind::importing, tr("Importing %1").arg(name),
+        [file, stlUnit, show](Progress& progress) -> Result<std::shared_ptr<const Model>> {
             ImportOptions options;
             options.stlUnit = stlUnit;
-            Result<Model> model = importModel(file, options, progress);
+            Result<Model> model = importModel(file, options, progress, show);
             if (!model) return std::move(model).error();
             return std::make_shared<const Model>(std::move(*model));
         },
         [this, then = std::move(then)](const Result<std::shared_ptr<const Model>>& outcome) {
+            if (!outcome) preview_.reset();
             emit changed();
             if (outcome)
                 then(*outcome);
@@ -27,7 +42,19 @@ void ModelController::read(const std::filesystem::path& file, double stlUnit, Th
     emit changed();
 }
 
+void ModelController::showPreview(quint64 read, std::shared_ptr<const ModelPreview> preview, const QString& title) {
+    if (read != reads_ || !importing()) return;
+    preview_ = std::move(preview);
+    desk_.tasks.rename(TaskKind::importing, title);
+    emit changed();
+}
+
+void ModelController::dropPreview() {
+    if (std::exchange(preview_, nullptr)) emit changed();
+}
+
 void ModelController::adopt(const std::shared_ptr<const Model>& model) {
+    preview_.reset();
     load(model);
     store([model](Project& project) { return project.setModel(*model); });
     emit imported();

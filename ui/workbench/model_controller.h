@@ -18,10 +18,15 @@ public:
     using Controller::Controller;
 
     const std::shared_ptr<const Model>& model() const noexcept { return model_; }
+    /// What there is to see of the part that is being read, for the picture alone. Null: nothing.
+    const std::shared_ptr<const ModelPreview>& preview() const noexcept { return preview_; }
+    /// The part that was read isn't adopted, or not before a question about what is open.
+    void dropPreview();
     bool importing() const { return desk_.tasks.running(TaskKind::importing); }
 
     using Then = std::function<void(std::shared_ptr<const Model>)>;
-    /// Reads a file and changes nothing; `then` is called where that went well, `failed` reports it otherwise.
+    /// Reads a file and changes nothing but the preview; `then` is called where that went well, `failed` reports it
+    /// otherwise. The preview goes with an end that is no success, `adopt` or `dropPreview`.
     /// @param stlUnit mm per unit of an STL file, which states none
     void read(const std::filesystem::path& file, double stlUnit, Then then);
     /// Makes a model that was read the part of the open project.
@@ -34,7 +39,11 @@ signals:
     void imported();
 
 private:
+    void showPreview(quint64 read, std::shared_ptr<const ModelPreview> preview, const QString& title);
+
     std::shared_ptr<const Model> model_;
+    std::shared_ptr<const ModelPreview> preview_;
+    quint64 reads_ = 0; ///< counts read: the preview of one that was replaced comes too late
 };
 
 } // namespace burin

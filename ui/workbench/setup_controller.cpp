@@ -12,7 +12,6 @@ namespace burin {
 
 namespace {
 
-constexpr double defaultMargin = 5.0; // mm
 constexpr const char* defaultMaterial = "machinable-wax";
 
 int kindOfChange(const Setup& before, const Setup& after) {
@@ -24,7 +23,7 @@ int kindOfChange(const Setup& before, const Setup& after) {
 double suitableVoxel(const Box& part) {
     const glm::dvec3 size = part.size();
     const double longest = std::max({size.x, size.y, size.z, 1e-3});
-    const double wanted = std::max(longest / 200.0, (longest + 2.0 * defaultMargin) / 600.0);
+    const double wanted = std::max(longest / 200.0, (longest + 2.0 * firstMargin) / 600.0);
     double best = 0.5;
     double leastRatio = std::numeric_limits<double>::infinity();
     for (const double decade : {0.001, 0.01, 0.1, 1.0, 10.0})
@@ -74,7 +73,7 @@ void SetupController::placeAround(std::shared_ptr<const Model> model) {
     model_ = std::move(model);
     Setup setup;
     setup.voxel = suitableVoxel(model_->box());
-    setup.marginLow = setup.marginHigh = glm::dvec3(defaultMargin);
+    setup.marginLow = setup.marginHigh = glm::dvec3(firstMargin);
     setup.stockMaterial = defaultMaterial;
     setup.bodyMaterials.assign(model_->bodies.size(), {});
     apply(setup);

@@ -58,6 +58,9 @@ private:
 /// stock around it about 600 at most.
 double suitableVoxel(const Box& part);
 
+/// Around a part whose stock nobody has set yet, mm.
+inline constexpr double firstMargin = 5.0;
+
 /// Whether two setups embed to workpieces of one shape, whatever their materials.
 bool shapedAlike(const Setup& one, const Setup& other);
 /// Whether two setups embed to the same workpiece.

@@ -85,6 +85,13 @@ void TaskRunner::runIdleWork() {
     }
 }
 
+void TaskRunner::rename(TaskKind kind, const QString& title) {
+    Task* task = find(kind);
+    if (task == nullptr) return;
+    task->title = title;
+    emit changed();
+}
+
 void TaskRunner::cancel(TaskKind kind) {
     cancelThose([kind](const Task& task) { return task.kind == kind; });
 }

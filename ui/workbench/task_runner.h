@@ -54,6 +54,8 @@ public:
             return [parts, outcome] { parts->done(std::move(*outcome)); };
         });
     }
+    /// Gives the task of a kind that runs another title: another phase of it has begun.
+    void rename(TaskKind kind, const QString& title);
     /// Asks the task of a kind to stop; its outcome then is ErrorCode::cancelled, unless it was through before. Also
     /// that of one which waits for another to end.
     void cancel(TaskKind kind);

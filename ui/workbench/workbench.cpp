@@ -127,7 +127,10 @@ void Workbench::adoptPart(const std::shared_ptr<const Model>& part, bool abandon
     }
     comeToRest([this, part, abandon] {
         document.createNew(abandon, [this, part](bool made) {
-            if (made) model.adopt(part);
+            if (made)
+                model.adopt(part);
+            else
+                model.dropPreview();
         });
     });
 }

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/places.h"
+#include "tests/ui/window_steps.h"
+#include "ui/scene/camera_view.h"
+
+#include <QAction>
+#include <QDirIterator>
+#include <QLabel>
+#include <QtTest>
+
+#include <csignal>
+#include <sys/types.h>
+
+using namespace burin;
+using namespace burin::testing;
+
+namespace {
+
+/// Freeform faces, whose mesh takes seconds.
+const QString part = QStringLiteral(BURIN_FIXTURES "/models/mouse-cover.step");
+
+/// The import program that this process started; 0: none runs.
+pid_t importProgram() {
+    QDirIterator threads(QStringLiteral("/proc/self/task"), QDir::Dirs | QDir::NoDotAndDotDot);
+    while (threads.hasNext()) {
+        QFile children(threads.next() + QStringLiteral("/children"));
+        if (!children.open(QIODevice::ReadOnly)) continue;
+        for (const QByteArray& child : children.readAll().simplified().split(' ')) {
+            QFile name(QStringLiteral("/proc/%1/comm").arg(QString::fromLatin1(child)));
+            if (name.open(QIODevice::ReadOnly) && name.readAll().trimmed() == "burin-import") return child.toInt();
+        }
+    }
+    return 0;
+}
+
+/// Holds the import program as soon as the window knows the preview: the fine mesh then can't come until it goes on.
+class HeldImport : public QObject {
+public:
+    explicit HeldImport(Workbench& bench) {
+        connect(&bench.model, &Controller::changed, this, [this, &bench] {
+            if (held_ != 0 || !bench.model.preview()) return;
+            held_ = importProgram();
+            if (held_ != 0) ::kill(held_, SIGSTOP);
+        });
+    }
+    bool held() const { return held_ != 0; }
+    void goOn() const {
+        if (held_ != 0) ::kill(held_, SIGCONT);
+    }
+
+private:
+    pid_t held_ = 0;
+};
+
+Viewport& viewOf(WindowDriver& driver) {
+    return *driver.window().findChild<Viewport*>();
+}
+
+bool seesPreview(WindowDriver& driver, const HeldImport& import) {
+    return driver.waitFor([&] { return import.held() && viewOf(driver).showsPreview(); }, 60000);
+}
+
+/// How many of the picture's pixels the part covers: those whose colour is far from the empty corner's row.
+int coveredPixels(WindowDriver& driver) {
+    const QImage picture = viewOf(driver).grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    int covered = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+        const QColor empty = picture.pixelColor(2, y);
+        for (int x = 0; x < picture.width(); ++x) {
+            const QColor seen = picture.pixelColor(x, y);
+            if (std::abs(seen.red() - empty.red()) + std::abs(seen.green() - empty.green()) +
+                    std::abs(seen.blue() - empty.blue()) >
+                60)
+                ++covered;
+        }
+    }
+    return covered;
+}
+
+bool sameView(const CameraView& one, const CameraView& other) {
+    return glm::distance(one.focus, other.focus) < 0.01 * one.distance &&
+           std::abs(one.distance - other.distance) < 0.01 * one.distance;
+}
+
+} // namespace
+
+/// What is seen of a large part before its mesh stands, and that it is only seen.
+class TestWindowPreview : public QObject {
+    Q_OBJECT
+private slots:
+    void aPartIsSeenBeforeItsMesh();
+    void stoppingBringsTheOpenJobBack();
+    void fromTheWelcomePageAndBack();
+};
+
+void TestWindowPreview::aPartIsSeenBeforeItsMesh() {
+    WindowDriver driver;
+    Workbench& bench = driver.window().workbench();
+    const HeldImport import(bench);
+    drop(driver.window(), part);
+    QVERIFY(seesPreview(driver, import));
+    QTest::qWait(400); // the camera's flight
+    driver.shoot("60-preview");
+    QVERIFY(driver.visible<QWidget>("benchPage") != nullptr);
+    QVERIFY(driver.visible<QLabel>("taskStatus")->text().contains(QStringLiteral("preview")));
+    QVERIFY(coveredPixels(driver) > 20000);
+    // It is no part: there is nothing to set up, to embed or to mill.
+    QVERIFY(!bench.model.model());
+    QVERIFY(!bench.setup.hasPart());
+    QVERIFY(!menuAction(driver, "embedAction")->isEnabled());
+    QVERIFY(!viewOf(driver).pick(QRectF(viewOf(driver).rect()).center()));
+    const CameraView before = viewOf(driver).cameraView();
+
+    import.goOn();
+    QVERIFY(driver.waitFor([&] { return bench.model.model() && !viewOf(driver).showsPreview(); }, 120000));
+    QVERIFY(!bench.model.preview());
+    QVERIFY(bench.setup.hasPart());
+    QVERIFY(sameView(viewOf(driver).cameraView(), before));
+    QTest::qWait(400);
+    QVERIFY(sameView(viewOf(driver).cameraView(), before));
+    driver.shoot("61-after-preview");
+}
+
+void TestWindowPreview::stoppingBringsTheOpenJobBack() {
+    WindowDriver driver;
+    QVERIFY(makeReady(driver, 1.0) && driver.settle());
+    Workbench& bench = driver.window().workbench();
+    const auto model = bench.model.model();
+    const auto workpiece = bench.bench.bench();
+    const int undo = bench.undo().index();
+    viewOf(driver).setStandardView(StandardView::front);
+    QTest::qWait(600);
+    const CameraView view = viewOf(driver).cameraView();
+    const QImage picture = viewOf(driver).grabFramebuffer();
+
+    const HeldImport import(bench);
+    drop(driver.window(), part);
+    QVERIFY(seesPreview(driver, import));
+    QTest::qWait(400);
+    driver.shoot("62-preview-over-job");
+    QVERIFY(bench.model.model() == model && bench.bench.bench() == workpiece);
+    QVERIFY(!sameView(viewOf(driver).cameraView(), view));
+    QVERIFY(driver.clickOn("cancelTaskButton"));
+    QVERIFY(driver.waitFor([&] { return !viewOf(driver).showsPreview(); }, 20000));
+    QVERIFY(driver.settle());
+    QVERIFY(bench.model.model() == model && bench.bench.bench() == workpiece);
+    QCOMPARE(bench.undo().index(), undo);
+    QCOMPARE(viewOf(driver).cameraView().focus, view.focus);
+    QCOMPARE(viewOf(driver).cameraView().distance, view.distance);
+    QTest::qWait(600);
+    QCOMPARE(viewOf(driver).grabFramebuffer(), picture);
+}
+
+void TestWindowPreview::fromTheWelcomePageAndBack() {
+    WindowDriver driver;
+    const HeldImport import(driver.window().workbench());
+    QVERIFY(driver.visible<QWidget>("benchPage") == nullptr);
+    drop(driver.window(), part);
+    QVERIFY(seesPreview(driver, import));
+    QVERIFY(driver.clickOn("cancelTaskButton"));
+    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("benchPage") == nullptr; }, 20000));
+    QVERIFY(driver.waitFor([&] { return !viewOf(driver).showsPreview(); }, 5000));
+}
+
+QTEST_MAIN(TestWindowPreview)
+#include "tst_window_preview.moc"
