@@ -6477,6 +6477,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
             <numerusform>%n Bahnen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>preview</source>
+        <translation>Vorschau</translation>
+    </message>
 </context>
 <context>
     <name>burin::KeyList</name>
@@ -7612,6 +7616,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Importing %1</source>
         <translation>%1 wird importiert</translation>
     </message>
+    <message>
+        <source>%1: preview; the fine mesh is being made</source>
+        <translation>%1: Vorschau; das feine Netz wird erstellt</translation>
+    </message>
 </context>
 <context>
     <name>burin::Notice</name>
@@ -7822,6 +7830,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>m</source>
         <translation>m</translation>
+    </message>
+    <message>
+        <source>This is a preview. The fine mesh, which is milled to, is being made…</source>
+        <translation>Dies ist eine Vorschau. Das feine Netz, nach dem gefräst wird, wird erstellt …</translation>
     </message>
 </context>
 <context>
