@@ -22,9 +22,9 @@
 namespace burin {
 
 struct PartState {
-    std::shared_ptr<const Model> model;          ///< null: none yet
-    std::shared_ptr<const ModelPreview> preview; ///< of the one that is being read; null: none
+    std::shared_ptr<const Model> model; ///< null: none yet
     bool busy = false;
+    std::shared_ptr<const ModelPreview> preview{}; ///< of the one that is being read; null: none
 };
 
 struct StockState {

@@ -17,7 +17,7 @@ void PartPresenter::setUnit(LengthUnit unit) {
 }
 
 void PartPresenter::present() {
-    panel_.setState({workbench_.model.model(), workbench_.model.preview(), workbench_.model.importing()});
+    panel_.setState({workbench_.model.model(), workbench_.model.importing(), workbench_.model.preview()});
 }
 
 StockPresenter::StockPresenter(Workbench& workbench, StockPanel& panel, EmbeddingFindings& findings, QObject* parent)
