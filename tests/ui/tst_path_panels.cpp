@@ -163,7 +163,13 @@ private slots:
         QCOMPARE(target("edit0_target_n"), QStringLiteral("40N"));
         state.path.edits = {Edit{LevelFeed{.goal = LevelFeed::Goal::removal, .target = 40.0}}};
         panel.setState(state);
-        QCOMPARE(target("edit0_target_mm3_s"), QStringLiteral("40mm³/s"));
+        QCOMPARE(target("edit0_target_n"), QStringLiteral("40mm³/s")); // the field stays, as the user may be in it
+        std::vector<Edit> changed;
+        connect(&panel, &PathPanel::editChanged, this,
+                [&changed](std::size_t, const Edit& edit) { changed.push_back(edit); });
+        type(panel, "edit0_target_n", "50");
+        QCOMPARE(changed.size(), std::size_t{1});
+        QCOMPARE(std::get<LevelFeed>(changed[0].parameters).target, 50.0);
     }
 
     /// As the tip's place and the program's own numbers do.

@@ -67,16 +67,19 @@ void EditCard::addFields(const QString& name) {
     const QString title = Messages::text(titleOf(edit_.parameters));
     for (const EditParameter& parameter : parametersOf(edit_.parameters, zero_)) {
         const std::string_view key = parameter.field.key;
+        // By its place: what a value is called may depend on another one.
+        const auto keyNow = [this, place = fields_.size()] { return fieldsOf(edit_.parameters)[place].key; };
         auto* field = new EditFieldEditor(
             parameter, name + QLatin1Char('_') + QLatin1String(key.data(), static_cast<qsizetype>(key.size())),
             title + QStringLiteral(", ") + parameter.label, this);
         layout()->addWidget(field);
-        connect(field, &EditFieldEditor::edited, this, [this, key](const EditValue& value) {
-            setField(edit_.parameters, key, value);
+        connect(field, &EditFieldEditor::edited, this, [this, keyNow](const EditValue& value) {
+            setField(edit_.parameters, keyNow(), value);
             emit edited(edit_);
         });
-        connect(field, &EditFieldEditor::drawingWanted, this, [this, key](bool wanted) {
-            emit drawingWanted(QLatin1String(key.data(), static_cast<qsizetype>(key.size())), wanted);
+        connect(field, &EditFieldEditor::drawingWanted, this, [this, keyNow](bool wanted) {
+            const std::string_view now = keyNow();
+            emit drawingWanted(QLatin1String(now.data(), static_cast<qsizetype>(now.size())), wanted);
         });
         fields_.push_back(field);
     }

@@ -24,8 +24,9 @@ constexpr double edgeHeight = 0.3; // just above their own faces: not through st
 
 } // namespace
 
-ShadedBody shadedBody(const TriangleMesh& mesh, const std::optional<std::array<std::uint8_t, 3>>& colour) {
-    ShadedBody body{std::make_shared<const ShadedMesh>(shaded(mesh, creaseAngle)), std::nullopt};
+ShadedBody shadedBody(const TriangleMesh& mesh, const std::optional<std::array<std::uint8_t, 3>>& colour,
+                      double crease) {
+    ShadedBody body{std::make_shared<const ShadedMesh>(shaded(mesh, crease)), std::nullopt};
     if (colour) body.colour = QColor((*colour)[0], (*colour)[1], (*colour)[2]);
     return body;
 }

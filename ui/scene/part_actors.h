@@ -28,7 +28,9 @@ struct ShadedBody {
     std::optional<QColor> colour;           ///< the file's; none: the part's blue
 };
 
-ShadedBody shadedBody(const TriangleMesh& mesh, const std::optional<std::array<std::uint8_t, 3>>& colour);
+/// @param crease rad, as in `shaded`
+ShadedBody shadedBody(const TriangleMesh& mesh, const std::optional<std::array<std::uint8_t, 3>>& colour,
+                      double crease = creaseAngle);
 /// Takes some tenths of a second for a large model: for a worker thread.
 std::vector<ShadedBody> shadedBodies(const Model& model);
 

@@ -2,10 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/preview_stage.h"
 
+#include "core/base/units.h"
 #include "ui/scene/actors.h"
 #include "ui/scene/bench_lights.h"
 
 namespace burin {
+
+namespace {
+
+constexpr double previewCrease = 50.0 * pi / 180.0; // coarse triangles of one face differ by more than fine ones
+
+} // namespace
 
 std::vector<ShadedBody> shadedBodies(const ModelPreview& preview) {
     std::vector<ShadedBody> bodies;
@@ -14,7 +21,7 @@ std::vector<ShadedBody> shadedBodies(const ModelPreview& preview) {
         TriangleMesh mesh;
         mesh.vertices.assign(body.mesh.vertices.begin(), body.mesh.vertices.end());
         mesh.triangles = body.mesh.triangles;
-        bodies.push_back(shadedBody(mesh, body.colour));
+        bodies.push_back(shadedBody(mesh, body.colour, previewCrease));
     }
     return bodies;
 }

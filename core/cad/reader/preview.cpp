@@ -66,8 +66,8 @@ PreviewMesh meshCoarsely(const TopoDS_Solid& solid, double chord, const Handle(T
     parameters.InParallel = Standard_False;
     parameters.MinSize = 0.5 * chord;
     parameters.ControlSurfaceDeflection = Standard_False;
-    parameters.InternalVerticesMode = Standard_False;
-    BRepTools::Clean(solid); // of what a file brought along
+    parameters.InternalVerticesMode = Standard_True; // a face bulges between its edges
+    BRepTools::Clean(solid);                         // of what a file brought along
     const BRepMesh_IncrementalMesh mesher(solid, parameters, limit->Start());
     const TriangleMesh mesh = ShapeMesh(solid, chord).mesh();
     BRepTools::Clean(solid);

@@ -9,8 +9,11 @@
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <IMeshTools_Parameters.hxx>
 #include <ShapeUpgrade_ShapeDivideClosed.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 
 #include <array>
 #include <vector>
@@ -18,6 +21,13 @@
 namespace burin {
 
 namespace {
+
+/// Whether an edge of a face is drawn together to a point, as where three rounded edges of a block meet.
+bool hasPole(const TopoDS_Shape& solid) {
+    for (TopExp_Explorer edges(solid, TopAbs_EDGE); edges.More(); edges.Next())
+        if (BRep_Tool::Degenerated(TopoDS::Edge(edges.Current()))) return true;
+    return false;
+}
 
 void runMesher(const TopoDS_Shape& solid, double chord, double angle, IMeshTools_MeshAlgoType algorithm,
                const ReportFraction& report) {
@@ -29,9 +39,9 @@ void runMesher(const TopoDS_Shape& solid, double chord, double angle, IMeshTools
     parameters.Relative = Standard_False;
     parameters.InParallel = Standard_False; // one process, one thread: its time limit is what it says
     parameters.MinSize = 0.1 * chord;
-    // OpenCASCADE's own bringing of faces within the chord doesn't end at the pole of a rounded corner, takes a third
-    // to two thirds of the time elsewhere, and isn't relied on: ShapeMesh::refine does it for every face.
-    parameters.ControlSurfaceDeflection = Standard_False;
+    // OpenCASCADE's own bringing of faces within the chord doesn't end at the pole of a rounded corner, and isn't
+    // relied on: ShapeMesh::refine does it for every face. Elsewhere it takes fewer triangles.
+    parameters.ControlSurfaceDeflection = !hasPole(solid);
     parameters.InternalVerticesMode = Standard_True;
     const Handle(ReaderProgress) progress = new ReaderProgress(report, 0.0, 1.0);
     BRepMesh_IncrementalMesh mesher(solid, parameters, progress->Start());

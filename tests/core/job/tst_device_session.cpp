@@ -145,7 +145,7 @@ private slots:
         bool dead = false;
         for (int i = 0; i < 5 && !dead; ++i) {
             fault = live.fault();
-            dead = fault && fault->detail.find("stood still") != std::string::npos;
+            dead = fault && fault->detail.find("did not respond") != std::string::npos;
         }
         QVERIFY(dead);
         QCOMPARE(fault->code, ErrorCode::deviceStopped);
