@@ -4178,6 +4178,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>The file ends without &quot;endsolid&quot;; what was read of it is complete.</source>
         <translation>Die Datei endet ohne „endsolid“; das Gelesene ist vollständig.</translation>
     </message>
+    <message>
+        <source>%1 has no faces and was left out.</source>
+        <translation>%1 hat keine Flächen und wurde ausgelassen.</translation>
+    </message>
 </context>
 <context>
     <name>ImportUnit</name>

@@ -27,6 +27,7 @@ inline constexpr TextId sizeDoubtful =
 inline constexpr TextId repaired = BURIN_TEXT("ImportNote", "%1 was invalid and was repaired.");
 inline constexpr TextId notRepaired = BURIN_TEXT("ImportNote", "%1 is not fully valid, even after repair.");
 inline constexpr TextId solidOpen = BURIN_TEXT("ImportNote", "%1 does not close, so its inside is not certain.");
+inline constexpr TextId solidEmpty = BURIN_TEXT("ImportNote", "%1 has no faces and was left out.");
 inline constexpr TextId insideOut = BURIN_TEXT("ImportNote", "%1 was inside out and was turned.");
 inline constexpr TextId faceSewn = BURIN_TEXT("ImportNote", "1 loose face was sewn to a solid.");
 inline constexpr TextId facesSewn = BURIN_TEXT("ImportNote", "%1 loose faces were sewn to a solid.");
@@ -61,7 +62,7 @@ inline constexpr std::array all{
     unitConverted, unitsMixed, brepWithoutUnit,   stlWithoutUnit, sizeDoubtful,    repaired,     notRepaired,
     solidOpen,     insideOut,  faceSewn,          facesSewn,      faceLeftOut,     facesLeftOut, curvesLeftOut,
     facesFilled,   meshOpen,   meshVolumeDiffers, facesApart,     trianglesTurned, stlOpen,      piecesApart,
-    restLeftOut,   endMissing, endMissingBefore,  noVolume,       partsMissing};
+    restLeftOut,   endMissing, endMissingBefore,  noVolume,       partsMissing,    solidEmpty};
 
 /// The names that are given where a file has none; %1: a number from 1.
 inline constexpr TextId unnamedBody = BURIN_TEXT("ImportNote", "Body %1");

@@ -77,6 +77,10 @@ void addHealed(CadFile& file, const NamedShape& from, std::vector<NamedSolid>& s
     }
     for (TopExp_Explorer parts(shape, TopAbs_SOLID); parts.More(); parts.Next()) {
         TopoDS_Solid solid = TopoDS::Solid(parts.Current());
+        if (count(solid, TopAbs_FACE) == 0) {
+            note(file, ImportNote::Kind::warning, fill(import_notes::solidEmpty, {title}));
+            continue;
+        }
         const TopAbs_Orientation before = solid.Orientation();
         if (!BRepLib::OrientClosedSolid(solid))
             note(file, ImportNote::Kind::warning, fill(import_notes::solidOpen, {title}));
