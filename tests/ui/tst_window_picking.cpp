@@ -54,8 +54,11 @@ private slots:
         WindowDriver driver;
         Workbench& bench = driver.window().workbench();
         QVERIFY(makeReady(driver) && recordLine(driver, {-15, 0}, {15, 0}) && newPath(driver));
+        // A path that is evaluated again meanwhile has other points.
+        QVERIFY(driver.waitFor([&] { return !bench.path.busy() && !bench.path.outdated(); }));
         auto* viewport = driver.visible<Viewport>("viewport");
-        const std::vector<PathPoint>& points = bench.path.evaluated()->path.points;
+        const std::shared_ptr<const EvaluatedPath> evaluated = bench.path.evaluated();
+        const std::vector<PathPoint>& points = evaluated->path.points;
         std::size_t longest = 0;
         double length = 0.0;
         for (std::size_t i = 1; i < points.size(); ++i) {
@@ -101,7 +104,8 @@ private slots:
         QVERIFY(recordCircle(driver, 9.0));
         QVERIFY(newPath(driver)); // fits arcs
         QVERIFY(driver.waitFor([&] { return !bench.path.busy() && !bench.path.outdated(); }));
-        const std::vector<PathPoint>& points = bench.path.evaluated()->path.points;
+        const std::shared_ptr<const EvaluatedPath> evaluated = bench.path.evaluated();
+        const std::vector<PathPoint>& points = evaluated->path.points;
         std::size_t largest = 0;
         Arc arc;
         for (std::size_t i = 1; i < points.size(); ++i) {
