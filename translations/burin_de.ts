@@ -2153,10 +2153,6 @@
         <translation>die Kennung „%1“ ist schon vergeben</translation>
     </message>
     <message>
-        <source>%1 have to be plain names</source>
-        <translation>%1 müssen einfache Namen sein</translation>
-    </message>
-    <message>
         <source>unknown reason</source>
         <translation>Grund unbekannt</translation>
     </message>
@@ -2191,6 +2187,10 @@
     <message>
         <source>a tool that cuts sideways and is nowhere wider below than above</source>
         <translation>ein Werkzeug, das seitlich schneidet und unten nirgends breiter ist als oben</translation>
+    </message>
+    <message>
+        <source>%1 must be names without a folder</source>
+        <translation>%1 müssen Namen ohne Ordner sein</translation>
     </message>
 </context>
 <context>

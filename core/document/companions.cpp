@@ -55,6 +55,13 @@ std::vector<fs::path> companionFiles(const fs::path& project) {
 
 } // namespace
 
+fs::path labelledBeside(const fs::path& file, const std::string& label) {
+    constexpr std::size_t room = 20; // ".", the label, ".", "-wal" and some to spare
+    const std::string ending = file.extension().string();
+    const std::string stem = nameWithRoom(file.stem().string(), ending.size() + room);
+    return file.parent_path() / (stem + "." + label + ending);
+}
+
 fs::path withEnding(const fs::path& file, const char* ending) {
     fs::path result = file;
     return result += ending;

@@ -21,6 +21,10 @@ struct Companions {
     static Companions unshortened(const std::filesystem::path& file);
 };
 
+/// A name beside `file` that the user sees: "p.LABEL.burin", shortened where there is no room for it.
+/// @param label at most 12 bytes
+std::filesystem::path labelledBeside(const std::filesystem::path& file, const std::string& label);
+
 /// `file` with `ending` added to its name.
 std::filesystem::path withEnding(const std::filesystem::path& file, const char* ending);
 

@@ -80,34 +80,41 @@ Result<void> placeTogether(StagedFile& project, std::span<StagedFile> outputs) {
 /// The format of what stands at `file`; 0 where that is no project that can be read.
 int formatOf(const fs::path& file) {
     Result<Database> database = Database::open(file, file.string(), Database::Access::read);
-    if (!database) return 0;
-    const Result<std::int64_t> application = database->integer("PRAGMA application_id");
-    if (!application || *application != projectApplicationId) return 0;
+    if (!database || !checkIdentity(*database)) return 0;
     const Result<std::int64_t> version = database->integer("PRAGMA user_version");
     return version ? static_cast<int>(*version) : 0;
 }
 
+/// Gives `file` a second name, or, where the file system has no links, makes a copy of that name, complete or not at
+/// all. Nothing stands there. Errors: those of writing.
+Result<void> giveName(const fs::path& file, const fs::path& name) {
+    std::error_code failed;
+    fs::create_hard_link(file, name, failed);
+    if (!failed) return {};
+    const fs::path beside = temporaryBeside(file);
+    fs::copy_file(file, beside, failed);
+    if (!failed) fs::rename(beside, name, failed);
+    if (!failed) return {};
+    std::error_code ignored;
+    fs::remove(beside, ignored);
+    return writeError(name, failed.value());
+}
+
 /// Another name for a file of an earlier format, which a save is about to replace: older versions of Burin can't read
-/// the new one. The first free name; nothing where the file is of this format. Errors: those of writing.
+/// the new one. The first free name, or the one that a save got which did not end; nothing where the file is of this
+/// format. Errors: those of writing.
 Result<fs::path> keepEarlierFormat(const fs::path& file) {
     const int format = formatOf(file);
     if (format < 1 || format >= projectVersion) return fs::path();
-    constexpr std::size_t room = 20; // ".format-", two numbers
-    const std::string ending = file.extension().string();
-    const std::string stem = nameWithRoom(file.stem().string(), ending.size() + room);
-    for (int number = 1;; ++number) {
-        const fs::path kept = file.parent_path() / (stem + ".format-" + std::to_string(format) +
-                                                    (number > 1 ? "-" + std::to_string(number) : "") + ending);
-        std::error_code failed;
-        fs::create_hard_link(file, kept, failed);
-        if (!failed) return kept;
-        if (failed == std::errc::file_exists) continue;
-        fs::copy_file(file, kept, failed); // a file system without links
-        if (!failed) return kept;
-        if (failed == std::errc::file_exists) continue;
-        fs::remove(kept, failed);
-        return writeError(kept, failed.value());
+    const std::string label = "format-" + std::to_string(format);
+    std::error_code ignored;
+    fs::path name = labelledBeside(file, label);
+    for (int number = 2; fs::exists(fs::symlink_status(name, ignored)); ++number) {
+        if (fs::equivalent(file, name, ignored)) return name;
+        name = labelledBeside(file, label + "-" + std::to_string(number));
     }
+    if (Result<void> named = giveName(file, name); !named) return std::move(named).error();
+    return name;
 }
 
 /// A snapshot beside `file`, complete and flushed, and its state as a saved file.

@@ -47,11 +47,8 @@ void writeOwner(int descriptor, WorkingCopy::Purpose purpose) {
 }
 
 fs::path freeName(const fs::path& file) {
-    constexpr std::size_t room = 20; // ".kept-", a number, "-wal"
-    const std::string ending = file.extension().string();
-    const std::string stem = nameWithRoom(file.stem().string(), ending.size() + room);
     for (int number = 1;; ++number) {
-        fs::path name = file.parent_path() / (stem + ".kept-" + std::to_string(number) + ending);
+        fs::path name = labelledBeside(file, "kept-" + std::to_string(number));
         std::error_code ignored;
         if (!fs::exists(fs::symlink_status(name, ignored))) return name;
     }

@@ -76,13 +76,18 @@ QString prepareFolder(const QString& folder) {
             run.status != 0)
             return step.join(' ') + ": " + QString::fromUtf8(run.messages);
     for (const FaultCommand& command : faultCommands())
-        for (const QString& output : command.outputs) {
+        for (const QString& output : command.earlier ? QStringList() : command.outputs) {
             QFile older(folder + "/" + output);
             QDir().mkpath(QFileInfo(older).path());
             if (!older.exists() && (!older.open(QIODevice::WriteOnly) || older.write("what stood here before\n") < 0))
                 return output;
         }
     return {};
+}
+
+QString prepareEarlierFolder(const QString& folder) {
+    QDir().mkpath(folder);
+    return QFile::copy(BURIN_FIXTURES "/projects/v3/small.burin", folder + "/p.burin") ? QString() : "no project";
 }
 
 void copyFolder(const QString& from, const QString& folder) {

@@ -18,6 +18,7 @@ struct FaultCommand {
     bool records = false;          ///< what it made before a fault is kept as unsaved work
     bool replaces = false;         ///< makes the project anew; one that it left half made is set aside by the next
     const char* program = "burin"; ///< or another of the build
+    bool earlier = false;          ///< its project is of an earlier format
 };
 QList<FaultCommand> faultCommands();
 
@@ -42,6 +43,8 @@ ProjectContent contentOfProject(const QString& file);
 
 /// Model, project with a recording, a path and a program, and older outputs. Empty: done; else what went wrong.
 QString prepareFolder(const QString& folder);
+/// A project of an earlier format. Empty: done; else what went wrong.
+QString prepareEarlierFolder(const QString& folder);
 /// Makes `folder` hold what `from` does.
 void copyFolder(const QString& from, const QString& folder);
 /// The files of a folder with their content.

@@ -49,6 +49,7 @@ std::vector<Point> pointsOf(std::uint64_t calls) {
 
 void PointsTest::initTestCase() {
     QCOMPARE(prepareFolder(folder_.filePath("before")), QString());
+    QCOMPARE(prepareEarlierFolder(folder_.filePath("earlier")), QString());
 }
 
 void PointsTest::everyFaultLeavesAllOrNothing_data() {
@@ -60,7 +61,7 @@ void PointsTest::everyFaultLeavesAllOrNothing_data() {
 void PointsTest::everyFaultLeavesAllOrNothing() {
     QFETCH(int, command);
     const FaultCommand asked = faultCommands()[command];
-    const QString before = folder_.filePath("before"), clean = folder_.filePath("work-0");
+    const QString before = folder_.filePath(asked.earlier ? "earlier" : "before"), clean = folder_.filePath("work-0");
     copyFolder(before, clean);
     const FaultRun run = runWithFault(asked, clean, 0, {});
     QVERIFY2(run.status == 0, run.messages.constData());

@@ -12,7 +12,7 @@ namespace burin {
 namespace {
 
 /// Moves lines in depth, < 0 towards the eye. VTK switches that on for all mappers of the program at once and adds its
-//// own statistics to everyone's, so each mapper takes them back.
+/// own statistics to everyone's, so each mapper takes them back.
 void offsetLines(vtkMapper& mapper, double units) {
     vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
     double everyFactor = 0.0, everyUnits = 0.0;

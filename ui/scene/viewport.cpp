@@ -64,13 +64,19 @@ void Viewport::setLengthUnit(LengthUnit unit) {
 }
 
 void Viewport::setPart(std::shared_ptr<const Model> model) {
+    // The part that was to take its preview's place does not come any more.
+    if (std::exchange(impl_->previewEnds, false)) impl_->endPreview(true);
     impl_->orderPart(std::move(model), [] {});
 }
 
 void Viewport::setPreviewedPart(std::shared_ptr<const Model> model) {
     ++impl_->previewOrdered; // what isn't drawn yet is too late
     if (!impl_->scene.previewing()) fit();
-    impl_->orderPart(std::move(model), [this] { impl_->endPreview(true); });
+    impl_->previewEnds = true;
+    impl_->orderPart(std::move(model), [this] {
+        impl_->previewEnds = false;
+        impl_->endPreview(true);
+    });
 }
 
 void Viewport::setPreview(const std::shared_ptr<const ModelPreview>& preview, double margin) {

@@ -127,6 +127,7 @@ public:
     std::uint64_t partOrdered = 0;            ///< counts setPart: a part that comes late must not replace a newer one
     std::uint64_t previewOrdered = 0;         ///< counts setPreview, as partOrdered
     std::optional<CameraMotion> motionBefore; ///< the preview, while that is drawn
+    bool previewEnds = false;                 ///< with the part that was ordered last
     bool usable = false;                      ///< there is a context that can draw
     bool failureTold = false;
     bool flashLit = true;
