@@ -58,6 +58,29 @@ private slots:
         viewport_->setStandardView(StandardView::isometric);
     }
 
+    /// A preview stays until its part can be drawn, and no longer where another part comes first.
+    void aPreviewGoesWithItsPart() {
+        const std::shared_ptr<const Model> part = fixture::model(fixture::radii);
+        ModelPreview coarse;
+        for (const Body& body : part->bodies) coarse.bodies.push_back({body.name, {}, {{}, body.mesh.triangles}});
+        for (std::size_t i = 0; i < part->bodies.size(); ++i)
+            for (const glm::dvec3& vertex : part->bodies[i].mesh.vertices)
+                coarse.bodies[i].mesh.vertices.emplace_back(vertex);
+        const auto preview = std::make_shared<const ModelPreview>(std::move(coarse));
+        viewport_->setPreview(preview);
+        QTRY_VERIFY(viewport_->showsPreview());
+        viewport_->setPreviewedPart(part);
+        QVERIFY(viewport_->showsPreview());
+        QTRY_VERIFY(!viewport_->showsPreview());
+
+        viewport_->setPreview(preview);
+        QTRY_VERIFY(viewport_->showsPreview());
+        viewport_->setPreviewedPart(fixture::model(fixture::radii));
+        viewport_->setPart(part); // as when a project is opened meanwhile
+        QTRY_VERIFY(!viewport_->showsPreview());
+        bench_->settle();
+    }
+
     void sightAndProjectionAreInverse() {
         for (const QPoint& at : {QPoint(10, 10), QPoint(500, 350), QPoint(990, 20), QPoint(333, 600)}) {
             const ViewportEvent event = viewport_->sight(at);
