@@ -149,9 +149,11 @@ int CommandContext::fail(const Error& error, const QString& standing) {
 
 void tellKeptEarlier(CommandContext& context, const Project& project) {
     if (project.keptEarlier().empty()) return;
-    context.message(QCoreApplication::translate("Command", "The file of an earlier version of Burin is kept as \"%1\".")
-                        .arg(QString::fromStdString(project.keptEarlier().string()))
-                        .toStdString());
+    context.message(
+        QCoreApplication::translate(
+            "Command", "An earlier version of Burin saved this project; the previous file is kept as \"%1\".")
+            .arg(QString::fromStdString(project.keptEarlier().string()))
+            .toStdString());
 }
 
 QString standingOutputs(std::span<const StagedFile> outputs) {

@@ -614,10 +614,6 @@
         <translation>Das Werkzeug erreicht nichts, was zu fräsen wäre. Ein kleineres oder längeres Werkzeug verwenden oder es mit --override hinnehmen.</translation>
     </message>
     <message>
-        <source>The file of an earlier version of Burin is kept as &quot;%1&quot;.</source>
-        <translation>Die Datei einer früheren Fassung von Burin bleibt als „%1“ erhalten.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; was written already</source>
         <translation>„%1“ ist schon geschrieben</translation>
     </message>
@@ -1264,6 +1260,10 @@
     <message>
         <source>There is no display to open the window on; log in to a desktop, set DISPLAY, or use a command: &quot;burin demo&quot; does the whole job without one, &quot;burin --help&quot; lists the others.</source>
         <translation>Es gibt keinen Bildschirm für das Fenster; melden Sie sich an einer Arbeitsfläche an, setzen Sie DISPLAY, oder verwenden Sie einen Befehl: „burin demo“ erledigt den ganzen Auftrag ohne Bildschirm, „burin --help“ nennt die übrigen.</translation>
+    </message>
+    <message>
+        <source>An earlier version of Burin saved this project; the previous file is kept as &quot;%1&quot;.</source>
+        <translation>Dieses Projekt wurde mit einer früheren Fassung von Burin gespeichert; die bisherige Datei bleibt als „%1“ erhalten.</translation>
     </message>
 </context>
 <context>
@@ -7057,8 +7057,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Ältere, nicht gespeicherte Arbeit gehört nicht mehr zu dieser Datei; sie wurde nach „%1“ verschoben.</translation>
     </message>
     <message>
-        <source>This project was of an earlier version of Burin; its file as it was is kept as “%1”.</source>
-        <translation>Dieses Projekt war aus einer früheren Fassung von Burin; seine bisherige Datei bleibt als „%1“ erhalten.</translation>
+        <source>An earlier version of Burin saved this project; the previous file is kept as “%1”.</source>
+        <translation>Dieses Projekt wurde mit einer früheren Fassung von Burin gespeichert; die bisherige Datei bleibt als „%1“ erhalten.</translation>
     </message>
 </context>
 <context>

@@ -99,7 +99,7 @@ void MainWindow::connectWorkbench() {
     });
     connect(&workbench_.document, &DocumentController::keptEarlier, this, [this](const std::filesystem::path& file) {
         message_->tell(Notice::Kind::information,
-                       tr("This project was of an earlier version of Burin; its file as it was is kept as “%1”.")
+                       tr("An earlier version of Burin saved this project; the previous file is kept as “%1”.")
                            .arg(QString::fromStdString(file.filename().string())));
     });
     workbench_.document.keepLeftAt([this] { return toJson(leftAt()); });
