@@ -50,11 +50,12 @@ QPlainTextEdit* textToEdit(WindowDriver& driver) {
     return text;
 }
 
-/// The longest cutting move.
+/// The cutting move that leads farthest at one height: a line, or an arc where the hand swayed by a pixel.
 const NcMotion* longestCut(const ParsedProgram& program) {
     const NcMotion* longest = nullptr;
     for (const NcMotion& motion : program.motions)
-        if (motion.kind == NcMotionKind::line && motion.from.z == motion.to.z &&
+        if (const bool cuts = motion.kind == NcMotionKind::line || motion.kind == NcMotionKind::arc;
+            cuts && motion.from.z == motion.to.z &&
             (longest == nullptr || glm::distance(motion.from, motion.to) > glm::distance(longest->from, longest->to)))
             longest = &motion;
     return longest;
@@ -91,7 +92,9 @@ void TestWindowProgram::theRestIsExportedFromTheSelectedLine() {
     QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
     auto* text = driver.visible<QPlainTextEdit>("programText");
     const std::string whole = bench.program.program()->text;
-    const NcMotion cut = *longestCut(bench.program.program()->parsed);
+    const NcMotion* longest = longestCut(bench.program.program()->parsed);
+    QVERIFY(longest != nullptr);
+    const NcMotion cut = *longest;
     text->setTextCursor(QTextCursor(text->document()->findBlockByNumber(static_cast<int>(cut.line) - 1)));
     text->setFocus();
     const QString file = driver.folder().filePath("rest.ngc");
@@ -153,7 +156,9 @@ void TestWindowProgram::aRefusedRestIsExportedWithAReason() {
     QPlainTextEdit* text = textToEdit(driver);
     QVERIFY(text != nullptr);
     Workbench& bench = driver.window().workbench();
-    const NcMotion cut = *longestCut(bench.program.program()->parsed);
+    const NcMotion* longest = longestCut(bench.program.program()->parsed);
+    QVERIFY(longest != nullptr);
+    const NcMotion cut = *longest;
     const auto line = [&](std::uint32_t number) {
         return QTextCursor(text->document()->findBlockByNumber(static_cast<int>(number) - 1));
     };
