@@ -176,10 +176,10 @@ glm::dvec3 placeToShow(const Path& path) {
     glm::dvec3 best(0.0);
     double nearest = -std::numeric_limits<double>::infinity();
     for (const PathPoint& point : path.points) {
-        const double near = glm::dot(point.tip, towardsViewer);
+        const double near = glm::dot(point.pose.tip, towardsViewer);
         if (point.kind != MoveKind::cut || near <= nearest) continue;
         nearest = near;
-        best = point.tip;
+        best = point.pose.tip;
     }
     return best;
 }

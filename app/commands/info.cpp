@@ -69,9 +69,9 @@ std::string textOf(const TakeInfo& take) {
 }
 
 std::string infoText(const StoredPath& path) {
-    return worded(
-        BURIN_TEXT("Command", "path     %1 %2: %3 takes, %4 edits"),
-        {std::to_string(path.id), path.name, std::to_string(path.takes.size()), std::to_string(path.edits.size())});
+    return worded(BURIN_TEXT("Command", "path     %1 %2: %3 takes, %4 edits"),
+                  {std::to_string(path.id), path.name, std::to_string(takesOf(path.sources).size()),
+                   std::to_string(path.edits.size())});
 }
 
 /// What a project lacks is null, so that a half-done project can be looked at too.
@@ -133,7 +133,8 @@ int runInfo(const std::string& file, CommandContext& context) {
     for (const StoredPath& path : *paths) {
         json edits = json::array();
         for (const Edit& edit : path.edits) edits.push_back(json::parse(toJson(edit)));
-        answer["paths"].push_back({{"id", path.id}, {"name", path.name}, {"takes", path.takes}, {"edits", edits}});
+        answer["paths"].push_back(
+            {{"id", path.id}, {"name", path.name}, {"takes", takesOf(path.sources)}, {"edits", edits}});
         text << "\n  " << infoText(path);
     }
     for (const StoredProgram& program : *programs) {

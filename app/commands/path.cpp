@@ -33,13 +33,13 @@ struct PathArguments {
 json jsonOf(const StoredPath& path) {
     json edits = json::array();
     for (const Edit& edit : path.edits) edits.push_back(json::parse(toJson(edit)));
-    return {{"id", path.id}, {"name", path.name}, {"takes", path.takes}, {"edits", edits}};
+    return {{"id", path.id}, {"name", path.name}, {"takes", takesOf(path.sources)}, {"edits", edits}};
 }
 
 std::string textOf(const StoredPath& path) {
     std::ostringstream text;
     std::string takes;
-    for (const std::int64_t take : path.takes) takes += " " + std::to_string(take);
+    for (const std::int64_t take : takesOf(path.sources)) takes += " " + std::to_string(take);
     text << worded(BURIN_TEXT("Command", "path %1 %2, takes%3"), {std::to_string(path.id), path.name, takes});
     for (std::size_t i = 0; i < path.edits.size(); ++i) text << "\n  " << i << "  " << toJson(path.edits[i]);
     return text.str();
@@ -95,10 +95,10 @@ int create(const PathArguments& arguments, CommandContext& context) {
     if (!path) return context.fail(path.error());
     path->name = arguments.name;
     for (const std::int64_t take : arguments.takes)
-        if (std::ranges::find(path->takes, take) == path->takes.end())
+        if (std::ranges::find(path->sources, PathSource{take}) == path->sources.end())
             return context.fail({ErrorCode::argumentInvalid, "--takes", std::to_string(take),
                                  worded(BURIN_TEXT("Command", "recordings made with %1, as the first one"), {*tool})});
-    if (!arguments.takes.empty()) path->takes = arguments.takes;
+    if (!arguments.takes.empty()) path->sources = sourcesOf(arguments.takes);
     const Result<std::int64_t> id = (*project)->addPath(*path);
     if (!id) return context.fail(id.error());
     path->id = *id;
@@ -170,8 +170,8 @@ std::string csvOf(const Path& path) {
                        "arc_centre_x_mm,arc_centre_y_mm,arc_centre_z_mm,arc_axis,arc_clockwise\n";
     for (const PathPoint& point : path.points) {
         text += kinds[static_cast<std::size_t>(point.kind)];
-        for (int axis = 0; axis < 3; ++axis) text += "," + formatShortest(point.tip[axis]);
-        text += "," + formatShortest(point.feed) + "," + std::to_string(point.take) + "," +
+        for (int axis = 0; axis < 3; ++axis) text += "," + formatShortest(point.pose.tip[axis]);
+        text += "," + formatShortest(point.feed) + "," + std::to_string(point.source) + "," +
                 std::to_string(point.sample) + arcColumns(point) + "\n";
     }
     return text;
@@ -191,9 +191,9 @@ int show(const PathArguments& arguments, CommandContext& context) {
     if (!project) return context.fail(project.error());
     const Result<StoredPath> stored = pathWithId(*project, arguments.path);
     if (!stored) return context.fail(stored.error());
-    const Result<std::vector<TakeInfo>> takes = project->takes();
-    if (!takes) return context.fail(takes.error());
-    const Result<Tool> tool = toolFor(*project, toolOf(*stored, *takes));
+    const Result<std::vector<SourceInfo>> sources = sourcesOf(*project);
+    if (!sources) return context.fail(sources.error());
+    const Result<Tool> tool = toolFor(*project, toolOf(*stored, *sources));
     if (!tool) return context.fail(tool.error());
     const Result<Bench> bench =
         makeBench(*project, *tool, machineFor(*project, arguments.machine, context), context.progress());

@@ -135,11 +135,13 @@ Result<std::int64_t> contentDigest(Database& database) {
 Result<std::int64_t> jobDigest(Database& database) {
     Digest digest;
     for (const char* table :
-         {"model", "body", "setup", "material", "obstacle", "undone_stretch", "path", "path_take", "path_edit"})
+         {"model", "body", "setup", "material", "obstacle", "undone_stretch", "path", "path_source", "path_edit"})
         if (Result<void> added = addTable(database, table, digest); !added) return std::move(added).error();
-    // Recordings grow and are never changed: how long they are says what is in them.
+    // Recordings grow, generated moves are as they were made: how long they are says what is in them.
     for (const char* query : {"SELECT id, tool_id, allowance, tick_period FROM take ORDER BY id",
                               "SELECT take, first, count FROM sample_chunk ORDER BY take, first",
+                              "SELECT id, tool_id, allowance FROM generated ORDER BY id",
+                              "SELECT generated, stroke, first, count FROM generated_chunk ORDER BY 1, 2, 3",
                               "SELECT setup, json FROM setup_setting WHERE name = 'travel' ORDER BY setup"})
         if (Result<void> added = addRows(database, query, digest); !added) return std::move(added).error();
     return digest.value();

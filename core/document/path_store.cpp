@@ -4,31 +4,65 @@
 #include "core/document/stores.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <limits>
 #include <utility>
 
 namespace burin {
 
 namespace {
 
-/// That a path's setup is there, and its takes, which are of that setup.
+/// The two columns of a source: one is the number of a row, the other NULL.
+const char* columnOf(PathSource source) noexcept {
+    return source.isTake() ? "take" : "generated";
+}
+
+/// Whether a row can have the number: SQLite counts from 1 on.
+bool isNumber(PathSource source) noexcept {
+    return source.id != 0 && source.id != std::numeric_limits<std::int64_t>::min();
+}
+
+std::string kindOf(PathSource source) {
+    return source.isTake() ? "take" : "generated moves";
+}
+
+Error unknownSource(PathSource source) {
+    return {ErrorCode::nameUnknown, kindOf(source), std::to_string(source.id), {}};
+}
+
+/// The setup that a source was made for.
+Result<SetupId> setupOf(Database& database, PathSource source) {
+    Result<Statement> row =
+        Statement::prepare(database, std::string("SELECT setup FROM ") + columnOf(source) + " WHERE id = ?");
+    if (!row) return std::move(row).error();
+    if (Result<void> bound = row->bind(std::abs(source.id)); !bound) return std::move(bound).error();
+    const Result<bool> found = row->step();
+    if (!found) return found.error();
+    if (!*found) return unknownSource(source);
+    return SetupId{row->integer(0)};
+}
+
+/// That a path's setup is there, and its sources, which are of that setup.
 Result<void> requireSources(Database& database, const StoredPath& path) {
     if (Result<void> known = requireSetup(database, path.setup); !known) return known;
-    const Result<std::vector<TakeInfo>> takes = loadTakes(database);
-    if (!takes) return takes.error();
-    for (const std::int64_t id : path.takes) {
-        const auto take = std::ranges::find(*takes, id, &TakeInfo::id);
-        if (take == takes->end()) return Error{ErrorCode::nameUnknown, "take", std::to_string(id), {}};
-        if (take->setup != path.setup)
-            return Error{ErrorCode::argumentInvalid, "take", std::to_string(id), "takes of the path's own setup"};
+    for (const PathSource source : path.sources) {
+        if (!isNumber(source)) return unknownSource(source);
+        const Result<SetupId> setup = setupOf(database, source);
+        if (!setup) return setup.error();
+        if (*setup != path.setup)
+            return Error{ErrorCode::argumentInvalid, kindOf(source), std::to_string(source.id),
+                         "sources of the path's own setup"};
     }
     return {};
 }
 
 Result<void> storeParts(Database& database, std::int64_t id, const StoredPath& path) {
     std::int64_t position = 0;
-    for (const std::int64_t take : path.takes)
-        if (Result<void> done = run(database, "INSERT INTO path_take VALUES(?, ?, ?)", id, position++, take); !done)
-            return done;
+    for (const PathSource source : path.sources) {
+        const std::string insert =
+            std::string("INSERT INTO path_source(path, position, ") + columnOf(source) + ") VALUES(?, ?, ?)";
+        if (Result<void> done = run(database, insert.c_str(), id, position++, std::abs(source.id)); !done) return done;
+    }
     position = 0;
     for (const Edit& edit : path.edits)
         if (Result<void> done = run(database, "INSERT INTO path_edit VALUES(?, ?, ?)", id, position++, toJson(edit));
@@ -38,14 +72,15 @@ Result<void> storeParts(Database& database, std::int64_t id, const StoredPath& p
 }
 
 Result<void> loadParts(Database& database, StoredPath& path) {
-    Result<Statement> takes =
-        Statement::prepare(database, "SELECT take FROM path_take WHERE path = ? ORDER BY position");
-    if (!takes) return std::move(takes).error();
-    if (Result<void> bound = takes->bind(path.id); !bound) return bound;
-    if (Result<void> read = forEachRow(*takes,
+    Result<Statement> sources = Statement::prepare(
+        database, "SELECT COALESCE(take, -generated) FROM path_source WHERE path = ? ORDER BY position");
+    if (!sources) return std::move(sources).error();
+    if (Result<void> bound = sources->bind(path.id); !bound) return bound;
+    if (Result<void> read = forEachRow(*sources,
                                        [&]() -> Result<void> {
-                                           path.takes.push_back(takes->integer(0));
-                                           return {};
+                                           path.sources.push_back({sources->integer(0)});
+                                           if (isNumber(path.sources.back())) return {};
+                                           return damaged(database, "path " + path.name + ", sources");
                                        });
         !read)
         return read;
@@ -62,7 +97,7 @@ Result<void> loadParts(Database& database, StoredPath& path) {
 }
 
 Result<void> eraseParts(Database& database, std::int64_t id) {
-    for (const char* erase : {"DELETE FROM path_take WHERE path = ?", "DELETE FROM path_edit WHERE path = ?"})
+    for (const char* erase : {"DELETE FROM path_source WHERE path = ?", "DELETE FROM path_edit WHERE path = ?"})
         if (Result<void> done = run(database, erase, id); !done) return done;
     return {};
 }
@@ -76,6 +111,21 @@ Result<void> requireChange(Database& database, std::int64_t id) {
 }
 
 } // namespace
+
+Result<void> requireUnused(Database& database, PathSource source) {
+    const std::string select =
+        std::string("SELECT name FROM path JOIN path_source ON path.id = path_source.path WHERE path_source.") +
+        columnOf(source) + " = ?";
+    Result<Statement> user = Statement::prepare(database, select);
+    if (!user) return std::move(user).error();
+    if (Result<void> bound = user->bind(std::abs(source.id)); !bound) return bound;
+    const Result<bool> used = user->step();
+    if (!used) return used.error();
+    if (!*used) return {};
+    return Error{ErrorCode::argumentInvalid, kindOf(source), std::to_string(source.id),
+                 "a " + std::string(source.isTake() ? "take" : "source") +
+                     " that no path uses (this one: " + std::string(user->text(0)) + ")"};
+}
 
 Result<std::int64_t> storePath(Database& database, const StoredPath& path) {
     if (Result<void> known = requireSources(database, path); !known) return std::move(known).error();

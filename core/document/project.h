@@ -7,6 +7,8 @@
 #include "core/document/program_target.h"
 #include "core/machine/envelope.h"
 #include "core/path/edit.h"
+#include "core/path/path_source.h"
+#include "core/recording/generated_moves.h"
 #include "core/recording/sample_source.h"
 #include "core/setup/axis_mode.h"
 #include "core/setup/kept_guides.h"
@@ -26,11 +28,11 @@ namespace burin {
 class StagedFile;
 class WorkingCopy;
 
-/// A path as the project keeps it: takes plus edits; its points are evaluated, never stored as truth.
+/// A path as the project keeps it: sources plus edits; its points are evaluated, never stored as truth.
 struct StoredPath {
     std::int64_t id = 0;
     std::string name;
-    std::vector<std::int64_t> takes; ///< of `setup` all of them
+    std::vector<PathSource> sources; ///< of `setup` all of them
     std::vector<Edit> edits;
     SetupId setup = firstSetup;
 };
@@ -167,13 +169,24 @@ public:
     /// Takes such a note back. Errors: argumentInvalid (there is none of just this stretch).
     Result<void> redoStretch(std::int64_t take, const SampleRange& stretch);
 
-    /// Its id; `path.id` is ignored. Errors: nameUnknown (a take).
+    /// What planners made, without the moves.
+    Result<std::vector<GeneratedInfo>> generated() const;
+    /// Errors: nameUnknown.
+    Result<GeneratedMoves> generatedMoves(std::int64_t id) const;
+    /// Their id; `moves.info.id` is ignored, and none is ever given twice. They are never changed: a planner that is
+    /// run again makes new ones, and the path is made of these. Errors: those of checkGenerated, nameUnknown (the
+    /// setup).
+    Result<std::int64_t> addGenerated(const GeneratedMoves& moves);
+    /// Errors: nameUnknown, argumentInvalid while a path is made of them.
+    Result<void> removeGenerated(std::int64_t id);
+
+    /// Its id; `path.id` is ignored. Errors: nameUnknown (a source), argumentInvalid (a source of another setup).
     Result<std::int64_t> addPath(const StoredPath& path);
-    /// Errors: nameUnknown (the path, a take).
+    /// Errors: nameUnknown (the path, a source), argumentInvalid (a source of another setup).
     Result<void> setPath(const StoredPath& path);
     /// Its id is never given again. Errors: nameUnknown.
     Result<void> removePath(std::int64_t id);
-    /// Puts a path that was removed back, with its id. Errors: nameUnknown (a take).
+    /// Puts a path that was removed back, with its id. Errors: nameUnknown (a source).
     Result<void> restorePath(const StoredPath& path);
     Result<std::vector<StoredPath>> paths() const;
 

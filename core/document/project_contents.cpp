@@ -93,6 +93,22 @@ Result<KeptGuides> Project::guides(SetupId id) const {
     return impl_->read([id](Database& database) { return loadGuides(database, id); });
 }
 
+Result<std::vector<GeneratedInfo>> Project::generated() const {
+    return impl_->read(loadGenerated);
+}
+
+Result<GeneratedMoves> Project::generatedMoves(std::int64_t id) const {
+    return impl_->read([id](Database& database) { return loadGeneratedMoves(database, id); });
+}
+
+Result<std::int64_t> Project::addGenerated(const GeneratedMoves& moves) {
+    return impl_->change([&](Database& database) { return storeGenerated(database, moves); });
+}
+
+Result<void> Project::removeGenerated(std::int64_t id) {
+    return impl_->change([id](Database& database) { return eraseGenerated(database, id); });
+}
+
 Result<std::int64_t> Project::addPath(const StoredPath& path) {
     return impl_->change([&](Database& database) { return storePath(database, path); });
 }

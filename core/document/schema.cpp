@@ -140,6 +140,32 @@ CREATE TABLE setup_setting(
     json TEXT NOT NULL,
     PRIMARY KEY(setup, name));
 )sql";
+constexpr const char* sources = R"sql(
+CREATE TABLE generated(
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    setup INTEGER NOT NULL REFERENCES setup(id),
+    name TEXT NOT NULL,
+    tool_id TEXT NOT NULL,
+    allowance REAL);
+CREATE TABLE generated_chunk(
+    generated INTEGER NOT NULL REFERENCES generated(id),
+    stroke INTEGER NOT NULL,
+    first INTEGER NOT NULL,
+    count INTEGER NOT NULL,
+    points BLOB NOT NULL,
+    PRIMARY KEY(generated, stroke, first));
+CREATE TABLE path_source(
+    path INTEGER NOT NULL REFERENCES path(id),
+    position INTEGER NOT NULL,
+    take INTEGER REFERENCES take(id),
+    generated INTEGER REFERENCES generated(id),
+    PRIMARY KEY(path, position),
+    CHECK((take IS NULL) != (generated IS NULL)));
+)sql";
+constexpr const char* intoSources = R"sql(
+INSERT INTO path_source SELECT path, position, take, NULL FROM path_take;
+DROP TABLE path_take;
+)sql";
 constexpr const char* beforeSetups = R"sql(
 ALTER TABLE setup RENAME TO one_setup;
 ALTER TABLE obstacle RENAME TO one_obstacle;
@@ -180,7 +206,9 @@ std::map<std::string, std::string> statementsOf(std::string_view sql) {
 }
 
 void addSetupsTo(std::map<std::string, std::string>& expected) {
-    for (const auto& [name, statement] : statementsOf(setups)) expected[name] = statement;
+    for (const char* made : {setups, sources})
+        for (const auto& [name, statement] : statementsOf(made)) expected[name] = statement;
+    expected.erase("path_take");
     for (const char* name : {"take", "path", "program"}) {
         std::string& statement = expected[name];
         statement.replace(statement.size() - 1, 1, setupColumn);
@@ -214,7 +242,7 @@ Result<void> addSurroundings(Database& file) {
 }
 
 Result<void> addSetups(Database& file) {
-    for (const char* part : {beforeSetups, setups, intoSetups})
+    for (const char* part : {beforeSetups, setups, intoSetups, sources, intoSources})
         if (Result<void> done = file.execute(part); !done) return done;
     return {};
 }

@@ -60,7 +60,16 @@ Result<void> eraseTake(Database& database, std::int64_t id);
 Result<void> storeUndone(Database& database, std::int64_t take, const SampleRange& stretch);
 Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRange& stretch);
 
+// generated_store.cpp
+/// As new ones; their id. Errors: those of checkGenerated, nameUnknown (the setup).
+Result<std::int64_t> storeGenerated(Database& database, const GeneratedMoves& moves);
+Result<std::vector<GeneratedInfo>> loadGenerated(Database& database);
+Result<GeneratedMoves> loadGeneratedMoves(Database& database, std::int64_t id);
+Result<void> eraseGenerated(Database& database, std::int64_t id);
+
 // path_store.cpp
+/// Errors: argumentInvalid (a path is made of it).
+Result<void> requireUnused(Database& database, PathSource source);
 Result<std::int64_t> storePath(Database& database, const StoredPath& path); ///< as a new one; its id
 Result<void> replacePath(Database& database, const StoredPath& path);
 Result<void> erasePath(Database& database, std::int64_t id);

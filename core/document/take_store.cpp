@@ -3,6 +3,7 @@
 #include "core/base/clean_text.h"
 #include "core/document/sample_chunk.h"
 #include "core/document/stores.h"
+#include "core/recording/tool_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,21 +19,11 @@ constexpr const char* selectTakes =
 constexpr std::int64_t mostSamples = std::int64_t{1} << 62; ///< so that the end of an interval is a number
 
 // What a recording can have. Earlier versions kept any number, so that others are brought to the nearest.
-constexpr double largestAllowance = 10.0;                // mm, as mill and the window take it
 constexpr double shortestTick = 1e-5, longestTick = 1.0; // s
 constexpr double latestTime = 1e11;                      // s
 
-constexpr double farthestTip = 1e6; // mm; machines travel a tenth of it
-
 double within(double value, double low, double high, double otherwise) {
     return std::isnan(value) ? otherwise : std::clamp(value, low, high);
-}
-
-/// Whether a recording can have had the tool there: what is worked out from places beyond overflows.
-bool isPlace(const ToolPose& pose) {
-    const auto reached = [](double coordinate) { return std::abs(coordinate) <= farthestTip; };
-    const double length = glm::length(pose.axis);
-    return reached(pose.tip.x) && reached(pose.tip.y) && reached(pose.tip.z) && std::abs(length - 1.0) <= 1e-3;
 }
 
 TakeInfo infoOf(const Statement& row) {
@@ -164,7 +155,7 @@ Result<void> visitSamples(Database& database, std::int64_t id, const SampleVisit
         };
         if (!samples) return damagedAt(visited);
         for (std::size_t i = 0; i < samples->size(); ++i)
-            if (!isPlace((*samples)[i].proxy)) return damagedAt(visited + i);
+            if (!isToolPlace((*samples)[i].proxy)) return damagedAt(visited + i);
         visited += samples->size();
         return visit(*samples);
     });
@@ -186,15 +177,7 @@ Result<Take> loadTake(Database& database, std::int64_t id) {
 }
 
 Result<void> eraseTake(Database& database, std::int64_t id) {
-    Result<Statement> user = Statement::prepare(
-        database, "SELECT name FROM path JOIN path_take ON path.id = path_take.path WHERE path_take.take = ?");
-    if (!user) return std::move(user).error();
-    if (Result<void> bound = user->bind(id); !bound) return bound;
-    const Result<bool> used = user->step();
-    if (!used) return used.error();
-    if (*used)
-        return Error{ErrorCode::argumentInvalid, "take", std::to_string(id),
-                     "a take that no path uses (this one: " + std::string(user->text(0)) + ")"};
+    if (Result<void> unused = requireUnused(database, {id}); !unused) return unused;
     for (const char* table : {"DELETE FROM sample_chunk WHERE take = ?", "DELETE FROM undone_stretch WHERE take = ?"})
         if (Result<void> done = run(database, table, id); !done) return done;
     if (Result<void> done = run(database, "DELETE FROM take WHERE id = ?", id); !done) return done;

@@ -38,10 +38,10 @@ std::vector<std::size_t> placesOf(const std::vector<ToolPass>& passes) {
 }
 
 /// As their tools first milled: what orderPasses leaves as it was given.
-std::vector<StoredPath> byFirstTake(std::vector<StoredPath> paths, const std::vector<TakeInfo>& takes,
+std::vector<StoredPath> byFirstTake(std::vector<StoredPath> paths, const std::vector<SourceInfo>& sources,
                                     const std::vector<std::string>& milled) {
     std::ranges::stable_sort(paths, {}, [&](const StoredPath& path) {
-        return std::ranges::find(milled, toolOf(path, takes)) - milled.begin();
+        return std::ranges::find(milled, toolOf(path, sources)) - milled.begin();
     });
     return paths;
 }
@@ -50,9 +50,9 @@ std::vector<StoredPath> byFirstTake(std::vector<StoredPath> paths, const std::ve
 std::vector<std::size_t> milledOrder(const std::vector<PathMatter>& matters) {
     std::vector<ToolPass> passes;
     for (const PathMatter& matter : matters) {
-        std::vector<TakeInfo> takes;
-        for (const RecordedStrokes& each : matter.recorded) takes.push_back(each.take);
-        passes.push_back(passOf(matter.path, matter.tool, takes));
+        std::vector<SourceInfo> sources;
+        for (const SourceStrokes& each : matter.sources) sources.push_back(each.info);
+        passes.push_back(passOf(matter.path, matter.tool, sources));
     }
     return placesOf(passes);
 }
@@ -74,7 +74,7 @@ Result<std::vector<MilledPath>> evaluateEach(const Bench& bench, std::vector<Pat
             continue;
         }
         Result<EvaluatedPath> path =
-            evaluateStored(std::move(matter.recorded), bench, matter.tool, matter.path, milled, progress);
+            evaluateStored(std::move(matter.sources), bench, matter.tool, matter.path, milled, progress);
         if (!path) return std::move(path).error();
         milled.push_back({std::make_shared<const EvaluatedPath>(std::move(*path)), matter.tool});
     }
@@ -83,56 +83,73 @@ Result<std::vector<MilledPath>> evaluateEach(const Bench& bench, std::vector<Pat
 
 } // namespace
 
-std::vector<std::string> toolsOf(const std::vector<TakeInfo>& takes) {
+std::vector<std::string> toolsOf(const std::vector<SourceInfo>& sources) {
     std::vector<std::string> tools;
-    for (const TakeInfo& take : takes)
-        if (std::ranges::find(tools, take.toolId) == tools.end()) tools.push_back(take.toolId);
+    for (const SourceInfo& each : sources)
+        if (std::ranges::find(tools, each.toolId) == tools.end()) tools.push_back(each.toolId);
     return tools;
 }
 
-std::string toolOf(const StoredPath& path, const std::vector<TakeInfo>& takes) {
-    for (const std::int64_t id : path.takes)
-        if (const auto take = std::ranges::find(takes, id, &TakeInfo::id); take != takes.end()) return take->toolId;
+std::string toolOf(const StoredPath& path, const std::vector<SourceInfo>& sources) {
+    for (const PathSource source : path.sources)
+        if (const auto known = std::ranges::find(sources, source, &SourceInfo::source); known != sources.end())
+            return known->toolId;
     return {};
 }
 
 bool isFirstOfItsTool(const StoredPath& path, const std::vector<StoredPath>& paths,
-                      const std::vector<TakeInfo>& takes) {
-    const std::string tool = toolOf(path, takes);
+                      const std::vector<SourceInfo>& sources) {
+    const std::string tool = toolOf(path, sources);
     const auto first =
-        std::ranges::find_if(paths, [&](const StoredPath& other) { return toolOf(other, takes) == tool; });
+        std::ranges::find_if(paths, [&](const StoredPath& other) { return toolOf(other, sources) == tool; });
     return first != paths.end() && first->id == path.id;
 }
 
-std::vector<StoredPath> firstPaths(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes) {
+std::vector<StoredPath> firstPaths(const std::vector<StoredPath>& paths, const std::vector<SourceInfo>& sources) {
     std::vector<StoredPath> firsts;
     for (const StoredPath& path : paths)
-        if (!toolOf(path, takes).empty() && isFirstOfItsTool(path, paths, takes)) firsts.push_back(path);
+        if (!toolOf(path, sources).empty() && isFirstOfItsTool(path, paths, sources)) firsts.push_back(path);
     return firsts;
 }
 
-std::vector<StoredPath> inMillingOrder(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes,
+std::vector<StoredPath> inMillingOrder(const std::vector<StoredPath>& paths, const std::vector<SourceInfo>& sources,
                                        const std::vector<std::string>& milled, const std::vector<Tool>& tools) {
-    const std::vector<StoredPath> given = byFirstTake(paths, takes, milled);
+    const std::vector<StoredPath> given = byFirstTake(paths, sources, milled);
     std::vector<ToolPass> passes;
     for (StoredPath path : given) {
-        addNewerTakes(path, takes); // it is milled with these
-        const std::string id = toolOf(path, takes);
+        addNewerTakes(path, sources); // it is milled with these
+        const std::string id = toolOf(path, sources);
         const auto known = std::ranges::find(tools, id, &Tool::id);
         Tool unknown;
         unknown.id = id;
-        passes.push_back(passOf(path, known != tools.end() ? *known : unknown, takes));
+        passes.push_back(passOf(path, known != tools.end() ? *known : unknown, sources));
     }
     std::vector<StoredPath> ordered;
     for (const std::size_t place : placesOf(passes)) ordered.push_back(given[place]);
     return ordered;
 }
 
-ToolPass passOf(const StoredPath& path, const Tool& tool, const std::vector<TakeInfo>& takes) {
+ToolPass passOf(const StoredPath& path, const Tool& tool, const std::vector<SourceInfo>& sources) {
     double allowance = std::numeric_limits<double>::infinity(); // what the path leaves in the end
-    for (const TakeInfo& take : takes)
-        if (std::ranges::find(path.takes, take.id) != path.takes.end()) allowance = std::min(allowance, take.allowance);
+    for (const SourceInfo& each : sources)
+        if (std::ranges::find(path.sources, each.source) != path.sources.end())
+            allowance = std::min(allowance, each.allowance);
     return {tool.id, tool.cutter.diameter, std::isfinite(allowance) ? allowance : 0.0};
+}
+
+std::vector<SourceInfo> sourcesOf(const std::vector<TakeInfo>& takes, const std::vector<GeneratedInfo>& generated) {
+    std::vector<SourceInfo> sources;
+    for (const TakeInfo& take : takes) sources.push_back(sourceOf(take));
+    for (const GeneratedInfo& made : generated) sources.push_back(sourceOf(made));
+    return sources;
+}
+
+Result<std::vector<SourceInfo>> sourcesOf(const Project& project) {
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    const Result<std::vector<GeneratedInfo>> generated = project.generated();
+    if (!generated) return generated.error();
+    return sourcesOf(*takes, *generated);
 }
 
 Result<std::vector<TakeInfo>> standingTakes(const Project& project) {
@@ -150,13 +167,21 @@ Result<std::vector<TakeInfo>> standingTakes(const Project& project) {
     return standing;
 }
 
-void addNewerTakes(StoredPath& path, const std::vector<TakeInfo>& takes) {
-    const std::string tool = toolOf(path, takes);
-    const auto newest = std::ranges::max_element(path.takes);
-    if (newest == path.takes.end()) return;
-    const std::int64_t last = *newest;
-    for (const TakeInfo& take : takes)
-        if (take.toolId == tool && take.id > last) path.takes.push_back(take.id);
+Result<std::vector<SourceInfo>> standingSources(const Project& project) {
+    const Result<std::vector<TakeInfo>> takes = standingTakes(project);
+    if (!takes) return takes.error();
+    const Result<std::vector<GeneratedInfo>> generated = project.generated();
+    if (!generated) return generated.error();
+    return sourcesOf(*takes, *generated);
+}
+
+void addNewerTakes(StoredPath& path, const std::vector<SourceInfo>& sources) {
+    const std::string tool = toolOf(path, sources);
+    const auto newest = std::ranges::max_element(path.sources, {}, &PathSource::id);
+    if (newest == path.sources.end() || !newest->isTake()) return;
+    const std::int64_t last = newest->id;
+    for (const SourceInfo& each : sources)
+        if (each.toolId == tool && each.source.id > last) path.sources.push_back(each.source);
 }
 
 Result<StoredPath> standardPath(const Project& project, const std::string& toolId) {
@@ -164,8 +189,8 @@ Result<StoredPath> standardPath(const Project& project, const std::string& toolI
     if (!takes) return takes.error();
     StoredPath path;
     for (const TakeInfo& take : *takes)
-        if (take.toolId == toolId) path.takes.push_back(take.id);
-    if (path.takes.empty()) return withoutTake();
+        if (take.toolId == toolId) path.sources.push_back({take.id});
+    if (path.sources.empty()) return withoutTake();
     const Result<std::vector<StoredPath>> others = project.paths();
     if (!others) return others.error();
     path.name = "path " + std::to_string(others->size() + 1);
@@ -174,21 +199,25 @@ Result<StoredPath> standardPath(const Project& project, const std::string& toolI
 }
 
 Result<std::vector<StoredPath>> jobPaths(Project& project) {
-    const Result<std::vector<TakeInfo>> takes = project.takes();
-    if (!takes) return takes.error();
-    const Result<std::vector<TakeInfo>> standing = standingTakes(project);
+    const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
+    if (!sources) return sources.error();
+    const Result<std::vector<SourceInfo>> standing = standingSources(project);
     if (!standing) return standing.error();
-    if (standing->empty()) return withoutTake();
     const Result<std::vector<StoredPath>> kept = project.paths();
     if (!kept) return kept.error();
+    const auto recorded = [&](const std::string& tool) {
+        return std::ranges::any_of(*standing,
+                                   [&](const SourceInfo& each) { return each.source.isTake() && each.toolId == tool; });
+    };
     std::vector<StoredPath> paths;
     for (const std::string& tool : toolsOf(*standing)) {
         const auto first =
-            std::ranges::find_if(*kept, [&](const StoredPath& path) { return toolOf(path, *takes) == tool; });
+            std::ranges::find_if(*kept, [&](const StoredPath& path) { return toolOf(path, *sources) == tool; });
         if (first != kept->end()) {
             paths.push_back(*first);
             continue;
         }
+        if (!recorded(tool)) continue; // moves that no path is made of
         Result<StoredPath> made = standardPath(project, tool);
         if (!made) return std::move(made).error();
         const Result<std::int64_t> id = project.addPath(*made);
@@ -196,16 +225,17 @@ Result<std::vector<StoredPath>> jobPaths(Project& project) {
         made->id = *id;
         paths.push_back(std::move(*made));
     }
+    if (paths.empty()) return withoutTake();
     return paths;
 }
 
 Result<PathMatter> matterOf(const Project& project, const StoredPath& path) {
-    Result<std::vector<RecordedStrokes>> recorded = recordedOf(project, path);
-    if (!recorded) return std::move(recorded).error();
-    if (recorded->empty()) return withoutTake();
-    Result<Tool> tool = toolFor(project, recorded->front().take.toolId);
+    Result<std::vector<SourceStrokes>> strokes = strokesOf(project, path);
+    if (!strokes) return std::move(strokes).error();
+    if (strokes->empty()) return withoutTake();
+    Result<Tool> tool = toolFor(project, strokes->front().info.toolId);
     if (!tool) return std::move(tool).error();
-    return PathMatter{path, std::move(*recorded), std::move(*tool), nullptr};
+    return PathMatter{path, std::move(*strokes), std::move(*tool), nullptr};
 }
 
 Result<EvaluatedPaths> evaluateInOrder(const Bench& bench, std::vector<PathMatter> matters, Progress& progress) {
@@ -228,16 +258,16 @@ Result<EvaluatedPath> evaluateInJob(const Project& project, const Bench& bench, 
                                     Progress& progress) {
     const Result<std::vector<StoredPath>> paths = project.paths();
     if (!paths) return paths.error();
-    const Result<std::vector<TakeInfo>> takes = project.takes();
-    if (!takes) return takes.error();
-    const Result<std::vector<TakeInfo>> standing = standingTakes(project);
+    const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
+    if (!sources) return sources.error();
+    const Result<std::vector<SourceInfo>> standing = standingSources(project);
     if (!standing) return standing.error();
     const std::vector<std::string> milling = toolsOf(*standing);
-    const std::string tool = toolOf(path, *takes);
+    const std::string tool = toolOf(path, *sources);
     std::vector<PathMatter> matters;
     std::size_t wanted = 0;
-    for (const StoredPath& each : byFirstTake(firstPaths(*paths, *takes), *takes, milling)) {
-        const std::string toolOfEach = toolOf(each, *takes);
+    for (const StoredPath& each : byFirstTake(firstPaths(*paths, *sources), *sources, milling)) {
+        const std::string toolOfEach = toolOf(each, *sources);
         const bool itself = toolOfEach == tool;
         if (!itself && std::ranges::find(milling, toolOfEach) == milling.end()) continue;
         if (itself) wanted = matters.size();
@@ -256,14 +286,14 @@ Result<EvaluatedPath> evaluateInJob(const Project& project, const Bench& bench, 
 Result<std::vector<Path>> promisedPaths(const Project& project, const Bench& bench, Progress& progress) {
     const Result<std::vector<StoredPath>> paths = project.paths();
     if (!paths) return paths.error();
-    const Result<std::vector<TakeInfo>> takes = project.takes();
-    if (!takes) return takes.error();
+    const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
+    if (!sources) return sources.error();
     std::vector<PathMatter> matters;
     std::vector<StoredPath> variants;
     for (StoredPath path : *paths) {
-        if (toolOf(path, *takes).empty()) continue;
-        addNewerTakes(path, *takes); // as programs are posted
-        if (!isFirstOfItsTool(path, *paths, *takes)) {
+        if (toolOf(path, *sources).empty()) continue;
+        addNewerTakes(path, *sources); // as programs are posted
+        if (!isFirstOfItsTool(path, *paths, *sources)) {
             variants.push_back(std::move(path));
             continue;
         }

@@ -168,31 +168,60 @@ const Tool* CheckedProgram::toolNumbered(int number) const noexcept {
     return found == tools.end() ? nullptr : &*found;
 }
 
-Result<std::vector<RecordedStrokes>> recordedOf(const Project& project, const StoredPath& path) {
-    std::uint64_t samples = 0;
-    std::vector<TakeOutline> takes;
-    for (const std::int64_t id : path.takes) {
-        Result<TakeOutline> take = project.takeOutline(id);
-        if (!take) return std::move(take).error();
-        samples += take->info.sampleCount - take->info.undoneCount;
-        takes.push_back(std::move(*take));
-    }
-    if (Result<void> fits = needMemory(memorySubject(path, samples).c_str(),
-                                       bytesPerSample * static_cast<double>(samples), MemoryRemedy::fewerTakes);
-        !fits)
-        return std::move(fits).error();
-    std::vector<RecordedStrokes> recorded;
-    for (const TakeOutline& take : takes) {
-        StrokeReader reader(take);
-        Result<void> read =
-            project.visitSamples(take.info.id, [&reader](std::span<const Sample> part) { return reader.add(part); });
-        if (!read) return std::move(read).error();
-        recorded.push_back(reader.finish());
-    }
-    return recorded;
+namespace {
+
+Result<SourceStrokes> takeStrokesOf(const Project& project, PathSource source) {
+    const Result<TakeOutline> take = project.takeOutline(source.id);
+    if (!take) return take.error();
+    StrokeReader reader(*take);
+    Result<void> read =
+        project.visitSamples(source.id, [&reader](std::span<const Sample> part) { return reader.add(part); });
+    if (!read) return std::move(read).error();
+    return reader.finish();
 }
 
-Result<EvaluatedPath> evaluateStored(std::vector<RecordedStrokes> recorded, const Bench& bench, const Tool& tool,
+Result<SourceStrokes> generatedStrokesOf(const Project& project, PathSource source) {
+    const Result<GeneratedMoves> moves = project.generatedMoves(source.id);
+    if (!moves) return moves.error();
+    return strokesOf(*moves);
+}
+
+/// Samples and points that a path is made of, as many as memory is needed for.
+Result<std::uint64_t> placesOf(const Project& project, const StoredPath& path) {
+    const Result<std::vector<GeneratedInfo>> generated = project.generated();
+    if (!generated) return generated.error();
+    std::uint64_t places = 0;
+    for (const PathSource source : path.sources) {
+        if (const auto made = std::ranges::find(*generated, source.id, &GeneratedInfo::id); made != generated->end())
+            places += made->pointCount;
+        if (!source.isTake()) continue;
+        const Result<TakeOutline> take = project.takeOutline(source.id);
+        if (!take) return take.error();
+        places += take->info.sampleCount - take->info.undoneCount;
+    }
+    return places;
+}
+
+} // namespace
+
+Result<std::vector<SourceStrokes>> strokesOf(const Project& project, const StoredPath& path) {
+    const Result<std::uint64_t> samples = placesOf(project, path);
+    if (!samples) return samples.error();
+    if (Result<void> fits = needMemory(memorySubject(path, *samples).c_str(),
+                                       bytesPerSample * static_cast<double>(*samples), MemoryRemedy::fewerTakes);
+        !fits)
+        return std::move(fits).error();
+    std::vector<SourceStrokes> strokes;
+    for (const PathSource source : path.sources) {
+        Result<SourceStrokes> made =
+            source.isTake() ? takeStrokesOf(project, source) : generatedStrokesOf(project, source);
+        if (!made) return std::move(made).error();
+        strokes.push_back(std::move(*made));
+    }
+    return strokes;
+}
+
+Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const Bench& bench, const Tool& tool,
                                      const StoredPath& path, std::span<const MilledPath> before, Progress& progress) {
     const Property& material = bench.embedded.workpiece.properties()[bench.embedded.stockProperty];
     const Result<CuttingConditions> conditions =
@@ -211,11 +240,15 @@ Result<EvaluatedPath> evaluateStored(std::vector<RecordedStrokes> recorded, cons
         return bench.stock->lend(before, use, lending);
     };
     if (!before.empty()) context.cleared = before.back().evaluated->cleared;
-    if (!recorded.empty()) context.tickPeriod = recorded.front().take.tickPeriod;
+    for (const SourceStrokes& each : strokes)
+        if (each.info.tickPeriod > 0.0) {
+            context.tickPeriod = each.info.tickPeriod;
+            break;
+        }
     constexpr double editing = 0.9; // of the work
     Result<EvaluatedPath> evaluated = [&] {
         const ProgressPart part(progress, 0.0, editing);
-        return evaluate(path.name, std::move(recorded), path.edits, context, progress);
+        return evaluate(path.name, std::move(strokes), path.edits, context, progress);
     }();
     if (!evaluated) return evaluated;
     const ProgressPart part(progress, editing, 1.0);
@@ -229,9 +262,9 @@ Result<EvaluatedPath> evaluateStored(std::vector<RecordedStrokes> recorded, cons
 
 Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
                                      Progress& progress) {
-    Result<std::vector<RecordedStrokes>> recorded = recordedOf(project, path);
-    if (!recorded) return std::move(recorded).error();
-    return evaluateStored(std::move(*recorded), bench, bench.tool, path, {}, progress);
+    Result<std::vector<SourceStrokes>> strokes = strokesOf(project, path);
+    if (!strokes) return std::move(strokes).error();
+    return evaluateStored(std::move(*strokes), bench, bench.tool, path, {}, progress);
 }
 
 Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const ProgramRequest& request,

@@ -16,17 +16,17 @@
 
 namespace burin {
 
-/// What the takes of a stored path recorded, in its order. Errors: those of Project::visitSamples and StrokeReader;
-/// outOfMemory, before anything is read, where the path would need more than there is.
-Result<std::vector<RecordedStrokes>> recordedOf(const Project& project, const StoredPath& path);
+/// The strokes of a stored path's sources, in its order. Errors: those of Project::visitSamples, StrokeReader and
+/// Project::generatedMoves; outOfMemory, before anything is read, where the path would need more than there is.
+Result<std::vector<SourceStrokes>> strokesOf(const Project& project, const StoredPath& path);
 /// A stored path, evaluated on a bench, with its sides and what it clears.
-/// @param recorded  its own; moved from, where it may be
+/// @param strokes   its own; moved from, where it may be
 /// @param before what is milled before it, in order: `stock` for feeds by engagement, low links and sides
 /// Errors: those of evaluate, millingSides, cuttingConditions and MilledStock::lend.
-Result<EvaluatedPath> evaluateStored(std::vector<RecordedStrokes> recorded, const Bench& bench, const Tool& tool,
+Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const Bench& bench, const Tool& tool,
                                      const StoredPath& path, std::span<const MilledPath> before, Progress& progress);
-/// The same with the bench's tool and takes out of a project, as if it were the only path.
-/// Errors: also those of recordedOf.
+/// The same with the bench's tool and sources out of a project, as if it were the only path.
+/// Errors: also those of strokesOf.
 Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
                                      Progress& progress);
 

@@ -25,7 +25,7 @@ public:
         const glm::dvec3 place = motion.to + zero_;
         const std::size_t end = std::min(path_.points.size(), at_ + farthestAhead);
         for (std::size_t i = at_; i < end; ++i) {
-            if (glm::distance(path_.points[i].tip, place) > tolerance_) continue;
+            if (glm::distance(path_.points[i].pose.tip, place) > tolerance_) continue;
             at_ = i + 1;
             return i;
         }

@@ -5,6 +5,7 @@
 #include "core/base/numbers.h"
 #include "core/geometry/arc.h"
 #include "core/geometry/box.h"
+#include "core/path/path_source.h"
 
 #include <algorithm>
 #include <array>
@@ -83,9 +84,10 @@ NcSection& sectionOf(NcProgram& program, const Path& path, const PostRequest& re
     return section;
 }
 
-/// Says which moment of the hand an interval comes from.
+/// Says which moment of the hand, or which move of a planner, an interval comes from.
 std::string originOf(const PathPoint& point) {
-    return "take " + std::to_string(point.take) + ", sample " + std::to_string(point.sample);
+    const PathSource source{point.source};
+    return nameOf(source) + (source.isTake() ? ", sample " : ", move ") + std::to_string(point.sample);
 }
 
 /// The box of an arc's path, by the quarters that it passes.
@@ -102,7 +104,7 @@ Result<void> appendPath(NcProgram& program, const Path& path, const PostRequest&
     bool awaitsCut = true;
     for (std::size_t i = 0; i < path.points.size(); ++i) {
         const PathPoint& point = path.points[i];
-        if (!isFinite(point.tip))
+        if (!isFinite(point.pose.tip))
             return Error{ErrorCode::argumentInvalid, "path", path.name,
                          "point " + std::to_string(i) + " is not finite"};
         if (Result<void> feed = checkFeed(point, i, machine); !feed) return feed;
@@ -115,9 +117,9 @@ Result<void> appendPath(NcProgram& program, const Path& path, const PostRequest&
             move.kind = NcMoveKind::arc;
             move.arc = {point.arc->centre - request.workOffset, point.arc->axis, point.arc->clockwise};
         }
-        move.target = point.tip - request.workOffset;
+        move.target = point.pose.tip - request.workOffset;
         move.feed = point.kind == MoveKind::rapid ? 0.0 : point.feed;
-        move.take = point.take;
+        move.take = point.source;
         move.sample = point.sample;
         if (point.kind == MoveKind::rapid) awaitsCut = true;
         if (awaitsCut && point.kind == MoveKind::cut && point.sample >= 0) {

@@ -86,9 +86,11 @@ void countMovesThatStepBack(std::span<const StrokePoint> points, std::vector<std
     constexpr double standing = 1e-6; // mm
     std::vector<std::size_t> apart;
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (apart.empty() || glm::distance(points[i].tip, points[apart.back()].tip) > standing) apart.push_back(i);
+        if (apart.empty() || glm::distance(points[i].pose.tip, points[apart.back()].pose.tip) > standing)
+            apart.push_back(i);
     for (std::size_t k = 1; k + 1 < apart.size(); ++k)
-        if (isBackStep(points[apart[k - 1]].tip, points[apart[k]].tip, points[apart[k + 1]].tip)) ++backSteps[apart[k]];
+        if (isBackStep(points[apart[k - 1]].pose.tip, points[apart[k]].pose.tip, points[apart[k + 1]].pose.tip))
+            ++backSteps[apart[k]];
 }
 
 } // namespace
@@ -98,7 +100,8 @@ TurnCount::TurnCount(std::span<const StrokePoint> points, double detail, const P
     const auto anywhere = [](const glm::dvec3&, const glm::dvec3&) { return true; };
     const std::vector<std::size_t> kept = simplifyInGroups(points, detail, anywhere, progress);
     for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
-        const glm::dvec3 &from = points[kept[k - 1]].tip, &at = points[kept[k]].tip, &to = points[kept[k + 1]].tip;
+        const glm::dvec3 &from = points[kept[k - 1]].pose.tip, &at = points[kept[k]].pose.tip,
+                         &to = points[kept[k + 1]].pose.tip;
         turns[kept[k]] = angleBetween(at - from, to - at);
         backSteps[kept[k]] = isBackStep(from, at, to) ? 1 : 0;
     }
@@ -115,7 +118,7 @@ AddedTurns::AddedTurns(std::span<const StrokePoint> recorded, std::span<const do
 
 std::vector<bool> AddedTurns::in(std::span<const glm::dvec3> smoothed, const Progress& progress) const {
     std::vector<StrokePoint> points(recorded_.begin(), recorded_.end());
-    for (std::size_t i = 0; i < points.size(); ++i) points[i].tip = smoothed[i];
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].pose.tip = smoothed[i];
     const TurnCount after(points, limits_.detail, progress);
     const Stretches stretches(course_);
     const double half = 0.5 * limits_.window, margin = marginShare * limits_.window;
@@ -132,7 +135,7 @@ void AddedTurns::undo(std::vector<glm::dvec3>& smoothed, const Progress& progres
     Shares shares(course_, limits_.window);
     for (int round = 0; !progress.cancelled(); ++round) {
         for (std::size_t i = 0; i < smoothed.size(); ++i)
-            smoothed[i] = glm::mix(recorded_[i].tip, wanted[i], shares[i]);
+            smoothed[i] = glm::mix(recorded_[i].pose.tip, wanted[i], shares[i]);
         std::vector<bool> marked = in(smoothed, progress);
         if (round == mostRounds) marked.assign(marked.size(), true); // nothing is smoothed rather than badly
         if (!shares.takeFrom(marked, 0.5 * limits_.window)) return;

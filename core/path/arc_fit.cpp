@@ -28,13 +28,13 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) noexcept {
 /// Where on the bisector of both ends the centre lies, as a multiple of the chord turned left; nothing for points in a
 /// line.
 std::optional<double> centreOnBisector(std::span<const StrokePoint> points, const PlaneOfArc& plane) {
-    const glm::dvec2 from = plane.of(points.front().tip), to = plane.of(points.back().tip);
+    const glm::dvec2 from = plane.of(points.front().pose.tip), to = plane.of(points.back().pose.tip);
     const glm::dvec2 middle = 0.5 * (from + to), chord = to - from;
     const glm::dvec2 left(-chord.y, chord.x);
     const double half = 0.25 * glm::dot(chord, chord);
     double sum = 0.0, square = 0.0;
     for (const StrokePoint& point : points.subspan(1, points.size() - 2)) {
-        const glm::dvec2 offset = plane.of(point.tip) - middle;
+        const glm::dvec2 offset = plane.of(point.pose.tip) - middle;
         const double side = glm::dot(left, offset);
         sum += side * (glm::dot(offset, offset) - half);
         square += side * side;
@@ -47,16 +47,16 @@ std::optional<double> centreOnBisector(std::span<const StrokePoint> points, cons
 /// is the farthest. The apex of the arc goes by half of the difference.
 double evenedOut(double part, std::span<const StrokePoint> points, const PlaneOfArc& plane) {
     constexpr int rounds = 3;
-    const glm::dvec2 from = plane.of(points.front().tip), to = plane.of(points.back().tip), chord = to - from;
+    const glm::dvec2 from = plane.of(points.front().pose.tip), to = plane.of(points.back().pose.tip), chord = to - from;
     const glm::dvec2 middle = 0.5 * (from + to), left(-chord.y, chord.x);
     const double length = glm::length(chord);
-    const double side = glm::dot(left, plane.of(points[points.size() / 2].tip) - middle) < 0.0 ? -1.0 : 1.0;
+    const double side = glm::dot(left, plane.of(points[points.size() / 2].pose.tip) - middle) < 0.0 ? -1.0 : 1.0;
     for (int round = 0; round < rounds; ++round) {
         const glm::dvec2 centre = middle + part * left;
         const double radius = glm::distance(centre, from);
         double most = 0.0, least = 0.0; // beyond the arc
         for (const StrokePoint& point : points) {
-            const double beyond = glm::distance(plane.of(point.tip), centre) - radius;
+            const double beyond = glm::distance(plane.of(point.pose.tip), centre) - radius;
             most = std::max(most, beyond);
             least = std::min(least, beyond);
         }
@@ -79,23 +79,24 @@ std::optional<Deviation> deviationOf(std::span<const StrokePoint> points, const 
     glm::dvec2 before = plane.of(arc.from) - centre;
     double angle = 0.0, radiusBefore = glm::length(before), alongBefore = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const glm::dvec2 here = plane.of(points[i].tip) - centre;
+        const glm::dvec2 here = plane.of(points[i].pose.tip) - centre;
         const double step = sense * std::atan2(cross(before, here), glm::dot(before, here));
         if (step < 0.0 || step > widestChord) return {};
         angle += step;
         const double share = angle / std::abs(turn.sweep);
         if (share > 1.0 + 1e-9) return {};
         const double radius = glm::length(here);
-        const double along = points[i].tip[plane.w] - arc.from[plane.w] - share * climb;
+        const double along = points[i].pose.tip[plane.w] - arc.from[plane.w] - share * climb;
         const glm::dvec2 chord = here - before;
         const double square = glm::dot(chord, chord);
         const double foot = square > 0.0 ? glm::clamp(-glm::dot(before, chord) / square, 0.0, 1.0) : 0.0;
         const double nearest = glm::length(before + foot * chord);
         const double across =
             std::max({std::abs(radius - middle), std::abs(radiusBefore - middle), std::abs(nearest - middle)}) + spread;
-        const double own = std::abs(points[i].tip[plane.w] - points[i - 1].tip[plane.w]);
+        const double own = std::abs(points[i].pose.tip[plane.w] - points[i - 1].pose.tip[plane.w]);
         const double bow = own * (0.02 * step * step + 0.25 * std::abs(radius - radiusBefore) / nearest);
-        deviation.include(std::hypot(across, std::max(std::abs(along), std::abs(alongBefore)) + bow), points[i].tip);
+        deviation.include(std::hypot(across, std::max(std::abs(along), std::abs(alongBefore)) + bow),
+                          points[i].pose.tip);
         before = here;
         radiusBefore = radius;
         alongBefore = along;
@@ -129,7 +130,7 @@ std::optional<glm::dvec2> roundedCentre(const glm::dvec2& centre, const glm::dve
 
 std::optional<FittedArc> fitArc(std::span<const StrokePoint> points, int axis, const ArcFitRules& rules) {
     const PlaneOfArc plane(axis);
-    const glm::dvec3 &first = points.front().tip, &last = points.back().tip;
+    const glm::dvec3 &first = points.front().pose.tip, &last = points.back().pose.tip;
     const glm::dvec2 from = plane.of(first), to = plane.of(last), chord = to - from;
     if (glm::length(chord) < fewestFigures * rules.figure) return {};
     const std::optional<double> nearest = centreOnBisector(points, plane);
@@ -142,7 +143,7 @@ std::optional<FittedArc> fitArc(std::span<const StrokePoint> points, int axis, c
     fitted.arc = {first, last, first, axis, false};
     fitted.arc.centre[plane.u] = centre->x;
     fitted.arc.centre[plane.v] = centre->y;
-    const glm::dvec2 half = plane.of(points[points.size() / 2].tip);
+    const glm::dvec2 half = plane.of(points[points.size() / 2].pose.tip);
     fitted.arc.clockwise = cross(half - from, to - half) < 0.0;
     const ArcTurn turn = turnOf(fitted.arc);
     if (turn.startRadius < rules.smallestRadius || turn.startRadius > rules.largestRadius) return {};

@@ -22,19 +22,19 @@ Result<Deviation> apply(const AreaFeed& edit, PathUnderEdit& state, const PathCo
             points.push_back(point);
             continue;
         }
-        const glm::dvec3 from = points.back().tip;
+        const glm::dvec3 from = points.back().pose.tip;
         if (point.arc) {
-            const Arc arc{from, point.tip, point.arc->centre, point.arc->axis, point.arc->clockwise};
+            const Arc arc{from, point.pose.tip, point.arc->centre, point.arc->axis, point.arc->clockwise};
             add(point, placeOn(arc, turnOf(arc), 0.5));
             continue;
         }
-        std::vector<double> ends = crossings(edit, from, point.tip);
+        std::vector<double> ends = crossings(edit, from, point.pose.tip);
         ends.push_back(1.0);
         double before = 0.0;
         for (const double share : ends) {
             PathPoint end = point;
-            if (share < 1.0) end.tip = glm::mix(from, point.tip, share);
-            add(end, glm::mix(from, point.tip, 0.5 * (before + share)));
+            if (share < 1.0) end.pose.tip = glm::mix(from, point.pose.tip, share);
+            add(end, glm::mix(from, point.pose.tip, 0.5 * (before + share)));
             before = share;
         }
     }

@@ -23,7 +23,7 @@ Result<Deviation> apply(const Array& edit, PathUnderEdit& state, const PathConte
         const double times = static_cast<double>(k);
         const UprightTurn turn(edit.centre, times * edit.turn);
         for (PathStroke copy : originals) {
-            for (StrokePoint& point : copy.points) point.tip = turn.turned(point.tip) + times * edit.step;
+            for (StrokePoint& point : copy.points) point.pose.tip = turn.turned(point.pose.tip) + times * edit.step;
             state.strokes.push_back(std::move(copy));
         }
     }

@@ -63,7 +63,8 @@ public:
 
 private:
     bool stepsBack(std::size_t from, std::size_t at, std::size_t to) const {
-        return !points_[at].arc && !points_[to].arc && isBackStep(points_[from].tip, points_[at].tip, points_[to].tip);
+        return !points_[at].arc && !points_[to].arc &&
+               isBackStep(points_[from].pose.tip, points_[at].pose.tip, points_[to].pose.tip);
     }
 
     /// Points that are looked at, and one beyond: a move that comes from afar counts as well.
@@ -72,7 +73,7 @@ private:
         std::size_t count = 0;
         for (; at != end && count < mostPoints; ++at) {
             ++count;
-            if (glm::distance(points_[*at].tip, points_[turn].tip) > reach) break;
+            if (glm::distance(points_[*at].pose.tip, points_[turn].pose.tip) > reach) break;
         }
         return count;
     }
@@ -97,7 +98,7 @@ private:
                 const Deviation deviation = deviationOf(window, i, j);
                 const bool better = to == 0 || left < fewest || deviation.distance < least.distance;
                 if (!better || deviation.distance > tolerance_) continue;
-                if (!allowed_(points_[window[i]].tip, points_[window[j]].tip)) continue;
+                if (!allowed_(points_[window[i]].pose.tip, points_[window[j]].pose.tip)) continue;
                 fewest = left;
                 least = deviation;
                 from = i;
@@ -115,14 +116,14 @@ private:
     Deviation deviationOf(const std::vector<std::size_t>& window, std::size_t from, std::size_t to) const {
         const std::size_t first = from - std::min<std::size_t>(from, 1), last = std::min(to + 1, window.size() - 1);
         std::vector<glm::dvec3> before, after;
-        for (std::size_t k = window[first]; k <= window[last]; ++k) before.push_back(points_[k].tip);
+        for (std::size_t k = window[first]; k <= window[last]; ++k) before.push_back(points_[k].pose.tip);
         for (std::size_t i = from - std::min<std::size_t>(from, 2); i <= std::min(to + 2, window.size() - 1); ++i)
-            if (i <= from || i >= to) after.push_back(points_[window[i]].tip);
+            if (i <= from || i >= to) after.push_back(points_[window[i]].pose.tip);
         Deviation deviation;
         for (std::size_t k = 1; k < before.size() && deviation.distance <= tolerance_; ++k)
             deviation.include(farthestOf(before[k - 1], before[k], after, tolerance_), before[k]);
-        deviation.include(farthestOf(points_[window[from]].tip, points_[window[to]].tip, before, tolerance_),
-                          points_[window[to]].tip);
+        deviation.include(farthestOf(points_[window[from]].pose.tip, points_[window[to]].pose.tip, before, tolerance_),
+                          points_[window[to]].pose.tip);
         return deviation;
     }
 

@@ -42,7 +42,7 @@ enum class LeadDirection { firstMove, recording };
 /// part as the stroke has to be and clear of fixtures, there is none.
 struct LeadIn {
     enum class Form { line, arc, ramp, helix };
-    TakeStretch stretch;
+    SourceStretch stretch;
     Form form = Form::arc;
     double size = 3.0;   ///< mm: length of a line or ramp in plan, radius of an arc or helix
     double height = 1.0; ///< mm, that a ramp or helix goes down
@@ -53,7 +53,7 @@ struct LeadIn {
 /// A way out of strokes, tangent to their last move, as LeadIn has it.
 struct LeadOut {
     enum class Form { line, arc };
-    TakeStretch stretch;
+    SourceStretch stretch;
     Form form = Form::arc;
     double size = 3.0; ///< mm
     LeadDirection direction = LeadDirection::recording;

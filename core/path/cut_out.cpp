@@ -15,7 +15,7 @@ Result<Deviation> apply(const CutOut& edit, PathUnderEdit& state, const PathCont
         for (const StrokePoint& point : stroke.points) {
             const bool goes = contains(edit.stretch, stroke, point);
             if (!goes && begins)
-                left.push_back({stroke.take, stroke.allowance, stroke.required, stroke.tickPeriod, {}});
+                left.push_back({stroke.source, stroke.allowance, stroke.required, stroke.tickPeriod, {}});
             if (!goes) left.back().points.push_back(point);
             begins = goes;
         }

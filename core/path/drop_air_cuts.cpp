@@ -14,7 +14,7 @@ bool works(const StrokePoint& point) noexcept {
 /// Length of the path from point `first` to point `last`, mm.
 double lengthOf(const std::vector<StrokePoint>& points, std::size_t first, std::size_t last) {
     double sum = 0.0;
-    for (std::size_t i = first; i < last; ++i) sum += glm::distance(points[i].tip, points[i + 1].tip);
+    for (std::size_t i = first; i < last; ++i) sum += glm::distance(points[i].pose.tip, points[i + 1].pose.tip);
     return sum;
 }
 

@@ -24,12 +24,13 @@ std::vector<bool> slowPoints(const PathStroke& stroke, double speed) {
         const std::size_t low = i > half ? i - half : 0, high = std::min(i + half, points.size() - 1);
         if (high == low) continue;
         const double time = static_cast<double>(high - low) * stroke.tickPeriod;
-        slow[i] = glm::distance(points[low].tip, points[high].tip) < speed * time && !points[i].removes;
+        slow[i] = glm::distance(points[low].pose.tip, points[high].pose.tip) < speed * time && !points[i].removes;
     }
     return slow;
 }
 
 Deviation dropDwells(PathStroke& stroke, const DropDwells& edit) {
+    if (!stroke.inTime()) return {};
     const std::vector<bool> slow = slowPoints(stroke, edit.speed);
     std::vector<StrokePoint>& points = stroke.points;
     std::vector<std::size_t> kept;
@@ -40,7 +41,8 @@ Deviation dropDwells(PathStroke& stroke, const DropDwells& edit) {
         if (!dwells) end = std::max(end, i + 1);
         for (; i < end; ++i) {
             const bool isEnd = i == 0 || i + 1 == end;
-            if (!dwells || isEnd || glm::distance(points[i].tip, points[kept.back()].tip) >= creep) kept.push_back(i);
+            if (!dwells || isEnd || glm::distance(points[i].pose.tip, points[kept.back()].pose.tip) >= creep)
+                kept.push_back(i);
         }
     }
     const Deviation deviation = thinnedDeviation(points, kept);

@@ -44,11 +44,11 @@ struct CheckField {
         return invalid(field, "", "coordinates up to " + formatShortest(farthestPlace));
     }
     Result<void> operator()(const Moment& value) const {
-        if (value.take >= 0 && value.tick >= 0) return {};
+        if (value.tick >= 0) return {};
         return invalid(field, "", "a take and a tick of it, from 0");
     }
-    Result<void> operator()(const TakeStretch& value) const {
-        if (value.take >= 0 && value.first >= 0 && value.first <= value.last) return {};
+    Result<void> operator()(const SourceStretch& value) const {
+        if (value.first >= 0 && value.first <= value.last) return {};
         return invalid(field, "", "a take and two ticks of it, the earlier one first");
     }
 

@@ -43,7 +43,7 @@ Result<void> validate(const Edit& edit);
 /// What one parameter of an edit is: a number, a switch, one of some names, a place or vector, places, a moment or a
 /// stretch of the hand.
 using EditValue =
-    std::variant<double, bool, std::string_view, glm::dvec3, std::vector<glm::dvec3>, Moment, TakeStretch>;
+    std::variant<double, bool, std::string_view, glm::dvec3, std::vector<glm::dvec3>, Moment, SourceStretch>;
 
 /// What the user reads of a parameter.
 struct FieldWords {

@@ -56,7 +56,8 @@ constexpr PlainField<T, Moment> moment(std::string_view key, Moment T::*member, 
     return {key, words, member, 0.0, 0.0};
 }
 template <class T>
-constexpr PlainField<T, TakeStretch> stretch(std::string_view key, TakeStretch T::*member, const FieldWords& words) {
+constexpr PlainField<T, SourceStretch> stretch(std::string_view key, SourceStretch T::*member,
+                                               const FieldWords& words) {
     return {key, words, member, 0.0, 0.0};
 }
 template <class T>

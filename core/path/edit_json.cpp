@@ -30,10 +30,10 @@ struct Write {
         for (const glm::dvec3& place : value) list.push_back(jsonOf(place));
         return list;
     }
-    Json operator()(const Moment& value) const { return {{"take", value.take}, {"tick", value.tick}}; }
-    Json operator()(const TakeStretch& value) const {
-        Json object{{"take", value.take}, {"first", value.first}};
-        if (value.last != TakeStretch{}.last) object["last"] = value.last;
+    Json operator()(const Moment& value) const { return {{"take", value.source}, {"tick", value.tick}}; }
+    Json operator()(const SourceStretch& value) const {
+        Json object{{"take", value.source}, {"first", value.first}};
+        if (value.last != SourceStretch{}.last) object["last"] = value.last;
         return object;
     }
 };
@@ -103,14 +103,14 @@ struct Read {
     }
     Refusal operator()(const Moment&) const {
         Moment moment;
-        if (!readNumbers(json, {{"take", &moment.take}, {"tick", &moment.tick}}))
+        if (!readNumbers(json, {{"take", &moment.source}, {"tick", &moment.tick}}))
             return R"({"take": number, "tick": number})";
         value = moment;
         return {};
     }
-    Refusal operator()(const TakeStretch&) const {
-        TakeStretch stretch;
-        if (!readNumbers(json, {{"take", &stretch.take}, {"first", &stretch.first}, {"last", &stretch.last}}))
+    Refusal operator()(const SourceStretch&) const {
+        SourceStretch stretch;
+        if (!readNumbers(json, {{"take", &stretch.source}, {"first", &stretch.first}, {"last", &stretch.last}}))
             return R"({"take": number, "first": number, "last": number})";
         value = stretch;
         return {};

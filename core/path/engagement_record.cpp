@@ -15,12 +15,13 @@ namespace {
 std::vector<std::pair<glm::dvec3, double>> stretchesOf(const glm::dvec3& from, const PathPoint& to, double sampling) {
     std::vector<std::pair<glm::dvec3, double>> ends;
     if (!to.arc) {
-        const auto count = static_cast<int>(std::max(1.0, std::ceil(glm::distance(from, to.tip) / sampling)));
+        const auto count = static_cast<int>(std::max(1.0, std::ceil(glm::distance(from, to.pose.tip) / sampling)));
         for (int i = 1; i <= count; ++i)
-            ends.emplace_back(glm::mix(from, to.tip, static_cast<double>(i) / count), static_cast<double>(i) / count);
+            ends.emplace_back(glm::mix(from, to.pose.tip, static_cast<double>(i) / count),
+                              static_cast<double>(i) / count);
         return ends;
     }
-    const Arc arc{from, to.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
+    const Arc arc{from, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
     const ArcTurn turn = turnOf(arc);
     const double length = lengthOf(arc, turn);
     const auto count = static_cast<int>(std::max(1.0, std::ceil(length / sampling)));
@@ -82,7 +83,7 @@ Result<std::vector<MetStretch>> recordEngagement(const std::vector<PathPoint>& p
     for (std::size_t i = 1; i < points.size(); ++i) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "path", "", ""};
         if (points[i].kind == MoveKind::rapid) continue;
-        glm::dvec3 from = points[i - 1].tip;
+        glm::dvec3 from = points[i - 1].pose.tip;
         for (const auto& [to, share] : stretchesOf(from, points[i], sampling)) {
             MetStretch met{i, share, glm::distance(from, to), from, to, {}, 0.0, {}, {}};
             if (!cutStretch(removal, stock, met, grain))

@@ -46,11 +46,12 @@ PathStroke raisable(const PathStroke& stroke) {
             chords.points.push_back(point);
             continue;
         }
-        flatten(Arc{chords.points.back().tip, point.tip, point.arc->centre, point.arc->axis, point.arc->clockwise},
+        flatten(Arc{chords.points.back().pose.tip, point.pose.tip, point.arc->centre, point.arc->axis,
+                    point.arc->clockwise},
                 chord, ends);
         for (const glm::dvec3& end : ends) {
             chords.points.push_back(point);
-            chords.points.back().tip = end;
+            chords.points.back().pose.tip = end;
             chords.points.back().arc.reset();
         }
     }
@@ -61,11 +62,11 @@ PathStroke raisable(const PathStroke& stroke) {
 std::size_t endOfDescent(const PathStroke& stroke) {
     std::size_t end = 0;
     double across = 0.0;
-    const double top = stroke.points.front().tip.z;
+    const double top = stroke.points.front().pose.tip.z;
     for (std::size_t i = 1; i < stroke.points.size(); ++i) {
-        const glm::dvec3 move = stroke.points[i].tip - stroke.points[i - 1].tip;
+        const glm::dvec3 move = stroke.points[i].pose.tip - stroke.points[i - 1].pose.tip;
         across += std::hypot(move.x, move.y);
-        const double down = top - stroke.points[i].tip.z;
+        const double down = top - stroke.points[i].pose.tip.z;
         if (down > across)
             end = i;
         else if (across > down + 1.0)
@@ -82,12 +83,12 @@ PathStroke from(const PathStroke& stroke, std::size_t point) {
 
 void beginAtBottom(PathStroke& stroke) {
     constexpr double straight = 0.02; // mm beside its top: what smoothing makes of a plumb descent
-    const glm::dvec3& top = stroke.points.front().tip;
+    const glm::dvec3& top = stroke.points.front().pose.tip;
     std::size_t bottom = 0;
     while (bottom + 1 < stroke.points.size()) {
         const StrokePoint& next = stroke.points[bottom + 1];
-        const bool down = next.tip.z <= stroke.points[bottom].tip.z && !next.arc;
-        if (!down || std::hypot(next.tip.x - top.x, next.tip.y - top.y) > straight) break;
+        const bool down = next.pose.tip.z <= stroke.points[bottom].pose.tip.z && !next.arc;
+        if (!down || std::hypot(next.pose.tip.x - top.x, next.pose.tip.y - top.y) > straight) break;
         ++bottom;
     }
     if (bottom + 1 == stroke.points.size()) return; // it goes nowhere else
@@ -129,12 +130,13 @@ bool EntryPlanner::plunges(const glm::dvec3& from, const glm::dvec3& to) const {
 }
 
 bool EntryPlanner::meetsMaterial(const std::vector<StrokePoint>& way) const {
-    return on_ && std::ranges::any_of(way, [&](const StrokePoint& point) { return depthAt(point.tip) > leastDepth; });
+    return on_ &&
+           std::ranges::any_of(way, [&](const StrokePoint& point) { return depthAt(point.pose.tip) > leastDepth; });
 }
 
 std::optional<EntryPlanner::Entry> EntryPlanner::into(const PathStroke& stroke, std::size_t first) const {
     if (!on_) return std::nullopt;
-    Entry entry{EntryForm::plunge, first, {}, depthAt(stroke.points[first].tip)};
+    Entry entry{EntryForm::plunge, first, {}, depthAt(stroke.points[first].pose.tip)};
     if (first == 0) {
         // A hand that plunges: the bottom is reached first, then all of the stroke is made from its start.
         const std::size_t bottom = endOfDescent(stroke);
@@ -142,18 +144,18 @@ std::optional<EntryPlanner::Entry> EntryPlanner::into(const PathStroke& stroke, 
         end.points = {stroke.points[bottom]};
         if (bottom > 0 && accessOf(end, guard_, safeHeight_).found) {
             entry.point = bottom;
-            entry.depth = depthAt(stroke.points[bottom].tip);
+            entry.depth = depthAt(stroke.points[bottom].pose.tip);
         }
     }
     if (entry.depth <= leastDepth) return std::nullopt;
-    entry.depth = depthAt(stroke.points[entry.point].tip, true);
+    entry.depth = depthAt(stroke.points[entry.point].pose.tip, true);
     const PathStroke begun = from(stroke, entry.point);
     const double height = entry.depth + gap;
     const bool goesOn = entry.point == 0;
     const auto beyond = [&] { return rampInto(begun, height, goesOn ? RampEnd::turns : RampEnd::passes); };
     const auto helix = [&] { return helixInto(begun, entry.depth); };
     const std::size_t next = goesOn ? std::min<std::size_t>(1, stroke.points.size() - 1) : entry.point - 1;
-    const auto beside = [&] { return rampBeside(begun, stroke.points[next].tip); };
+    const auto beside = [&] { return rampBeside(begun, stroke.points[next].pose.tip); };
     const auto within = [&] { return rampInto(begun, height, RampEnd::noRoom); };
     struct Way {
         EntryForm form;
@@ -168,7 +170,7 @@ std::optional<EntryPlanner::Entry> EntryPlanner::into(const PathStroke& stroke, 
         entry.way = way.find();
         if (entry.way.empty() || !clearsShank(entry.way)) continue;
         entry.form = way.form;
-        entry.stepsBack = goesOn && !way.hasRoom && turnBeyond(begun.points[0].tip, begun.points[1].tip);
+        entry.stepsBack = goesOn && !way.hasRoom && turnBeyond(begun.points[0].pose.tip, begun.points[1].pose.tip);
         for (StrokePoint& point : entry.way) point.sample = stroke.points[entry.point].sample;
         return entry;
     }
@@ -187,8 +189,8 @@ std::optional<EntryPlanner::Entry> EntryPlanner::into(const PathStroke& stroke, 
 std::optional<std::size_t> EntryPlanner::freePoint(const PathStroke& stroke, std::size_t from) const {
     const std::vector<StrokePoint>& points = stroke.points;
     for (std::size_t i = 1; i < points.size(); ++i) {
-        if (plunges(points[i].tip, points[i - 1].tip)) return std::nullopt;
-        if (i < from || depthAt(points[i].tip) > leastDepth) continue;
+        if (plunges(points[i].pose.tip, points[i - 1].pose.tip)) return std::nullopt;
+        if (i < from || depthAt(points[i].pose.tip) > leastDepth) continue;
         PathStroke place = stroke;
         place.points = {points[i]};
         if (accessOf(place, guard_, safeHeight_).found) return i;
@@ -201,10 +203,11 @@ std::vector<StrokePoint> EntryPlanner::rampInto(const PathStroke& stroke, double
     constexpr double looks = 0.05; // mm
     PathStroke line = raisable(stroke);
     std::optional<glm::dvec3> beyond;
-    if (end != RampEnd::noRoom && line.points.size() > 1) beyond = turnBeyond(line.points[0].tip, line.points[1].tip);
+    if (end != RampEnd::noRoom && line.points.size() > 1)
+        beyond = turnBeyond(line.points[0].pose.tip, line.points[1].pose.tip);
     if (beyond) {
         line.points.insert(line.points.begin(), line.points.front());
-        line.points.front().tip = *beyond;
+        line.points.front().pose.tip = *beyond;
     }
     const std::vector<StrokeStep> steps = stepsOf(line, looks);
     std::size_t usable = 0;
@@ -228,7 +231,7 @@ std::vector<StrokePoint> EntryPlanner::rampInto(const PathStroke& stroke, double
         const std::vector<StrokeStep> ends = stepsOf(part, 2.0 * longestLeg); // one a move
         for (std::size_t i = leg == 0 ? 0 : 1; i < ends.size(); ++i) {
             way.push_back(part.points[i]);
-            way.back().tip.z += height * std::max(0.0, 1.0 - (at + ends[i].at) / whole);
+            way.back().pose.tip.z += height * std::max(0.0, 1.0 - (at + ends[i].at) / whole);
             way.back().removes = true;
             way.back().onBoundary = false;
         }
@@ -237,7 +240,7 @@ std::vector<StrokePoint> EntryPlanner::rampInto(const PathStroke& stroke, double
     way.front().arc.reset();
     if (beyond && end == RampEnd::passes) way.pop_back();
     if (beyond && end == RampEnd::turns) way.push_back(way.back());
-    way.back().tip = stroke.points.front().tip;
+    way.back().pose.tip = stroke.points.front().pose.tip;
     const LeadFinder finder({}, guard_, context_);
     return finder.isClear(way, stroke.required) ? way : std::vector<StrokePoint>();
 }
@@ -252,8 +255,8 @@ std::vector<StrokePoint> EntryPlanner::rampBeside(const PathStroke& stroke, cons
             const double angle = 2.0 * pi * i / directions;
             PathStroke line = stroke;
             line.points = {stroke.points.front(), stroke.points.front()};
-            line.points.back().tip += length * glm::dvec3(std::cos(angle), std::sin(angle), 0.0);
-            if (isBackStep(line.points.back().tip, line.points.front().tip, next)) continue;
+            line.points.back().pose.tip += length * glm::dvec3(std::cos(angle), std::sin(angle), 0.0);
+            if (isBackStep(line.points.back().pose.tip, line.points.front().pose.tip, next)) continue;
             double depth = 0.0;
             for (const StrokeStep& step : stepsOf(line, look)) depth = std::max(depth, depthAt(step.tip, true));
             std::vector<StrokePoint> way = rampInto(line, depth + gap, RampEnd::passes);
@@ -269,8 +272,8 @@ std::vector<StrokePoint> EntryPlanner::helixInto(const PathStroke& stroke, doubl
         shape.smallestShare = 0.5;
         std::vector<StrokePoint> way = LeadFinder(shape, guard_, context_).into(stroke);
         if (way.empty()) return way;
-        const glm::dvec3& top = way.front().tip;
-        const double bottom = stroke.points.front().tip.z, here = depthAt({top.x, top.y, bottom}, true);
+        const glm::dvec3& top = way.front().pose.tip;
+        const double bottom = stroke.points.front().pose.tip.z, here = depthAt({top.x, top.y, bottom}, true);
         if (bottom + here <= top.z + leastDepth) return way;
         depth = here;
     }
@@ -279,12 +282,13 @@ std::vector<StrokePoint> EntryPlanner::helixInto(const PathStroke& stroke, doubl
 
 /// Whether shank and holder stay in empty space, tried in the stock itself.
 bool EntryPlanner::clearsShank(const std::vector<StrokePoint>& way) const {
-    const double lowest = std::ranges::min(way, {}, [](const StrokePoint& point) { return point.tip.z; }).tip.z;
+    const double lowest =
+        std::ranges::min(way, {}, [](const StrokePoint& point) { return point.pose.tip.z; }).pose.tip.z;
     if (watch_ == nullptr || lowest + watch_->lowestGuard() >= stockTop_) return true;
     PathStroke stroke;
     stroke.points = way;
     watch_->keep();
-    const glm::dvec3& start = way.front().tip;
+    const glm::dvec3& start = way.front().pose.tip;
     glm::dvec3 at(start.x, start.y, safeHeight_);
     const std::vector<StrokeStep> steps = stepsOf(stroke, watch_->step());
     const bool clear = std::ranges::all_of(steps, [&](const StrokeStep& step) {

@@ -43,14 +43,14 @@ Error nothingLeft(const std::string& name, const std::vector<EditReport>& report
             remedyOf(part.reason).text};
 }
 
-Result<PathUnderEdit> allStrokes(std::vector<RecordedStrokes> recorded, const PathContext& context) {
+Result<PathUnderEdit> allStrokes(std::vector<SourceStrokes> sources, const PathContext& context) {
     PathUnderEdit state;
-    state.hand = std::make_shared<const HandTrail>(recorded);
-    for (RecordedStrokes& each : recorded) {
-        const TakeInfo& info = each.take;
+    state.hand = std::make_shared<const HandTrail>(sources);
+    for (SourceStrokes& each : sources) {
+        const SourceInfo& info = each.info;
         if (!info.toolId.empty() && info.toolId != context.tool.id)
             return Error{ErrorCode::argumentInvalid, "tool", info.toolId,
-                         "take " + std::to_string(info.id) + "; the path is for " + context.tool.id};
+                         nameOf(info.source) + "; the path is for " + context.tool.id};
         std::ranges::move(each.strokes, std::back_inserter(state.strokes));
     }
     return state;
@@ -60,19 +60,19 @@ Result<PathUnderEdit> allStrokes(std::vector<RecordedStrokes> recorded, const Pa
 
 Result<EvaluatedPath> evaluate(const std::string& name, const std::vector<Take>& takes, const std::vector<Edit>& edits,
                                const PathContext& context, Progress& progress) {
-    std::vector<RecordedStrokes> recorded;
+    std::vector<SourceStrokes> sources;
     for (const Take& take : takes) {
-        Result<RecordedStrokes> strokes = recordedStrokes(take);
+        Result<SourceStrokes> strokes = recordedStrokes(take);
         if (!strokes) return std::move(strokes).error();
-        recorded.push_back(std::move(*strokes));
+        sources.push_back(std::move(*strokes));
     }
-    return evaluate(name, std::move(recorded), edits, context, progress);
+    return evaluate(name, std::move(sources), edits, context, progress);
 }
 
-Result<EvaluatedPath> evaluate(const std::string& name, std::vector<RecordedStrokes> recorded,
+Result<EvaluatedPath> evaluate(const std::string& name, std::vector<SourceStrokes> sources,
                                const std::vector<Edit>& edits, const PathContext& context, Progress& progress) {
     if (Result<void> order = checkOrder(edits); !order) return order.error();
-    Result<PathUnderEdit> state = allStrokes(std::move(recorded), context);
+    Result<PathUnderEdit> state = allStrokes(std::move(sources), context);
     if (!state) return state.error();
     EvaluatedPath evaluated;
     const double share = 1.0 / static_cast<double>(std::max<std::size_t>(1, edits.size()));

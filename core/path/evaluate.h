@@ -25,7 +25,7 @@
 namespace burin {
 
 class ClearedHeights;
-struct RecordedStrokes;
+struct SourceStrokes;
 
 /// Gets a stock for a while and may cut it; what it cuts is forgotten afterwards.
 using StockUse = std::function<Result<void>(RunVolume& stock)>;
@@ -71,15 +71,15 @@ struct EvaluatedPath {
     double errorBudget = 0.0; ///< mm, sum of the deviations of the edits that approximate what was before them
 };
 
-/// Recordings in order, each edit in order; edits that are not enabled are skipped. The order has to keep what the
+/// Sources in order, each edit in order; edits that are not enabled are skipped. The order has to keep what the
 /// edits promise: they come by their steps (edit_step.h), and what may have led the path into the part is followed by
 /// an edit that holds it out before it is linked. Stretches with shank contact, with the spindle off, or that were
 /// taken back are never part of a path. Without Link each stroke is reached by a straight rapid move, which only a
 /// drawing may use. Any thread; the work is shared among all cores, the result does not depend on them. Cost: 300,000
-/// ticks on 360,000 triangles in about 8 s on two cores. Cancellable. Errors: pathEmpty, argumentInvalid (a recording
+/// ticks on 360,000 triangles in about 8 s on two cores. Cancellable. Errors: pathEmpty, argumentInvalid (a source
 /// of another tool), pathGouges (all of it had to be left out; place: where, detail: remedyOf the reason), cancelled.
-/// @param recorded moved from, where it may be: hours of strokes are not held twice
-Result<EvaluatedPath> evaluate(const std::string& name, std::vector<RecordedStrokes> recorded,
+/// @param sources moved from, where it may be: hours of strokes are not held twice
+Result<EvaluatedPath> evaluate(const std::string& name, std::vector<SourceStrokes> sources,
                                const std::vector<Edit>& edits, const PathContext& context, Progress& progress);
 /// The same of takes in memory. Errors: also those of StrokeReader.
 Result<EvaluatedPath> evaluate(const std::string& name, const std::vector<Take>& takes, const std::vector<Edit>& edits,

@@ -98,9 +98,9 @@ private:
     Found line(std::size_t first, std::size_t end) const {
         Primitive primitive;
         primitive.end = end;
-        const glm::dvec3 &from = points_[first].tip, &to = points_[end].tip;
+        const glm::dvec3 &from = points_[first].pose.tip, &to = points_[end].pose.tip;
         for (std::size_t i = first + 1; i < end; ++i) {
-            primitive.deviation.include(distanceToSegment(points_[i].tip, from, to), points_[i].tip);
+            primitive.deviation.include(distanceToSegment(points_[i].pose.tip, from, to), points_[i].pose.tip);
             if (primitive.deviation.distance > rules_.tolerance) return {};
         }
         return primitive;
@@ -114,7 +114,7 @@ private:
 
     bool isClear(std::size_t first, const Primitive& primitive) const {
         if (primitive.end == first + 1) return true; // the move that was there
-        const glm::dvec3 &from = points_[first].tip, &to = points_[primitive.end].tip;
+        const glm::dvec3 &from = points_[first].pose.tip, &to = points_[primitive.end].pose.tip;
         if (!primitive.arc) return guard_.isClear(from, to, required_, defaultSampling);
         const PathArc& arc = *primitive.arc;
         return guard_.isClear({from, to, arc.centre, arc.axis, arc.clockwise}, required_, defaultSampling);
@@ -154,18 +154,18 @@ Deviation dropBackSteps(PathStroke& stroke, double tolerance, const PartGuard& g
 /// The direction in which the tool leaves the start of a move, or comes to its end; null where it goes nowhere.
 glm::dvec3 headingOf(const glm::dvec3& from, const StrokePoint& to, bool atEnd) {
     constexpr double share = 1e-3; // of the arc: it is its own tangent there but for a thousandth of a radian or two
-    if (!to.arc) return to.tip - from;
-    const Arc arc{from, to.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
+    if (!to.arc) return to.pose.tip - from;
+    const Arc arc{from, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
     const ArcTurn turn = turnOf(arc);
-    return atEnd ? to.tip - placeOn(arc, turn, 1.0 - share) : placeOn(arc, turn, share) - from;
+    return atEnd ? to.pose.tip - placeOn(arc, turn, 1.0 - share) : placeOn(arc, turn, share) - from;
 }
 
 /// Whether the tool is nearly sent forth and back where two moves meet, arcs among them: the first chord of a small arc
 /// has turned on by some degrees.
 bool stepsBack(const glm::dvec3& from, const StrokePoint& at, const StrokePoint& to) {
     constexpr double nearlyBack = backStepTurn - 15.0 * pi / 180.0;
-    if (std::min(lengthTo(at, from), lengthTo(to, at.tip)) >= longestBackStep) return false;
-    const glm::dvec3 in = headingOf(from, at, true), out = headingOf(at.tip, to, false);
+    if (std::min(lengthTo(at, from), lengthTo(to, at.pose.tip)) >= longestBackStep) return false;
+    const glm::dvec3 in = headingOf(from, at, true), out = headingOf(at.pose.tip, to, false);
     return glm::dot(in, out) < std::cos(nearlyBack) * glm::length(in) * glm::length(out);
 }
 
@@ -184,7 +184,7 @@ bool straightenBackSteps(std::vector<Primitive>& whole, const std::vector<Stroke
     std::vector<bool> straight(whole.size(), false);
     for (std::size_t i = 0; i + 1 < whole.size(); ++i) {
         if (!isFitted(i) && !isFitted(i + 1)) continue;
-        if (!stepsBack(points[startOf(i)].tip, madeOf(i), madeOf(i + 1))) continue;
+        if (!stepsBack(points[startOf(i)].pose.tip, madeOf(i), madeOf(i + 1))) continue;
         any = straight[isFitted(i) ? i : i + 1] = true;
     }
     std::vector<Primitive> changed;

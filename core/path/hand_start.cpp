@@ -26,8 +26,8 @@ std::optional<HandStart> startWith(const glm::dvec3& tip, const glm::dvec3& late
 
 /// The first point of the stroke that is so far from its start, or the last one.
 const StrokePoint& laterPoint(const PathStroke& stroke) {
-    const glm::dvec3& tip = stroke.points.front().tip;
-    const auto far = [&](const StrokePoint& point) { return glm::distance(point.tip, tip) >= chord; };
+    const glm::dvec3& tip = stroke.points.front().pose.tip;
+    const auto far = [&](const StrokePoint& point) { return glm::distance(point.pose.tip, tip) >= chord; };
     const auto found = std::ranges::find_if(stroke.points, far);
     return found == stroke.points.end() ? stroke.points.back() : *found;
 }
@@ -51,7 +51,7 @@ glm::dvec3 tipAt(std::span<const HandMark> marks, std::size_t next, std::int64_t
 }
 
 std::optional<HandStart> recordedStartOf(const PathStroke& stroke, const PathUnderEdit& state) {
-    const std::span<const HandMark> marks = state.hand ? state.hand->of(stroke.take) : std::span<const HandMark>();
+    const std::span<const HandMark> marks = state.hand ? state.hand->of(stroke.source) : std::span<const HandMark>();
     const auto markAt = [&](std::int64_t tick) {
         return static_cast<std::size_t>(std::ranges::lower_bound(marks, tick, {}, &HandMark::tick) - marks.begin());
     };
@@ -60,8 +60,8 @@ std::optional<HandStart> recordedStartOf(const PathStroke& stroke, const PathUnd
     const std::size_t there = markAt(later.sample);
     if (at == marks.size() || there == marks.size()) return std::nullopt;
     const glm::dvec3 tip = tipAt(marks, at, first.sample);
-    if (glm::distance(tip, first.tip) > nearEnough ||
-        glm::distance(tipAt(marks, there, later.sample), later.tip) > nearEnough)
+    if (glm::distance(tip, first.pose.tip) > nearEnough ||
+        glm::distance(tipAt(marks, there, later.sample), later.pose.tip) > nearEnough)
         return std::nullopt;
     const bool reversed = later.sample < first.sample;
     while (glm::distance(marks[at].tip, tip) < chord) {

@@ -16,18 +16,18 @@ PathPoint pointBetween(const PathPoint& from, const PathPoint& to, std::int64_t 
     const double share = static_cast<double>(tick - from.sample) / static_cast<double>(to.sample - from.sample);
     PathPoint point = to;
     point.sample = tick;
-    point.tip = glm::mix(from.tip, to.tip, share);
+    point.pose.tip = glm::mix(from.pose.tip, to.pose.tip, share);
     if (to.arc) {
-        const Arc arc{from.tip, to.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
-        point.tip = placeOn(arc, turnOf(arc), share);
+        const Arc arc{from.pose.tip, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
+        point.pose.tip = placeOn(arc, turnOf(arc), share);
     }
     return point;
 }
 
 /// Ends of a stretch that a move passes between its own, in the order in which it does.
-std::vector<std::int64_t> endsPassed(const PathPoint& from, const PathPoint& to, const TakeStretch& stretch) {
+std::vector<std::int64_t> endsPassed(const PathPoint& from, const PathPoint& to, const SourceStretch& stretch) {
     std::vector<std::int64_t> passed;
-    if (!isOfTheHand(from) || !isOfTheHand(to) || from.take != to.take || stretch.take != from.take) return passed;
+    if (!hasMoment(from) || !hasMoment(to) || from.source != to.source || stretch.source != from.source) return passed;
     if (to.kind == MoveKind::rapid) return passed; // across what the path leaves out
     const auto [low, high] = std::minmax(from.sample, to.sample);
     for (const std::int64_t tick : {stretch.first, stretch.last})
@@ -38,28 +38,29 @@ std::vector<std::int64_t> endsPassed(const PathPoint& from, const PathPoint& to,
 
 } // namespace
 
-bool isOfTheHand(const PathPoint& point) noexcept {
-    return point.take != 0 && point.sample >= 0;
+bool hasMoment(const PathPoint& point) noexcept {
+    return point.source != 0 && point.sample >= 0;
 }
 
 Moment momentOf(const PathPoint& point) noexcept {
-    return isOfTheHand(point) ? Moment{point.take, point.sample} : Moment{};
+    return hasMoment(point) ? Moment{point.source, point.sample} : Moment{};
 }
 
 Moment momentAt(const PathPoint& from, const PathPoint& to, double share) noexcept {
-    const bool led = isOfTheHand(from) && isOfTheHand(to) && from.take == to.take && to.kind != MoveKind::rapid;
+    const bool led = hasMoment(from) && hasMoment(to) && from.source == to.source && to.kind != MoveKind::rapid;
     if (!led) return momentOf(share < 0.5 ? from : to);
-    return {from.take, std::llround(glm::mix(static_cast<double>(from.sample), static_cast<double>(to.sample), share))};
+    return {from.source,
+            std::llround(glm::mix(static_cast<double>(from.sample), static_cast<double>(to.sample), share))};
 }
 
-bool leadsThrough(const Moment& from, const Moment& to, const TakeStretch& stretch) noexcept {
-    if (to.take == 0) return false;
+bool leadsThrough(const Moment& from, const Moment& to, const SourceStretch& stretch) noexcept {
+    if (to.source == 0) return false;
     if (stretch.contains(to)) return true;
     const auto [low, high] = std::minmax(from.tick, to.tick);
-    return from.take == to.take && to.take == stretch.take && stretch.first < high && low < stretch.last;
+    return from.source == to.source && to.source == stretch.source && stretch.first < high && low < stretch.last;
 }
 
-std::vector<std::vector<PathPoint>> pointsOf(const Path& path, const TakeStretch& stretch) {
+std::vector<std::vector<PathPoint>> pointsOf(const Path& path, const SourceStretch& stretch) {
     std::vector<std::vector<PathPoint>> chains;
     bool goesOn = false; // what lies between two stretches is in neither
     const auto add = [&](const PathPoint& point) {
@@ -72,7 +73,7 @@ std::vector<std::vector<PathPoint>> pointsOf(const Path& path, const TakeStretch
         if (i > 0)
             for (const std::int64_t tick : endsPassed(path.points[i - 1], point, stretch))
                 add(pointBetween(path.points[i - 1], point, tick));
-        if (isOfTheHand(point) && stretch.contains(momentOf(point)))
+        if (hasMoment(point) && stretch.contains(momentOf(point)))
             add(point);
         else
             goesOn = false;

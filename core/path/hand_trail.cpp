@@ -13,24 +13,24 @@ void addMarks(std::vector<HandMark>& marks, const PathStroke& stroke) {
     for (std::size_t i = 0; i < stroke.points.size(); ++i) {
         const StrokePoint& point = stroke.points[i];
         const bool isEnd = i == 0 || i + 1 == stroke.points.size();
-        if (isEnd || glm::distance(point.tip, marks.back().tip) >= HandTrail::spacing)
-            marks.push_back({point.sample, point.tip});
+        if (isEnd || glm::distance(point.pose.tip, marks.back().tip) >= HandTrail::spacing)
+            marks.push_back({point.sample, point.pose.tip});
     }
 }
 
 } // namespace
 
-HandTrail::HandTrail(std::span<const RecordedStrokes> recorded) {
-    for (const RecordedStrokes& take : recorded) {
-        std::vector<HandMark>& marks = marks_[take.take.id];
-        if (!marks.empty()) continue; // a take that the path has twice
-        for (const PathStroke& stroke : take.strokes) addMarks(marks, stroke);
+HandTrail::HandTrail(std::span<const SourceStrokes> sources) {
+    for (const SourceStrokes& each : sources) {
+        std::vector<HandMark>& marks = marks_[each.info.source.id];
+        if (!marks.empty()) continue; // a source that the path has twice
+        for (const PathStroke& stroke : each.strokes) addMarks(marks, stroke);
         marks.shrink_to_fit();
     }
 }
 
-std::span<const HandMark> HandTrail::of(std::int64_t take) const {
-    const auto found = marks_.find(take);
+std::span<const HandMark> HandTrail::of(std::int64_t source) const {
+    const auto found = marks_.find(source);
     if (found == marks_.end()) return {};
     return found->second;
 }

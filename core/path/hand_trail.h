@@ -11,7 +11,7 @@
 
 namespace burin {
 
-struct RecordedStrokes;
+struct SourceStrokes;
 
 /// A place that the hand came by.
 struct HandMark {
@@ -19,17 +19,17 @@ struct HandMark {
     glm::dvec3 tip{0.0}; ///< mm, setup frame
 };
 
-/// Where the hand went in each take, which no edit changes: what an edit may go by long after the strokes were
-/// changed. Between two marks it never was farther than `spacing` from the first of them; an hour of milling takes some
-/// tens of MB.
+/// Where the hand went in each take, and a planner in its moves, which no edit changes: what an edit may go by long
+/// after the strokes were changed. Between two marks it never was farther than `spacing` from the first of them; an
+/// hour of milling takes some tens of MB.
 class HandTrail {
 public:
     static constexpr double spacing = 0.05; ///< mm
 
-    explicit HandTrail(std::span<const RecordedStrokes> recorded);
+    explicit HandTrail(std::span<const SourceStrokes> sources);
 
-    /// Marks of a take by their ticks; empty where there is none.
-    std::span<const HandMark> of(std::int64_t take) const;
+    /// Marks of a source by their ticks; empty where there is none.
+    std::span<const HandMark> of(std::int64_t source) const;
 
 private:
     std::map<std::int64_t, std::vector<HandMark>> marks_;

@@ -35,11 +35,11 @@ private:
         double share = -1.0; ///< of it
     };
 
-    double aside(std::size_t index) const { return glm::distance(path_[index].point.tip, path_[index].origin); }
+    double aside(std::size_t index) const { return glm::distance(path_[index].point.pose.tip, path_[index].origin); }
 
     /// Whether a point is on the path; it then comes from where it got to.
     bool advances(std::size_t index) {
-        const glm::dvec3& tip = points_[index].point.tip;
+        const glm::dvec3& tip = points_[index].point.pose.tip;
         Place nearest;
         double least = farthestAside;
         // It was pushed to there from somewhere near: beyond its own place on the path no farther than that.
@@ -94,9 +94,9 @@ void followInto(std::vector<Held>& gap, std::vector<Held>& points, const Held* b
         for (double step = 1.0; share < 1.0;) {
             const double next = std::min(1.0, share + step);
             const glm::dvec3 place = glm::mix(from, to, next);
-            if (const auto tip = follow(points.back().point.tip, place, (to - from) / length)) {
+            if (const auto tip = follow(points.back().point.pose.tip, place, (to - from) / length)) {
                 points.push_back({path[i].point, place});
-                points.back().point.tip = *tip;
+                points.back().point.pose.tip = *tip;
                 share = next;
             } else if (step * length <= shortest) {
                 break;

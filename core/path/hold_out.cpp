@@ -64,9 +64,9 @@ public:
     /// Adds to a chain what has to stand between two held points so that each move is clear, both ends left out. Where
     /// nothing helps the chain is broken, in as short an interval as there is.
     void bridge(const Held& from, const Held& to, Chain& chain, int depth = 0) const {
-        const auto dip = guard_.deepestDip(from.point.tip, to.point.tip, required_, sampling_);
+        const auto dip = guard_.deepestDip(from.point.pose.tip, to.point.pose.tip, required_, sampling_);
         if (!dip) return;
-        const double length = glm::distance(from.point.tip, to.point.tip);
+        const double length = glm::distance(from.point.pose.tip, to.point.pose.tip);
         if (length < shortestMove || depth > deepest) {
             if (!leadOver(from, to, chain.points)) chain.breaks.push_back(chain.points.size());
             return;
@@ -76,9 +76,9 @@ public:
         Held middle;
         middle.point = from.point;
         middle.point.removes = middle.point.onBoundary = false;
-        middle.point.tip = glm::mix(from.point.tip, to.point.tip, part);
+        middle.point.pose.tip = glm::mix(from.point.pose.tip, to.point.pose.tip, part);
         middle.origin = glm::mix(from.origin, to.origin, part);
-        push(middle.point.tip);
+        push(middle.point.pose.tip);
         bridge(from, middle, chain, depth + 1);
         chain.points.push_back(middle);
         bridge(middle, to, chain, depth + 1);
@@ -111,7 +111,7 @@ private:
 
     /// Up, across and down.
     bool leadOver(const Held& from, const Held& to, std::vector<Held>& between) const {
-        const double low = std::max(from.point.tip.z, to.point.tip.z);
+        const double low = std::max(from.point.pose.tip.z, to.point.pose.tip.z);
         const double last = std::max(guard_.top() + aim_ + surplus, low);
         double height = low;
         for (double step = 0.01; height <= last; step *= 1.5) {
@@ -120,10 +120,10 @@ private:
             up.point.removes = up.point.onBoundary = false;
             across.point.removes = across.point.onBoundary = false;
             across.point.sample = from.point.sample;
-            up.point.tip.z = across.point.tip.z = height;
-            if (guard_.isClear(from.point.tip, up.point.tip, required_, sampling_) &&
-                guard_.isClear(up.point.tip, across.point.tip, required_, sampling_) &&
-                guard_.isClear(across.point.tip, to.point.tip, required_, sampling_)) {
+            up.point.pose.tip.z = across.point.pose.tip.z = height;
+            if (guard_.isClear(from.point.pose.tip, up.point.pose.tip, required_, sampling_) &&
+                guard_.isClear(up.point.pose.tip, across.point.pose.tip, required_, sampling_) &&
+                guard_.isClear(across.point.pose.tip, to.point.pose.tip, required_, sampling_)) {
                 between.push_back(up);
                 between.push_back(across);
                 return true;
@@ -193,7 +193,7 @@ public:
 private:
     static StrokePoint atOrigin(const Held& held) {
         StrokePoint point = held.point;
-        point.tip = held.origin;
+        point.pose.tip = held.origin;
         return point;
     }
     static void addTo(PathStroke& gap, const std::vector<Held>& lost) {
@@ -204,7 +204,7 @@ private:
         part.points.clear();
         for (const Held& held : run.points) {
             part.points.push_back(held.point);
-            pushed.include(glm::distance(held.point.tip, held.origin), held.origin);
+            pushed.include(glm::distance(held.point.pose.tip, held.origin), held.origin);
         }
         return part;
     }
@@ -253,8 +253,8 @@ Result<Deviation> apply(const HoldOut& edit, PathUnderEdit& state, const PathCon
         const Holder holder(*guard, edit, state.strokes[s].allowance);
         strokes[s].resize(points.size());
         parallelFor(std::size_t{0}, points.size(), [&](std::size_t i) {
-            strokes[s][i] = {points[i], points[i].tip};
-            if (!progress.cancelled()) holder.push(strokes[s][i].point.tip);
+            strokes[s][i] = {points[i], points[i].pose.tip};
+            if (!progress.cancelled()) holder.push(strokes[s][i].point.pose.tip);
         });
     }
     std::vector<Piece> pieces = piecesOf(strokes);

@@ -14,9 +14,9 @@ namespace {
 /// The direction in which a stroke sets off, level and of unit length; zero where it goes straight up or down.
 glm::dvec3 directionAtStart(const PathStroke& stroke) {
     const StrokePoint &first = stroke.points[0], &second = stroke.points[1];
-    glm::dvec3 way = second.tip - first.tip;
+    glm::dvec3 way = second.pose.tip - first.pose.tip;
     if (second.arc && second.arc->axis == 2) {
-        const glm::dvec3 out = first.tip - second.arc->centre;
+        const glm::dvec3 out = first.pose.tip - second.arc->centre;
         way = second.arc->clockwise ? glm::dvec3(out.y, -out.x, 0.0) : glm::dvec3(-out.y, out.x, 0.0);
     }
     way.z = 0.0;
@@ -38,7 +38,7 @@ glm::dvec3 heldTo(const glm::dvec3& hand, const glm::dvec3& own) {
 
 StrokePoint pointAt(const glm::dvec3& tip) {
     StrokePoint point;
-    point.tip = tip;
+    point.pose.tip = tip;
     point.removes = true; // what it meets it cuts
     return point;
 }
@@ -69,7 +69,7 @@ std::vector<StrokePoint> LeadFinder::into(const PathStroke& stroke, const HandSt
     if (direction == glm::dvec3(0.0)) return {};
     const double first = recorded != nullptr ? sideAt(*recorded, stroke.required) : 1.0;
     const auto tried = [&](double share, double side) {
-        std::vector<StrokePoint> way = made(stroke.points.front().tip, direction, share * shape_.size, side);
+        std::vector<StrokePoint> way = made(stroke.points.front().pose.tip, direction, share * shape_.size, side);
         if (share < shape_.smallestShare || !isClear(way, stroke.required)) way.clear();
         for (StrokePoint& point : way) point.sample = stroke.points.front().sample;
         return way;
@@ -111,14 +111,14 @@ std::vector<StrokePoint> LeadFinder::made(const glm::dvec3& end, const glm::dvec
         way.push_back(pointAt(place + (shape_.height * i / halves) * up));
         if (i < halves) way.back().arc = turn;
     }
-    way.back().tip = end;
+    way.back().pose.tip = end;
     return way;
 }
 
 bool LeadFinder::isClear(const std::vector<StrokePoint>& way, double required) const {
     const auto keeps = [&](const PartGuard& guard, double distance) {
         for (std::size_t i = 1; i < way.size(); ++i) {
-            const glm::dvec3 &from = way[i - 1].tip, &to = way[i].tip;
+            const glm::dvec3 &from = way[i - 1].pose.tip, &to = way[i].pose.tip;
             const bool clear =
                 way[i].arc ? guard.isClear(Arc{from, to, way[i].arc->centre, way[i].arc->axis, way[i].arc->clockwise},
                                            distance, defaultSampling)

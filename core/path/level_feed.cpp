@@ -121,7 +121,7 @@ private:
     void finish() {
         if (!open_) return;
         PathPoint point = points_[move_];
-        if (!ends_) point.tip = end_;
+        if (!ends_) point.pose.tip = end_;
         point.feed = low_;
         divided_.push_back(point);
         open_ = false;

@@ -16,12 +16,12 @@ Result<Deviation> apply(const LiftArea& edit, PathUnderEdit& state, const PathCo
             if (divided.inside[i] != high && i > 0) { // at the border, where the move before ended
                 StrokePoint step = divided.points[i - 1];
                 step.removes = step.onBoundary = false;
-                if (divided.inside[i]) step.tip += up;
+                if (divided.inside[i]) step.pose.tip += up;
                 lifted.push_back(step);
             }
             high = divided.inside[i];
             StrokePoint point = divided.points[i];
-            if (high) point.tip += up;
+            if (high) point.pose.tip += up;
             lifted.push_back(point);
         }
         stroke.points = std::move(lifted);

@@ -16,7 +16,7 @@ namespace {
 double safeHeightOf(const Link& edit, const PathUnderEdit& state, const PathContext& context, const PartGuard& guard) {
     double height = std::max(context.stock.high.z, guard.top()) + edit.clearanceAbove;
     for (const PathStroke& stroke : state.strokes) {
-        for (const StrokePoint& point : stroke.points) height = std::max(height, point.tip.z);
+        for (const StrokePoint& point : stroke.points) height = std::max(height, point.pose.tip.z);
     }
     const double working = height;
     for (const ObstacleSolid& obstacle : context.obstacles) {
@@ -70,15 +70,15 @@ Result<void> linkWatched(LinkTask& task, PathUnderEdit& state, Progress& progres
 bool goesDeep(const LinkTask& task) {
     double lowest = task.context.stock.high.z;
     for (const PathStroke& stroke : task.strokes)
-        for (const StrokePoint& point : stroke.points) lowest = std::min(lowest, point.tip.z);
+        for (const StrokePoint& point : stroke.points) lowest = std::min(lowest, point.pose.tip.z);
     return lowest + task.context.tool.cutter.fluteLength < task.context.stock.high.z + 1.0;
 }
 
 /// Whether any stroke begins where there was stock.
 bool entersStock(const LinkTask& task) {
     return std::ranges::any_of(task.strokes, [&](const PathStroke& stroke) {
-        return std::ranges::any_of(stroke.points,
-                                   [&](const StrokePoint& point) { return point.tip.z < task.context.stock.high.z; });
+        return std::ranges::any_of(
+            stroke.points, [&](const StrokePoint& point) { return point.pose.tip.z < task.context.stock.high.z; });
     });
 }
 

@@ -40,10 +40,10 @@ void Linker::add(const PathStroke& stroke, const StrokeAccess& access) {
 /// Straight from the last point, or from above: then the last stroke is left.
 std::optional<Linker::Piece> Linker::begin(const PathStroke& stroke, const StrokeAccess& access) {
     Piece piece{&stroke, access, false, {}};
-    const glm::dvec3& start = stroke.points.front().tip;
+    const glm::dvec3& start = stroke.points.front().pose.tip;
     piece.joined = !mustLift_ && !points.empty() && back_.empty() &&
-                   room_.canJoin(points.back().tip, start, std::min(lastRequired_, stroke.required)) &&
-                   !planner_.plunges(points.back().tip, start) && !joinsWithBackStep(stroke);
+                   room_.canJoin(points.back().pose.tip, start, std::min(lastRequired_, stroke.required)) &&
+                   !planner_.plunges(points.back().pose.tip, start) && !joinsWithBackStep(stroke);
     if (piece.joined) return piece;
     depart();
     enterFromAbove(piece);
@@ -71,7 +71,7 @@ void Linker::enterFromAbove(Piece& piece) const {
 bool Linker::stepsBack(const Piece& piece) const {
     if (piece.access.entry == 0) return piece.entry && piece.entry->stepsBack;
     const std::vector<StrokePoint>& corners = piece.stroke->points;
-    return turnBeyond(corners[0].tip, corners[1].tip) && !turnAt(*piece.stroke, 0, 1);
+    return turnBeyond(corners[0].pose.tip, corners[1].pose.tip) && !turnAt(*piece.stroke, 0, 1);
 }
 
 /// Gives a piece a longer first move where that helps.
@@ -95,10 +95,10 @@ bool Linker::joinsWithBackStep(const PathStroke& stroke) const {
         if (places.empty() || places.back() != place) places.push_back(place);
     };
     if (points.size() > 1 && !points.back().arc && points.back().kind == MoveKind::cut)
-        add(points[points.size() - 2].tip);
-    add(points.back().tip);
-    add(stroke.points.front().tip);
-    if (stroke.points.size() > 1 && !stroke.points[1].arc) add(stroke.points[1].tip);
+        add(points[points.size() - 2].pose.tip);
+    add(points.back().pose.tip);
+    add(stroke.points.front().pose.tip);
+    if (stroke.points.size() > 1 && !stroke.points[1].arc) add(stroke.points[1].pose.tip);
     for (std::size_t i = 2; i < places.size(); ++i)
         if (isBackStep(places[i - 2], places[i - 1], places[i])) return true;
     return false;
@@ -107,8 +107,8 @@ bool Linker::joinsWithBackStep(const PathStroke& stroke) const {
 void Linker::append(const Piece& piece) {
     const PathStroke& stroke = *piece.stroke;
     if (!piece.joined) {
-        const glm::dvec3& entry = piece.way.front().tip;
-        travel(points.empty() ? LinkRoute{room_.safeHeight(), {}} : room_.wayTo(points.back().tip, entry), entry);
+        const glm::dvec3& entry = piece.way.front().pose.tip;
+        travel(points.empty() ? LinkRoute{room_.safeHeight(), {}} : room_.wayTo(points.back().pose.tip, entry), entry);
         enter(piece);
     } else {
         cut(stroke, 0, {});
@@ -122,36 +122,36 @@ void Linker::append(const Piece& piece) {
 void Linker::leave() {
     if (points.empty()) return;
     depart();
-    const glm::dvec3 tip = points.back().tip;
+    const glm::dvec3 tip = points.back().pose.tip;
     go(lift(room_.safeHeight()), MoveKind::retract);
-    if (points.back().tip.z < room_.safeHeight()) go({tip.x, tip.y, room_.safeHeight()}, MoveKind::rapid);
+    if (points.back().pose.tip.z < room_.safeHeight()) go({tip.x, tip.y, room_.safeHeight()}, MoveKind::rapid);
 }
 
 /// All moves come by here.
 void Linker::make(const PathPoint& point) {
     if (watch_ != nullptr && !rehearsed_ && !points.empty() && point.kind != MoveKind::rapid) {
-        const glm::dvec3& from = points.back().tip;
+        const glm::dvec3& from = points.back().pose.tip;
         if (point.arc)
-            watch_->cut(Arc{from, point.tip, point.arc->centre, point.arc->axis, point.arc->clockwise});
+            watch_->cut(Arc{from, point.pose.tip, point.arc->centre, point.arc->axis, point.arc->clockwise});
         else
-            watch_->cut(from, point.tip);
+            watch_->cut(from, point.pose.tip);
     }
     points.push_back(point);
 }
 
 /// Where the tool turns at an end of a stroke that is gone back along, beyond it.
 std::optional<glm::dvec3> Linker::turnAt(const PathStroke& stroke, std::size_t end, std::size_t before) const {
-    const glm::dvec3& tip = stroke.points[end].tip;
-    const std::optional<glm::dvec3> beyond = turnBeyond(tip, stroke.points[before].tip);
+    const glm::dvec3& tip = stroke.points[end].pose.tip;
+    const std::optional<glm::dvec3> beyond = turnBeyond(tip, stroke.points[before].pose.tip);
     return beyond && guard_.isClear(tip, *beyond, stroke.required, defaultSampling) ? beyond : std::nullopt;
 }
 
 void Linker::turn(const PathStroke& stroke, std::size_t end, std::size_t before) {
     const std::optional<glm::dvec3> beyond = turnAt(stroke, end, before);
     if (!beyond) return;
-    for (const glm::dvec3& place : {*beyond, stroke.points[end].tip}) {
+    for (const glm::dvec3& place : {*beyond, stroke.points[end].pose.tip}) {
         clear(place, {});
-        make({place, MoveKind::cut, 0.0, stroke.take, stroke.points[end].sample});
+        make({{place, uprightAxis}, MoveKind::cut, 0.0, stroke.source, stroke.points[end].sample});
     }
 }
 
@@ -166,8 +166,8 @@ void Linker::depart() {
 /// On from the end of a stroke and up, at the feed.
 void Linker::swingOut() {
     if (points.size() < 2 || points.back().kind != MoveKind::cut || points.back().arc) return;
-    const glm::dvec3 tip = points.back().tip;
-    const std::vector<glm::dvec3> places = room_.swing(tip, tip - points[points.size() - 2].tip, lastRequired_);
+    const glm::dvec3 tip = points.back().pose.tip;
+    const std::vector<glm::dvec3> places = room_.swing(tip, tip - points[points.size() - 2].pose.tip, lastRequired_);
     for (std::size_t i = 1; i < places.size(); ++i) {
         room_.cleared().cut(places[i - 1], places[i]);
         go(places[i], MoveKind::retract);
@@ -176,18 +176,18 @@ void Linker::swingOut() {
 
 /// From above to where a stroke is entered; that point alone where it is entered straight down.
 std::vector<StrokePoint> Linker::swingIn(const PathStroke& stroke, std::size_t entry) const {
-    const glm::dvec3& tip = stroke.points[entry].tip;
+    const glm::dvec3& tip = stroke.points[entry].pose.tip;
     std::vector<glm::dvec3> places{tip};
     if (entry == 0 && stroke.points.size() > 1 && !stroke.points[1].arc)
-        places = room_.swing(tip, tip - stroke.points[1].tip, stroke.required);
+        places = room_.swing(tip, tip - stroke.points[1].pose.tip, stroke.required);
     std::vector<StrokePoint> way(places.size());
-    for (std::size_t i = 0; i < way.size(); ++i) way[way.size() - 1 - i].tip = places[i];
+    for (std::size_t i = 0; i < way.size(); ++i) way[way.size() - 1 - i].pose.tip = places[i];
     return way;
 }
 
 /// A little up, which is made at the feed; and on as long as the flutes cut on it.
 glm::dvec3 Linker::lift(double height) const {
-    const glm::dvec3& tip = points.back().tip;
+    const glm::dvec3& tip = points.back().pose.tip;
     return {tip.x, tip.y, std::min(std::max(tip.z + room_.approach(), room_.cleared().risenHeight(tip)), height)};
 }
 
@@ -196,7 +196,7 @@ void Linker::travel(const LinkRoute& route, const glm::dvec3& entry) {
     std::vector<glm::dvec3> rapids;
     if (!points.empty()) {
         go(lift(route.height), MoveKind::retract);
-        const glm::dvec3& tip = points.back().tip;
+        const glm::dvec3& tip = points.back().pose.tip;
         rapids.push_back(tip);
         if (tip.z < route.height) rapids.emplace_back(tip.x, tip.y, route.height);
     }
@@ -212,13 +212,13 @@ void Linker::travel(const LinkRoute& route, const glm::dvec3& entry) {
 /// To a point of a stroke, along the arc or straight.
 void Linker::cut(const PathStroke& stroke, std::size_t index, const std::optional<PathArc>& arc) {
     const StrokePoint& point = stroke.points[index];
-    clear(point.tip, arc);
-    make({point.tip, MoveKind::cut, 0.0, stroke.take, point.sample, arc});
+    clear(point.pose.tip, arc);
+    make({point.pose, MoveKind::cut, 0.0, stroke.source, point.sample, arc});
 }
 
 /// The height map learns that the flutes go there.
 void Linker::clear(const glm::dvec3& tip, const std::optional<PathArc>& arc) {
-    const glm::dvec3 from = points.empty() ? tip : points.back().tip;
+    const glm::dvec3 from = points.empty() ? tip : points.back().pose.tip;
     if (arc)
         room_.cleared().cut(Arc{from, tip, arc->centre, arc->axis, arc->clockwise});
     else
@@ -230,11 +230,11 @@ void Linker::enter(const Piece& piece) {
     const PathStroke& stroke = *piece.stroke;
     const StrokePoint& entry = stroke.points[piece.access.entry];
     for (const StrokePoint& point : piece.way) {
-        clear(point.tip, point.arc);
-        make({point.tip, MoveKind::plunge, 0.0, stroke.take, entry.sample, point.arc});
+        clear(point.pose.tip, point.arc);
+        make({point.pose, MoveKind::plunge, 0.0, stroke.source, entry.sample, point.arc});
     }
     if (piece.entry && piece.entry->depth > 0.0)
-        entries.push_back({piece.entry->form, stroke.take, entry.sample, entry.tip, piece.entry->depth});
+        entries.push_back({piece.entry->form, stroke.source, entry.sample, entry.pose.tip, piece.entry->depth});
     for (std::size_t i = piece.access.entry; i > 0; --i) cut(stroke, i - 1, turnedBack(stroke.points[i].arc));
     if (piece.access.entry > 0) turn(stroke, 0, 1);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/upright.h"
 #include "core/path/apply.h"
 #include "core/path/entry_planner.h"
 #include "core/path/link_room.h"
@@ -68,7 +69,7 @@ private:
     bool mayTouch(const PathStroke& stroke) const;
 
     void make(const PathPoint& point);
-    void go(const glm::dvec3& tip, MoveKind kind) { make({tip, kind, 0.0, 0, -1}); }
+    void go(const glm::dvec3& tip, MoveKind kind) { make({{tip, uprightAxis}, kind, 0.0, 0, -1}); }
     std::optional<glm::dvec3> turnAt(const PathStroke& stroke, std::size_t end, std::size_t before) const;
     void turn(const PathStroke& stroke, std::size_t end, std::size_t before);
     void depart();

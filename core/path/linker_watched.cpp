@@ -18,7 +18,7 @@ OmissionReason reasonOf(ToolSection touching) {
 /// Whether shank or holder come down to where stock may be left.
 bool Linker::mayTouch(const PathStroke& stroke) const {
     return watch_ != nullptr && std::ranges::any_of(stroke.points, [&](const StrokePoint& point) {
-               return point.tip.z + watch_->lowestGuard() < stockTop_;
+               return point.pose.tip.z + watch_->lowestGuard() < stockTop_;
            });
 }
 
@@ -100,10 +100,10 @@ Linker::Rehearsal Linker::rehearse(const Piece& piece, std::span<const StrokeSte
 /// The same of the motion to the piece's first point.
 std::optional<ToolSection> Linker::rehearseEntry(const Piece& piece) {
     const PathStroke& stroke = *piece.stroke;
-    if (piece.joined) return watch_->cutClear(points.back().tip, stroke.points.front().tip);
+    if (piece.joined) return watch_->cutClear(points.back().pose.tip, stroke.points.front().pose.tip);
     PathStroke way;
     way.points = piece.way;
-    glm::dvec3 at(way.points.front().tip.x, way.points.front().tip.y, room_.safeHeight());
+    glm::dvec3 at(way.points.front().pose.tip.x, way.points.front().pose.tip.y, room_.safeHeight());
     for (const StrokeStep& step : stepsOf(way, watch_->step())) {
         if (const auto touching = watch_->cutClear(at, step.tip)) return touching;
         at = step.tip;
@@ -112,9 +112,9 @@ std::optional<ToolSection> Linker::rehearseEntry(const Piece& piece) {
     PathStroke back = reversed(between(stroke, {0, 1.0}, {piece.access.entry, 1.0}));
     if (const std::optional<glm::dvec3> beyond = turnAt(stroke, 0, 1)) {
         const StrokePoint start = back.points.back();
-        for (const glm::dvec3& place : {*beyond, start.tip}) {
+        for (const glm::dvec3& place : {*beyond, start.pose.tip}) {
             back.points.push_back(start);
-            back.points.back().tip = place;
+            back.points.back().pose.tip = place;
             back.points.back().arc.reset();
         }
     }

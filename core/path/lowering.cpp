@@ -53,12 +53,12 @@ std::vector<PathStroke> lowered(const PathStroke& stroke, const Lowering& loweri
     for (const StrokePoint& point : stroke.points) {
         if (!places.empty()) {
             const StrokePoint before = places.back();
-            const double length = glm::distance(before.tip, point.tip);
+            const double length = glm::distance(before.pose.tip, point.pose.tip);
             const auto steps = static_cast<int>(std::max(1.0, std::ceil(length / sampling)));
             for (int k = 1; k < steps; ++k) {
                 StrokePoint between = point;
                 between.sample = before.sample;
-                between.tip = glm::mix(before.tip, point.tip, static_cast<double>(k) / steps);
+                between.pose.tip = glm::mix(before.pose.tip, point.pose.tip, static_cast<double>(k) / steps);
                 places.push_back(between);
             }
         }
@@ -66,16 +66,16 @@ std::vector<PathStroke> lowered(const PathStroke& stroke, const Lowering& loweri
     }
     std::vector<std::optional<glm::dvec3>> tips(places.size());
     parallelFor(std::size_t{0}, places.size(), [&](std::size_t i) {
-        if (!progress.cancelled()) tips[i] = lowering.bring(places[i].tip);
+        if (!progress.cancelled()) tips[i] = lowering.bring(places[i].pose.tip);
     });
     std::vector<PathStroke> strokes;
     bool begins = true;
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (tips[i] && begins)
-            strokes.push_back({stroke.take, stroke.allowance, stroke.required, stroke.tickPeriod, {}});
+            strokes.push_back({stroke.source, stroke.allowance, stroke.required, stroke.tickPeriod, {}});
         begins = !tips[i];
         if (begins) continue;
-        places[i].tip = *tips[i];
+        places[i].pose.tip = *tips[i];
         places[i].removes = places[i].onBoundary = true; // it lies on the part: no air
         strokes.back().points.push_back(places[i]);
     }

@@ -38,9 +38,9 @@ public:
     MillingSide cut(const glm::dvec3& from, const PathPoint& to) {
         const MillingSide side = look(from, to);
         if (to.kind != MoveKind::rapid && to.arc)
-            left_.cut(Arc{from, to.tip, to.arc->centre, to.arc->axis, to.arc->clockwise});
+            left_.cut(Arc{from, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise});
         else if (to.kind != MoveKind::rapid)
-            left_.cut(from, to.tip);
+            left_.cut(from, to.pose.tip);
         return side;
     }
     ClearedHeights takeCleared() { return std::move(left_); }
@@ -48,9 +48,9 @@ public:
 private:
     MillingSide look(const glm::dvec3& from, const PathPoint& to) const {
         if (to.kind != MoveKind::cut) return MillingSide::neither;
-        glm::dvec3 place = glm::mix(from, to.tip, 0.5), way = to.tip - from;
+        glm::dvec3 place = glm::mix(from, to.pose.tip, 0.5), way = to.pose.tip - from;
         if (to.arc) {
-            const Arc arc{from, to.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
+            const Arc arc{from, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
             const ArcTurn turn = turnOf(arc);
             place = placeOn(arc, turn, 0.5);
             way = placeOn(arc, turn, 0.501) - placeOn(arc, turn, 0.499);
@@ -90,7 +90,7 @@ Result<MilledSides> millingSides(const Path& path, const PathContext& context, P
     for (std::size_t i = 1; i < path.points.size(); ++i) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, path.name, "", ""};
         progress.report(static_cast<double>(i) / static_cast<double>(path.points.size()));
-        const MillingSide side = finder.cut(path.points[i - 1].tip, path.points[i]);
+        const MillingSide side = finder.cut(path.points[i - 1].pose.tip, path.points[i]);
         if (stretches.empty() || stretches.back().side != side) stretches.push_back({i, i, side});
         stretches.back().last = i;
     }
@@ -103,7 +103,8 @@ std::array<double, 3> lengthsBySide(const Path& path, const std::vector<MillingS
     for (const MillingStretch& stretch : stretches)
         for (std::size_t i = stretch.first; i <= stretch.last && i < path.points.size(); ++i)
             if (path.points[i].kind == MoveKind::cut)
-                lengths[static_cast<std::size_t>(stretch.side)] += lengthOf(path.points[i - 1].tip, path.points[i]);
+                lengths[static_cast<std::size_t>(stretch.side)] +=
+                    lengthOf(path.points[i - 1].pose.tip, path.points[i]);
     return lengths;
 }
 

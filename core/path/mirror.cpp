@@ -11,7 +11,7 @@ Result<Deviation> apply(const Mirror& edit, PathUnderEdit& state, const PathCont
         if (!touches(edit.stretch, stroke)) continue;
         if (edit.keep) images.push_back(stroke);
         PathStroke& image = edit.keep ? images.back() : stroke;
-        for (StrokePoint& point : image.points) point.tip[axis] = 2.0 * edit.at - point.tip[axis];
+        for (StrokePoint& point : image.points) point.pose.tip[axis] = 2.0 * edit.at - point.pose.tip[axis];
     }
     for (PathStroke& image : images) state.strokes.push_back(std::move(image));
     return Deviation{};

@@ -12,17 +12,18 @@ namespace burin {
 namespace {
 
 /// How far along the stroke each point is from the nearest one of the stretch, mm.
-std::vector<double> distancesAlong(const TakeStretch& stretch, const PathStroke& stroke) {
+std::vector<double> distancesAlong(const SourceStretch& stretch, const PathStroke& stroke) {
     const std::vector<StrokePoint>& points = stroke.points;
     std::vector<double> distances(points.size(), std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (contains(stretch, stroke, points[i]))
             distances[i] = 0.0;
         else if (i > 0)
-            distances[i] = distances[i - 1] + glm::distance(points[i - 1].tip, points[i].tip);
+            distances[i] = distances[i - 1] + glm::distance(points[i - 1].pose.tip, points[i].pose.tip);
     }
     for (std::size_t i = points.size(); i-- > 1;)
-        distances[i - 1] = std::min(distances[i - 1], distances[i] + glm::distance(points[i - 1].tip, points[i].tip));
+        distances[i - 1] =
+            std::min(distances[i - 1], distances[i] + glm::distance(points[i - 1].pose.tip, points[i].pose.tip));
     return distances;
 }
 
@@ -62,7 +63,7 @@ Result<Deviation> apply(const MovePoints& edit, PathUnderEdit& state, const Path
         for (std::size_t i = 0; i < distances.size() && !progress.cancelled(); ++i) {
             const double weight = edit.shareAt(distances[i]);
             if (weight <= 0.0) continue;
-            glm::dvec3& tip = stroke.points[i].tip;
+            glm::dvec3& tip = stroke.points[i].pose.tip;
             tip = guard ? movedOnSurface(tip, weight * edit.by, *guard) : tip + weight * edit.by;
         }
     }

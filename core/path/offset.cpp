@@ -20,7 +20,7 @@ Result<Deviation> apply(const Offset& edit, PathUnderEdit& state, const PathCont
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const PathStroke& from = state.strokes[i];
         for (std::vector<StrokePoint>& points : pieces[i])
-            strokes.push_back({from.take, from.allowance, from.required, from.tickPeriod, std::move(points)});
+            strokes.push_back({from.source, from.allowance, from.required, from.tickPeriod, std::move(points)});
     }
     state.strokes = std::move(strokes);
     return Deviation{}; // it is where the user wants it

@@ -7,8 +7,8 @@
 namespace burin {
 
 double lengthOf(const glm::dvec3& from, const PathPoint& to) noexcept {
-    if (!to.arc) return glm::distance(from, to.tip);
-    const Arc arc{from, to.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
+    if (!to.arc) return glm::distance(from, to.pose.tip);
+    const Arc arc{from, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
     return lengthOf(arc, turnOf(arc));
 }
 

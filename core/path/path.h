@@ -30,13 +30,13 @@ struct PathArc {
     friend bool operator==(const PathArc&, const PathArc&) = default;
 };
 
-/// A tip that the machine goes to from the point before: in a straight line, or along an arc.
+/// A place that the machine goes to from the point before: in a straight line, or along an arc.
 struct PathPoint {
-    glm::dvec3 tip{0.0};           ///< mm, setup frame
+    ToolPose pose;                 ///< setup frame
     MoveKind kind = MoveKind::cut; ///< of the move that ends here
     double feed = 0.0;             ///< mm/min; 0: not decided yet, and for rapids
-    std::int64_t take = 0;         ///< TakeInfo::id of the hand's moment behind it; 0: made by an edit
-    std::int64_t sample = -1;      ///< tick within the take; -1: made by an edit
+    std::int64_t source = 0;       ///< PathSource::id of the moment behind it; 0: made by an edit
+    std::int64_t sample = -1;      ///< Moment::tick within the source; -1: made by an edit
     std::optional<PathArc> arc{};  ///< nothing: straight; never a rapid
 };
 

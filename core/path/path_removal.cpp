@@ -21,10 +21,10 @@ Result<void> cutMoves(const Path& path, MaterialRemoval& removal, RunVolume& sto
         progress.report(static_cast<double>(i) / static_cast<double>(path.points.size()));
         const PathPoint& point = path.points[i];
         if (point.kind == MoveKind::rapid) continue;
-        glm::dvec3 from = path.points[i - 1].tip;
-        places = {point.tip};
+        glm::dvec3 from = path.points[i - 1].pose.tip;
+        places = {point.pose.tip};
         if (point.arc)
-            flatten({from, point.tip, point.arc->centre, point.arc->axis, point.arc->clockwise}, chord, places);
+            flatten({from, point.pose.tip, point.arc->centre, point.arc->axis, point.arc->clockwise}, chord, places);
         for (const glm::dvec3& to : places) {
             if (removal.cut(stock, from, to).outOfMemory) return fullMemory(stock);
             from = to;

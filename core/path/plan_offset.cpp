@@ -24,7 +24,8 @@ double distanceInPlan(const glm::dvec3& place, std::span<const StrokePoint> line
     double nearest = 1e300;
     const glm::dvec3 flat(1.0, 1.0, 0.0);
     for (std::size_t i = 1; i < line.size(); ++i)
-        nearest = std::min(nearest, distanceToSegment(flat * place, flat * line[i - 1].tip, flat * line[i].tip));
+        nearest =
+            std::min(nearest, distanceToSegment(flat * place, flat * line[i - 1].pose.tip, flat * line[i].pose.tip));
     return nearest;
 }
 
@@ -33,7 +34,7 @@ class RawOffset {
 public:
     RawOffset(std::span<const StrokePoint> points, double distance) : distance_(distance) {
         for (std::size_t i = 1; i < points.size(); ++i) {
-            const glm::dvec3 way = points[i].tip - points[i - 1].tip;
+            const glm::dvec3 way = points[i].pose.tip - points[i - 1].pose.tip;
             const double length = std::hypot(way.x, way.y);
             if (!(length > 0.0)) continue;
             const glm::dvec3 side(-way.y / length, way.x / length, 0.0);
@@ -42,7 +43,7 @@ public:
             const auto steps = static_cast<int>(std::ceil(length / sampling));
             for (int k = 1; k < steps; ++k) {
                 StrokePoint between = points[i - 1];
-                between.tip = glm::mix(points[i - 1].tip, points[i].tip, static_cast<double>(k) / steps);
+                between.pose.tip = glm::mix(points[i - 1].pose.tip, points[i].pose.tip, static_cast<double>(k) / steps);
                 shift(between, side);
             }
             shift(points[i], side);
@@ -54,7 +55,7 @@ public:
 
 private:
     void shift(StrokePoint point, const glm::dvec3& side) {
-        point.tip += distance_ * side;
+        point.pose.tip += distance_ * side;
         point.removes = true; // new ground: no air
         point.onBoundary = false;
         places.push_back(point);
@@ -78,12 +79,12 @@ private:
 /// The last place before a loop, or the first behind it.
 StrokePoint border(StrokePoint good, const StrokePoint& bad, std::span<const StrokePoint> line, double least) {
     double in = 0.0, out = 1.0;
-    const glm::dvec3 from = good.tip;
+    const glm::dvec3 from = good.pose.tip;
     for (int i = 0; i < 40; ++i) {
         const double middle = 0.5 * (in + out);
-        (distanceInPlan(glm::mix(from, bad.tip, middle), line) >= least ? in : out) = middle;
+        (distanceInPlan(glm::mix(from, bad.pose.tip, middle), line) >= least ? in : out) = middle;
     }
-    good.tip = glm::mix(from, bad.tip, in);
+    good.pose.tip = glm::mix(from, bad.pose.tip, in);
     return good;
 }
 
@@ -98,10 +99,11 @@ std::vector<std::vector<StrokePoint>> offsetInPlan(std::span<const StrokePoint> 
     std::vector<std::vector<StrokePoint>> pieces;
     bool good = false;
     for (std::size_t i = 0; i < raw.size(); ++i) {
-        const bool here = distanceInPlan(raw[i].tip, line) >= least;
+        const bool here = distanceInPlan(raw[i].pose.tip, line) >= least;
         if (here && !good) {
             const StrokePoint start = i > 0 ? border(raw[i], raw[i - 1], line, least) : raw[i];
-            if (pieces.empty() || glm::distance(pieces.back().back().tip, start.tip) > meeting) pieces.emplace_back();
+            if (pieces.empty() || glm::distance(pieces.back().back().pose.tip, start.pose.tip) > meeting)
+                pieces.emplace_back();
             if (i > 0) pieces.back().push_back(start);
         }
         if (!here && good) pieces.back().push_back(border(raw[i - 1], raw[i], line, least));

@@ -26,11 +26,11 @@ std::vector<std::size_t> simplify(std::span<const StrokePoint> points, double to
     if (points.size() > 1) ends.push_back(points.size() - 1);
     while (!ends.empty()) {
         const std::size_t first = kept.back(), last = ends.back();
-        const glm::dvec3 &from = points[first].tip, &to = points[last].tip;
+        const glm::dvec3 &from = points[first].pose.tip, &to = points[last].pose.tip;
         std::size_t farthest = first + (last - first) / 2; // where a forbidden shortcut between equal points is split
         double distance = 0.0;
         for (std::size_t i = first + 1; i < last; ++i) {
-            const double d = distanceToSegment(points[i].tip, from, to);
+            const double d = distanceToSegment(points[i].pose.tip, from, to);
             if (d > distance) {
                 distance = d;
                 farthest = i;
@@ -69,8 +69,9 @@ Deviation thinnedDeviation(std::span<const StrokePoint> points, std::span<const 
     Deviation deviation;
     for (std::size_t k = 1; k < kept.size(); ++k) {
         for (std::size_t i = kept[k - 1] + 1; i < kept[k]; ++i)
-            deviation.include(distanceToSegment(points[i].tip, points[kept[k - 1]].tip, points[kept[k]].tip),
-                              points[i].tip);
+            deviation.include(
+                distanceToSegment(points[i].pose.tip, points[kept[k - 1]].pose.tip, points[kept[k]].pose.tip),
+                points[i].pose.tip);
     }
     return deviation;
 }

@@ -55,12 +55,12 @@ struct SmoothSpline {
 
 /// Leaves a stretch out. The stroke ends before it and a new one begins behind it.
 struct CutOut {
-    TakeStretch stretch;
+    SourceStretch stretch;
 };
 
 /// Makes strokes shorter, along their way. One that has no length left goes.
 struct Trim {
-    TakeStretch stretch;
+    SourceStretch stretch;
     double fromStart = 0.0, fromEnd = 0.0; ///< mm
 };
 
@@ -72,7 +72,7 @@ struct Split {
 /// Joins strokes of one take that follow each other by a straight way, where their ends are no farther apart than
 /// `longest`. The way gets points as far apart as those around it.
 struct Join {
-    TakeStretch stretch;
+    SourceStretch stretch;
     double longest = 5.0; ///< mm
 };
 
@@ -83,13 +83,13 @@ struct Reorder {
 
 /// Turns strokes round: climb becomes conventional, and the other way round.
 struct Reverse {
-    TakeStretch stretch;
+    SourceStretch stretch;
 };
 
 /// Mirrors strokes at an upright plane: climb becomes conventional.
 struct Mirror {
     enum class Across { x, y };
-    TakeStretch stretch;
+    SourceStretch stretch;
     Across across = Across::x;
     double at = 0.0;   ///< mm, of the plane
     bool keep = false; ///< the originals stay, before their images
@@ -97,7 +97,7 @@ struct Mirror {
 
 /// Turns strokes about an upright axis.
 struct Rotate {
-    TakeStretch stretch;
+    SourceStretch stretch;
     glm::dvec3 centre{0.0}; ///< mm
     double angle = 0.0;     ///< rad, anticlockwise seen from above
 };
@@ -105,7 +105,7 @@ struct Rotate {
 /// Copies strokes: the k-th copy is turned by k times `turn` about an upright axis, then moved by k times `step`. All
 /// copies come behind the strokes that are there.
 struct Array {
-    TakeStretch stretch;
+    SourceStretch stretch;
     glm::dvec3 step{10.0, 0.0, 0.0}; ///< mm
     glm::dvec3 centre{0.0};          ///< mm
     double turn = 0.0;               ///< rad
@@ -116,7 +116,7 @@ struct Array {
 /// only what goes along the part counts, and the tool ends as far from it as it was.
 struct MovePoints {
     enum class Along { free, surface };
-    TakeStretch stretch;
+    SourceStretch stretch;
     glm::dvec3 by{0.0};   ///< mm
     double falloff = 5.0; ///< mm
     Along along = Along::free;
@@ -127,7 +127,7 @@ struct MovePoints {
 
 /// Puts places in a stretch's stead, in its time and straight from one to the next.
 struct ReplaceStretch {
-    TakeStretch stretch;
+    SourceStretch stretch;
     std::vector<glm::dvec3> places; ///< mm; none: nothing is replaced
 };
 

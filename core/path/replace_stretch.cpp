@@ -17,7 +17,7 @@ std::vector<StrokePoint> pointsAlong(const std::vector<glm::dvec3>& places, std:
     std::vector<StrokePoint> points;
     const auto add = [&](const glm::dvec3& tip) {
         StrokePoint point;
-        point.tip = tip;
+        point.pose.tip = tip;
         point.removes = true; // the user wants it: no air
         points.push_back(point);
     };
@@ -55,7 +55,7 @@ Result<Deviation> apply(const ReplaceStretch& edit, PathUnderEdit& state, const 
     bool found = false;
     for (PathStroke& stroke : state.strokes) found = replace(stroke, edit) || found;
     if (!found)
-        return Error{ErrorCode::argumentInvalid, "stretch", "take " + std::to_string(edit.stretch.take),
+        return Error{ErrorCode::argumentInvalid, "stretch", "take " + std::to_string(edit.stretch.source),
                      "moments that the path still has"};
     return Deviation{}; // it is where the user wants it
 }

@@ -9,7 +9,7 @@ Result<Deviation> apply(const Rotate& edit, PathUnderEdit& state, const PathCont
     const UprightTurn turn(edit.centre, edit.angle);
     for (PathStroke& stroke : state.strokes) {
         if (!touches(edit.stretch, stroke)) continue;
-        for (StrokePoint& point : stroke.points) point.tip = turn.turned(point.tip);
+        for (StrokePoint& point : stroke.points) point.pose.tip = turn.turned(point.pose.tip);
     }
     return Deviation{};
 }

@@ -77,7 +77,7 @@ private:
         turn.centre[u] = centre->x;
         turn.centre[v] = centre->y;
         rounding.points = {point};
-        rounding.points.front().tip = end;
+        rounding.points.front().pose.tip = end;
         rounding.points.front().arc = turn;
         return rounding;
     }
@@ -93,7 +93,7 @@ private:
         for (int i = 1; i <= count; ++i) {
             const double t = static_cast<double>(i) / count, s = 1.0 - t;
             rounding.points.push_back(point);
-            rounding.points.back().tip = s * s * rounding.start + 2.0 * s * t * corner.place + t * t * end;
+            rounding.points.back().pose.tip = s * s * rounding.start + 2.0 * s * t * corner.place + t * t * end;
         }
         return rounding;
     }
@@ -102,7 +102,7 @@ private:
         glm::dvec3 at = rounding.start;
         return std::ranges::all_of(rounding.points, [&](const StrokePoint& point) {
             const glm::dvec3 from = at;
-            at = point.tip;
+            at = point.pose.tip;
             if (!point.arc) return guard_.isClear(from, at, required, defaultSampling);
             return guard_.isClear(Arc{from, at, point.arc->centre, point.arc->axis, point.arc->clockwise}, required,
                                   defaultSampling);
@@ -116,10 +116,11 @@ private:
 
 std::optional<Corner> cornerAt(const std::vector<StrokePoint>& points, std::size_t i) {
     if (points[i].arc || points[i + 1].arc) return {};
-    const glm::dvec3 in = points[i].tip - points[i - 1].tip, out = points[i + 1].tip - points[i].tip;
+    const glm::dvec3 in = points[i].pose.tip - points[i - 1].pose.tip,
+                     out = points[i + 1].pose.tip - points[i].pose.tip;
     const double before = glm::length(in), behind = glm::length(out);
     if (!(before > 0.0) || !(behind > 0.0)) return {};
-    Corner corner{points[i].tip, in / before, out / behind, 0.0, 0.5 * std::min(before, behind)};
+    Corner corner{points[i].pose.tip, in / before, out / behind, 0.0, 0.5 * std::min(before, behind)};
     corner.turn = std::acos(glm::clamp(glm::dot(corner.in, corner.out), -1.0, 1.0));
     return corner;
 }
@@ -133,7 +134,7 @@ Deviation roundStroke(PathStroke& stroke, const Rounder& rounder) {
         const auto rounding = corner ? rounder.round(*corner, stroke.points[i], stroke.required) : std::nullopt;
         rounded.push_back(stroke.points[i]);
         if (!rounding) continue;
-        rounded.back().tip = rounding->start;
+        rounded.back().pose.tip = rounding->start;
         rounded.insert(rounded.end(), rounding->points.begin(), rounding->points.end());
         deviation.include(rounding->distance + chordTolerance, corner->place); // a centre on figures moves it by less
     }

@@ -19,9 +19,9 @@ bool goesDownSteeply(const glm::dvec3& from, const glm::dvec3& to) noexcept {
 
 /// Whether a move does so anywhere; of an arc, chords of 5° at most are asked.
 bool goesDownSteeply(const glm::dvec3& from, const PathPoint& to) {
-    if (!to.arc) return goesDownSteeply(from, to.tip);
+    if (!to.arc) return goesDownSteeply(from, to.pose.tip);
     constexpr double finestTurn = 5.0 * pi / 180.0;
-    const Arc arc{from, to.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
+    const Arc arc{from, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
     const ArcTurn turn = turnOf(arc);
     const int steps = static_cast<int>(std::ceil(std::abs(turn.sweep) / finestTurn));
     for (int i = 0; i < steps; ++i)
@@ -33,7 +33,7 @@ bool goesDownSteeply(const glm::dvec3& from, const PathPoint& to) {
 
 /// Ramps cut as a slot does, though less deep: half of the feed, and no faster down than a plunge.
 double rampFeed(const glm::dvec3& from, const PathPoint& to, double cutting, double plunging) {
-    const double down = from.z - to.tip.z, fastest = std::max(plunging, 0.5 * cutting);
+    const double down = from.z - to.pose.tip.z, fastest = std::max(plunging, 0.5 * cutting);
     return down > 0.0 ? std::min(fastest, plunging * lengthOf(from, to) / down) : fastest;
 }
 
@@ -78,11 +78,11 @@ Result<Deviation> apply(const SetFeed& edit, PathUnderEdit& state, const PathCon
     state.strokes.clear();
     for (std::size_t i = 0; i < state.points.size(); ++i) {
         PathPoint& point = state.points[i];
-        const bool steep = i > 0 && goesDownSteeply(state.points[i - 1].tip, point);
+        const bool steep = i > 0 && goesDownSteeply(state.points[i - 1].pose.tip, point);
         if (point.kind == MoveKind::rapid)
             point.feed = 0.0;
         else if (i > 0 && state.rampsIn && point.kind == MoveKind::plunge && !steep)
-            point.feed = rampFeed(state.points[i - 1].tip, point, cutting, plunging);
+            point.feed = rampFeed(state.points[i - 1].pose.tip, point, cutting, plunging);
         else
             point.feed = point.kind == MoveKind::plunge || steep ? plunging : cutting;
     }

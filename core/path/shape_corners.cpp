@@ -16,8 +16,8 @@ ShapeCorners::ShapeCorners(std::span<const StrokePoint> points, std::span<const 
     const auto anywhere = [](const glm::dvec3&, const glm::dvec3&) { return true; };
     const std::vector<std::size_t> kept = simplifyInGroups(points, rules.detail, anywhere, progress);
     for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
-        const glm::dvec3 into = points[kept[k]].tip - points[kept[k - 1]].tip;
-        const glm::dvec3 out = points[kept[k + 1]].tip - points[kept[k]].tip;
+        const glm::dvec3 into = points[kept[k]].pose.tip - points[kept[k - 1]].pose.tip;
+        const glm::dvec3 out = points[kept[k + 1]].pose.tip - points[kept[k]].pose.tip;
         const double leg = std::min(glm::length(into), glm::length(out));
         if (leg > 0.0) corners_.push_back({kept[k], {angleBetween(into, out), leg}});
     }

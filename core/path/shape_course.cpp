@@ -12,12 +12,12 @@ namespace {
 
 /// Along the chord between two points of a stroke, mm from the first of them, each between 0 and the chord's length.
 std::vector<double> alongChord(std::span<const StrokePoint> points) {
-    const glm::dvec3 from = points.front().tip, chord = points.back().tip - from;
+    const glm::dvec3 from = points.front().pose.tip, chord = points.back().pose.tip - from;
     const double length = glm::length(chord);
     std::vector<double> along;
     along.reserve(points.size());
     for (const StrokePoint& point : points)
-        along.push_back(length > 0.0 ? std::clamp(glm::dot(point.tip - from, chord) / length, 0.0, length) : 0.0);
+        along.push_back(length > 0.0 ? std::clamp(glm::dot(point.pose.tip - from, chord) / length, 0.0, length) : 0.0);
     return along;
 }
 

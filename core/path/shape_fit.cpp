@@ -27,10 +27,10 @@ ShapeFit::ShapeFit(std::span<const StrokePoint> points, std::span<const double> 
         if (i > 0) weights_.back() += 0.5 * piece;
         for (std::size_t k = 1; i > 0 && k < pieces; ++k) {
             const double share = static_cast<double>(k) / static_cast<double>(pieces);
-            add(course[i - 1] + share * length, glm::mix(points[i - 1].tip, points[i].tip, share), piece);
+            add(course[i - 1] + share * length, glm::mix(points[i - 1].pose.tip, points[i].pose.tip, share), piece);
         }
         pointAt_.push_back(at_.size());
-        add(course[i], points[i].tip, 0.5 * piece);
+        add(course[i], points[i].pose.tip, 0.5 * piece);
     }
 }
 
@@ -66,7 +66,7 @@ std::vector<double> courseAlong(const ShapeFit& fit, std::span<const StrokePoint
     for (std::size_t i = 0; i < points.size(); ++i) {
         const glm::dvec3 curve = fit.tip(i);
         length += glm::distance(last, curve);
-        course[i] = length + glm::dot(points[i].tip - curve, fit.direction(i));
+        course[i] = length + glm::dot(points[i].pose.tip - curve, fit.direction(i));
         last = curve;
     }
     makeMonotone(course);

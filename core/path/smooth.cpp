@@ -48,12 +48,12 @@ std::vector<glm::dvec3> lowPassed(const PathStroke& stroke, double cutOff) {
     const double cutOffPart = cutOff * stroke.tickPeriod;
     // The impulse response has died down to 1e-5 of its peak after 3 periods of the cut-off.
     const std::size_t padding = std::min(points.size() - 1, static_cast<std::size_t>(std::ceil(3.0 / cutOffPart)));
-    const glm::dvec3 front = points.front().tip, back = points.back().tip;
+    const glm::dvec3 front = points.front().pose.tip, back = points.back().pose.tip;
     std::vector<glm::dvec3> tips;
     tips.reserve(points.size() + 2 * padding);
-    for (std::size_t i = padding; i > 0; --i) tips.push_back(2.0 * front - points[i].tip);
-    for (const StrokePoint& point : points) tips.push_back(point.tip);
-    for (std::size_t i = 1; i <= padding; ++i) tips.push_back(2.0 * back - points[points.size() - 1 - i].tip);
+    for (std::size_t i = padding; i > 0; --i) tips.push_back(2.0 * front - points[i].pose.tip);
+    for (const StrokePoint& point : points) tips.push_back(point.pose.tip);
+    for (std::size_t i = 1; i <= padding; ++i) tips.push_back(2.0 * back - points[points.size() - 1 - i].pose.tip);
     const LowPass filter(cutOffPart);
     filter.run(tips.begin(), tips.end());
     filter.run(tips.rbegin(), tips.rend());
@@ -73,16 +73,16 @@ constexpr double motionShare = 0.6;
 /// themselves, and only what is still too far from the recorded ones is cut off.
 Deviation smooth(PathStroke& stroke, const Smooth& edit) {
     Deviation deviation;
-    if (stroke.points.size() < 3) return deviation;
+    if (stroke.points.size() < 3 || !stroke.inTime()) return deviation;
     const std::vector<glm::dvec3> tips = lowPassed(stroke, edit.cutOff);
     const double steadying = std::min(steadyingFactor * edit.cutOff, 0.4 / stroke.tickPeriod);
     const std::vector<glm::dvec3> steadied = lowPassed(stroke, steadying);
     for (std::size_t i = 0; i < tips.size(); ++i) {
         StrokePoint& point = stroke.points[i];
         const glm::dvec3 wanted = steadied[i] + clampLength(tips[i] - steadied[i], motionShare * edit.tolerance);
-        const glm::dvec3 shift = clampLength(wanted - point.tip, edit.tolerance);
-        point.tip += shift;
-        deviation.include(glm::length(shift), point.tip);
+        const glm::dvec3 shift = clampLength(wanted - point.pose.tip, edit.tolerance);
+        point.pose.tip += shift;
+        deviation.include(glm::length(shift), point.pose.tip);
     }
     return deviation;
 }

@@ -31,7 +31,7 @@ constexpr double sharpCorner = 50.0 * pi / 180.0, sharpCornerLeg = 0.15; // rad;
 /// The recorded points' own tips, mm.
 std::vector<glm::dvec3> tipsOf(std::span<const StrokePoint> points) {
     std::vector<glm::dvec3> tips;
-    for (const StrokePoint& point : points) tips.push_back(point.tip);
+    for (const StrokePoint& point : points) tips.push_back(point.pose.tip);
     return tips;
 }
 
@@ -131,7 +131,7 @@ Deviation smooth(PathStroke& stroke, const SmoothShape& edit, const Progress& pr
     const std::vector<glm::dvec3> smoothed = smoother.smoothed();
     if (smoothed.empty()) return {};
     const Deviation deviation = curveDeviation(smoother.recorded(), smoothed, edit.wavelength);
-    for (std::size_t i = 0; i < smoothed.size(); ++i) stroke.points[i].tip = smoothed[i];
+    for (std::size_t i = 0; i < smoothed.size(); ++i) stroke.points[i].pose.tip = smoothed[i];
     return deviation;
 }
 

@@ -29,7 +29,7 @@ public:
             std::max<std::size_t>(1, static_cast<std::size_t>(1.0 / (knotsPerPeriod * cutOff * stroke.tickPeriod)));
         for (std::size_t k = 0; k < stroke.points.size(); ++k) {
             at_.push_back(splinePosition(k / perKnot, static_cast<double>(k % perKnot) / static_cast<double>(perKnot)));
-            tips_.push_back(stroke.points[k].tip);
+            tips_.push_back(stroke.points[k].pose.tip);
         }
         const double gap = static_cast<double>(perKnot) * stroke.tickPeriod;
         const double penalty = std::pow(2.0 * pi * cutOff, -6.0) * std::pow(gap, -5.0) / stroke.tickPeriod;
@@ -57,14 +57,14 @@ private:
 Deviation smooth(PathStroke& stroke, const SmoothSpline& edit, const Progress& progress) {
     Deviation deviation;
     std::vector<StrokePoint>& points = stroke.points;
-    if (points.size() < 4) return deviation;
+    if (points.size() < 4 || !stroke.inTime()) return deviation;
     TimedSpline spline(stroke, edit.cutOff);
     std::vector<glm::dvec3> tips;
     for (int round = 0; round <= rounds && !progress.cancelled(); ++round) {
         tips = spline.fitted();
         bool within = true;
         for (std::size_t k = 0; k < points.size(); ++k) {
-            const double off = glm::distance(tips[k], points[k].tip);
+            const double off = glm::distance(tips[k], points[k].pose.tip);
             if (off <= edit.tolerance) continue;
             within = false;
             const double times = edit.tolerance > 0.0 ? off / (aim * edit.tolerance) : heaviest;
@@ -74,9 +74,9 @@ Deviation smooth(PathStroke& stroke, const SmoothSpline& edit, const Progress& p
     }
     if (progress.cancelled()) return deviation;
     for (std::size_t k = 0; k < points.size(); ++k) {
-        const glm::dvec3 shift = clampLength(tips[k] - points[k].tip, edit.tolerance);
-        points[k].tip += shift;
-        deviation.include(glm::length(shift), points[k].tip);
+        const glm::dvec3 shift = clampLength(tips[k] - points[k].pose.tip, edit.tolerance);
+        points[k].pose.tip += shift;
+        deviation.include(glm::length(shift), points[k].pose.tip);
     }
     return deviation;
 }

@@ -11,7 +11,7 @@ Result<Deviation> apply(const Split& edit, PathUnderEdit& state, const PathConte
             strokes.push_back(std::move(stroke));
             continue;
         }
-        PathStroke part{stroke.take, stroke.allowance, stroke.required, stroke.tickPeriod, {}};
+        PathStroke part{stroke.source, stroke.allowance, stroke.required, stroke.tickPeriod, {}};
         const bool backwards = stroke.points.front().sample > stroke.points.back().sample;
         bool split = false;
         for (const StrokePoint& point : stroke.points) {

@@ -16,7 +16,7 @@ std::vector<PathStroke> takeGuide(const StepOverRows& edit, PathUnderEdit& state
         PathStroke drawn{0, edit.allowance, edit.allowance, context.tickPeriod, {}};
         for (const glm::dvec3& place : edit.guide) {
             StrokePoint point;
-            point.tip = place;
+            point.pose.tip = place;
             point.sample = -1;
             drawn.points.push_back(point);
         }
@@ -43,7 +43,7 @@ std::vector<PathStroke> rowsBeside(const PathStroke& guide, const StepOverRows& 
         if (back) std::ranges::reverse(pieces);
         for (std::vector<StrokePoint>& points : pieces) {
             if (back) std::ranges::reverse(points);
-            strokes.push_back({guide.take, guide.allowance, guide.required, guide.tickPeriod, std::move(points)});
+            strokes.push_back({guide.source, guide.allowance, guide.required, guide.tickPeriod, std::move(points)});
         }
         back = !back;
     }
@@ -56,7 +56,7 @@ Result<Deviation> apply(const StepOverRows& edit, PathUnderEdit& state, const Pa
                         Progress& progress) {
     const std::vector<PathStroke> guides = takeGuide(edit, state, context);
     if (guides.empty())
-        return Error{ErrorCode::argumentInvalid, "stretch", "take " + std::to_string(edit.stretch.take),
+        return Error{ErrorCode::argumentInvalid, "stretch", "take " + std::to_string(edit.stretch.source),
                      "moments that the path still has"};
     PathUnderEdit rows;
     for (const PathStroke& guide : guides)

@@ -3,6 +3,7 @@
 #include "core/path/stroke.h"
 
 #include "core/base/parallel.h"
+#include "core/geometry/upright.h"
 #include "core/path/apply.h"
 
 #include <algorithm>
@@ -17,14 +18,9 @@ constexpr std::uint64_t longestGap = 5; // ticks
 constexpr double fastestHand = 2000.0; // mm/s, estimate; over the time that passed, missed ticks among it
 /// Shank or holder touched something, or the tool only moved.
 constexpr std::uint32_t notWork = sampleShankContact | sampleSpindleOff;
-constexpr double tiltTolerance = 1e-6; // of a unit vector's components
 
 bool removes(const Sample& sample) noexcept {
     return std::ranges::any_of(sample.removed, [](const RemovedMaterial& m) { return m.property != 0 && m.units > 0; });
-}
-
-bool isUpright(const glm::dvec3& axis) noexcept {
-    return std::abs(axis.x) < tiltTolerance && std::abs(axis.y) < tiltTolerance && axis.z > 0.0;
 }
 
 /// Of the longest stand of the loop that a stroke goes on over, 0.1 s at 1 kHz; a longer one counts as one as long.
@@ -35,7 +31,8 @@ void fillUp(std::vector<StrokePoint>& points, const StrokePoint& to, std::int64_
     const StrokePoint from = points.back();
     for (std::int64_t i = 1; i <= missing; ++i) {
         StrokePoint between = to;
-        between.tip = glm::mix(from.tip, to.tip, static_cast<double>(i) / static_cast<double>(missing + 1));
+        between.pose.tip =
+            glm::mix(from.pose.tip, to.pose.tip, static_cast<double>(i) / static_cast<double>(missing + 1));
         between.sample = from.sample;
         between.onBoundary = from.onBoundary && to.onBoundary;
         points.push_back(between);
@@ -49,12 +46,12 @@ double periodOf(const TakeInfo& info) noexcept {
 
 } // namespace
 
-bool touches(const TakeStretch& stretch, const PathStroke& stroke) noexcept {
+bool touches(const SourceStretch& stretch, const PathStroke& stroke) noexcept {
     return std::ranges::any_of(stroke.points, [&](const StrokePoint& p) { return contains(stretch, stroke, p); });
 }
 
 bool holds(const PathStroke& stroke, const Moment& moment) noexcept {
-    if (moment.take == 0 || moment.take != stroke.take || stroke.points.empty()) return false;
+    if (moment.source == 0 || moment.source != stroke.source || stroke.points.empty()) return false;
     const auto [first, last] = std::ranges::minmax(stroke.points, {}, &StrokePoint::sample);
     return first.sample <= moment.tick && moment.tick <= last.sample;
 }
@@ -95,8 +92,8 @@ std::int64_t StrokeReader::EvenTicks::missingBefore(const Sample& sample) noexce
 }
 
 StrokeReader::StrokeReader(const TakeOutline& take)
-    : made_{take.info, {}}, ranges_(take.undone), undone_(ranges_), ticks_(periodOf(take.info)) {
-    made_.take.tickPeriod = periodOf(take.info);
+    : made_{sourceOf(take.info), {}}, ranges_(take.undone), undone_(ranges_), ticks_(periodOf(take.info)) {
+    made_.info.tickPeriod = periodOf(take.info);
 }
 
 Result<void> StrokeReader::add(std::span<const Sample> next) {
@@ -108,7 +105,7 @@ Result<void> StrokeReader::add(std::span<const Sample> next) {
         if (!isUpright(sample.proxy.axis))
             return Error{ErrorCode::notSupported, "tilted tool axis",
                          "takes milled with the axis fixed at +Z (--axis fixed), unlike take " +
-                             std::to_string(made_.take.id),
+                             std::to_string(made_.info.source.id),
                          "sample " + std::to_string(sample.tick)};
         add(sample);
     }
@@ -116,18 +113,20 @@ Result<void> StrokeReader::add(std::span<const Sample> next) {
 }
 
 void StrokeReader::add(const Sample& sample) {
-    const TakeInfo& info = made_.take;
+    const SourceInfo& info = made_.info;
     std::vector<PathStroke>& strokes = made_.strokes;
     const double elapsed =
         std::max(info.tickPeriod * static_cast<double>(sample.tick - lastTick_), sample.time - lastTime_);
     if (begins_ || sample.tick > lastTick_ + longestGap ||
-        glm::distance(sample.proxy.tip, strokes.back().points.back().tip) > fastestHand * elapsed) {
+        glm::distance(sample.proxy.tip, strokes.back().points.back().pose.tip) > fastestHand * elapsed) {
         if (!strokes.empty()) strokes.back().points.shrink_to_fit();
-        strokes.push_back({info.id, info.allowance, info.allowance, info.tickPeriod, {}});
+        strokes.push_back({info.source.id, info.allowance, info.allowance, info.tickPeriod, {}});
         ticks_.begin(sample);
     }
     std::vector<StrokePoint>& points = strokes.back().points;
-    const StrokePoint point{sample.proxy.tip, static_cast<std::int64_t>(sample.tick), removes(sample),
+    const StrokePoint point{{sample.proxy.tip, uprightAxis},
+                            static_cast<std::int64_t>(sample.tick),
+                            removes(sample),
                             (sample.flags & sampleOnBoundary) != 0};
     if (!points.empty()) fillUp(points, point, ticks_.missingBefore(sample));
     points.push_back(point);
@@ -136,15 +135,33 @@ void StrokeReader::add(const Sample& sample) {
     lastTime_ = sample.time;
 }
 
-RecordedStrokes StrokeReader::finish() {
+SourceStrokes StrokeReader::finish() {
     if (!made_.strokes.empty()) made_.strokes.back().points.shrink_to_fit();
     return std::move(made_);
 }
 
-Result<RecordedStrokes> recordedStrokes(const Take& take) {
+Result<SourceStrokes> recordedStrokes(const Take& take) {
     StrokeReader reader({take.info, take.undone});
     if (Result<void> read = reader.add(take.samples); !read) return std::move(read).error();
     return reader.finish();
+}
+
+Result<SourceStrokes> strokesOf(const GeneratedMoves& moves) {
+    SourceStrokes made{sourceOf(moves.info), {}};
+    for (const std::vector<GeneratedPoint>& stroke : moves.strokes) {
+        PathStroke& last = made.strokes.emplace_back(
+            PathStroke{moves.info.id, moves.info.allowance, moves.info.allowance, made.info.tickPeriod, {}});
+        last.points.reserve(stroke.size());
+        for (const GeneratedPoint& point : stroke) {
+            if (!isUpright(point.pose.axis))
+                return Error{ErrorCode::notSupported, "tilted tool axis",
+                             "moves for an axis fixed at +Z, unlike \"" + moves.info.name + "\"",
+                             "move " + std::to_string(point.moment)};
+            last.points.push_back(
+                {{point.pose.tip, uprightAxis}, point.moment, point.removes, point.onBoundary, std::nullopt});
+        }
+    }
+    return made;
 }
 
 std::vector<PathPoint> pointsOf(const PathUnderEdit& state) {
@@ -154,7 +171,7 @@ std::vector<PathPoint> pointsOf(const PathUnderEdit& state) {
     for (const PathStroke& stroke : state.strokes) {
         MoveKind kind = MoveKind::rapid;
         for (const StrokePoint& point : stroke.points) {
-            points.push_back({point.tip, kind, 0.0, stroke.take, point.sample, point.arc});
+            points.push_back({point.pose, kind, 0.0, stroke.source, point.sample, point.arc});
             kind = MoveKind::cut;
         }
     }

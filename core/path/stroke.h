@@ -6,7 +6,9 @@
 #include "core/path/evaluate.h"
 #include "core/path/omission.h"
 #include "core/path/path.h"
+#include "core/path/path_source.h"
 #include "core/path/stroke_entry.h"
+#include "core/recording/generated_moves.h"
 #include "core/recording/sample.h"
 
 #include <cstdint>
@@ -19,38 +21,44 @@ namespace burin {
 
 class HandTrail;
 
-/// A tip of a stretch under edit.
+/// A place of a stretch under edit.
 struct StrokePoint {
-    glm::dvec3 tip{0.0};     ///< mm, setup frame
-    std::int64_t sample = 0; ///< tick within the take; of the moment before, for points that an edit put between two
-    bool removes = false;    ///< the motion that ends here took material away
-    bool onBoundary = false; ///< the part held the tool here
+    ToolPose pose; ///< setup frame
+    std::int64_t sample =
+        0; ///< Moment::tick within the source; of the moment before, for points that an edit put between two
+    bool removes = false;         ///< the motion that ends here took material away
+    bool onBoundary = false;      ///< the part held the tool here
     std::optional<PathArc> arc{}; ///< of the motion that ends here; nothing: straight
 };
 
-/// A stretch of one take without a gap: the tool goes from point to point in straight lines, until edits fit arcs.
+/// A stretch of one source without a gap: the tool goes from point to point in straight lines, until edits fit arcs.
 struct PathStroke {
-    std::int64_t take = 0;
-    double allowance = 0.0; ///< mm, of the take
+    std::int64_t source = 0; ///< PathSource::id; 0: an edit made it of nothing
+    double allowance = 0.0;  ///< mm, of the source
     double required =
         0.0; ///< mm that later edits keep the tool from the part by: the allowance, or what HoldOut reached
-    double tickPeriod = 0.001; ///< s between the points, as long as no edit thinned them
+    /// s between the points, as long as no edit thinned them; 0: they are a planner's, which have no time of their own,
+    /// and edits that go by the hand's time leave them as they are.
+    double tickPeriod = 0.001;
     std::vector<StrokePoint> points;
+
+    bool inTime() const noexcept { return tickPeriod > 0.0; }
 };
 
 /// Whether a point of a stroke was made in a stretch of the hand.
-inline bool contains(const TakeStretch& stretch, const PathStroke& stroke, const StrokePoint& point) noexcept {
-    return stretch.contains({stroke.take, point.sample});
+inline bool contains(const SourceStretch& stretch, const PathStroke& stroke, const StrokePoint& point) noexcept {
+    return stretch.contains({stroke.source, point.sample});
 }
 /// Whether any of its points was.
-bool touches(const TakeStretch& stretch, const PathStroke& stroke) noexcept;
+bool touches(const SourceStretch& stretch, const PathStroke& stroke) noexcept;
 /// Whether a stroke goes through a moment.
 bool holds(const PathStroke& stroke, const Moment& moment) noexcept;
 
 /// The stroke gone the other way: what a motion did, and its arc, stay with it, though it ends at its other end then.
 PathStroke reversed(const PathStroke& stroke);
 
-/// A path between two edits: strokes until they are linked, points from then on.
+/// A path between two edits: strokes until they are linked, points from then on. Edits are for upright tools: all its
+/// poses have `uprightAxis`, which its sources are held to before it is made.
 struct PathUnderEdit {
     std::vector<PathStroke> strokes;
     std::vector<PathPoint> points; ///< what Link made of the strokes
@@ -67,11 +75,14 @@ struct PathUnderEdit {
     std::size_t count() const noexcept;
 };
 
-/// What a path is made of out of a recording.
-struct RecordedStrokes {
-    TakeInfo take;
+/// What a path is made of out of one of its sources.
+struct SourceStrokes {
+    SourceInfo info;
     std::vector<PathStroke> strokes;
 };
+
+/// The strokes of a planner's moves. Errors: notSupported (an axis that is not +Z).
+Result<SourceStrokes> strokesOf(const GeneratedMoves& moves);
 
 /// Makes the strokes of a take while its samples are read in their order: the proxy's tip at every tick. Where the loop
 /// came late, points on the straight way that the tool went are put between, up to 100, so that points stay a tick
@@ -87,7 +98,7 @@ public:
     /// @param next samples, behind those of the call before. Errors: notSupported (an axis that is not +Z).
     Result<void> add(std::span<const Sample> next);
     /// Of all that was added; once.
-    RecordedStrokes finish();
+    SourceStrokes finish();
 
 private:
     /// Tells how many points are missing between two samples, for them to be as far apart in time as filters take them
@@ -107,7 +118,7 @@ private:
     };
     void add(const Sample& sample);
 
-    RecordedStrokes made_;
+    SourceStrokes made_;
     std::vector<SampleRange> ranges_;
     UndoneSamples undone_; ///< of `ranges_`
     EvenTicks ticks_;
@@ -116,7 +127,7 @@ private:
     double lastTime_ = 0.0;
 };
 /// The same of a take in memory.
-Result<RecordedStrokes> recordedStrokes(const Take& take);
+Result<SourceStrokes> recordedStrokes(const Take& take);
 
 /// The points of a state: its linked points, or the strokes one behind the other, each reached by a rapid move.
 std::vector<PathPoint> pointsOf(const PathUnderEdit& state);

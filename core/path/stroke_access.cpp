@@ -21,11 +21,12 @@ bool isFreeAbove(const PartGuard& guard, const glm::dvec3& tip, double height) {
 StrokeAccess accessOf(const PathStroke& stroke, const PartGuard& guard, double height) {
     const std::size_t count = stroke.points.size();
     StrokeAccess access;
-    while (access.entry < count && !isFreeAbove(guard, stroke.points[access.entry].tip, height)) ++access.entry;
+    while (access.entry < count && !isFreeAbove(guard, stroke.points[access.entry].pose.tip, height)) ++access.entry;
     if (access.entry == count) return access;
     access.found = true;
     access.exit = count - 1;
-    while (access.exit > access.entry && !isFreeAbove(guard, stroke.points[access.exit].tip, height)) --access.exit;
+    while (access.exit > access.entry && !isFreeAbove(guard, stroke.points[access.exit].pose.tip, height))
+        --access.exit;
     return access;
 }
 

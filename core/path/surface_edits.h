@@ -39,7 +39,7 @@ struct LayOnPart {
 /// The curve beside each stroke, in plan, at the same height as the place beside it: every place of it has its distance
 /// from the stroke (within 0.002 mm), and none is nearer to any of its places; loops go.
 struct Offset {
-    TakeStretch stretch;
+    SourceStretch stretch;
     double distance = 1.0; ///< mm, to the left of the motion; negative: to the right
 };
 
@@ -47,7 +47,7 @@ struct Offset {
 /// LayOnPart does it. The strokes of the stretch are the guide and give way to the rows; a guide of places needs none.
 /// Every other row goes back.
 struct StepOverRows {
-    TakeStretch stretch;
+    SourceStretch stretch;
     std::vector<glm::dvec3> guide;   ///< mm; none: the strokes of the stretch
     double stepOver = 0.5;           ///< mm
     double left = 10.0, right = 0.0; ///< rows beside the guide

@@ -12,7 +12,7 @@ void trimStart(std::vector<StrokePoint>& points, double length) {
     if (!(length > 0.0)) return;
     std::size_t i = 1;
     for (; i < points.size(); ++i) {
-        const double move = glm::distance(points[i - 1].tip, points[i].tip);
+        const double move = glm::distance(points[i - 1].pose.tip, points[i].pose.tip);
         if (move > length) break;
         length -= move;
     }
@@ -21,8 +21,8 @@ void trimStart(std::vector<StrokePoint>& points, double length) {
         return;
     }
     StrokePoint start = points[i - 1];
-    const glm::dvec3 way = points[i].tip - start.tip;
-    start.tip += way * (length / glm::length(way));
+    const glm::dvec3 way = points[i].pose.tip - start.pose.tip;
+    start.pose.tip += way * (length / glm::length(way));
     points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(i));
     points.insert(points.begin(), start);
 }

@@ -15,11 +15,12 @@ std::optional<glm::dvec3> turnBeyond(const glm::dvec3& end, const glm::dvec3& be
 
 std::optional<PathStroke> withLongStart(const PathStroke& stroke, const PartGuard& guard, Deviation& deviation) {
     const std::vector<StrokePoint>& points = stroke.points;
-    const glm::dvec3& start = points.front().tip;
+    const glm::dvec3& start = points.front().pose.tip;
     for (std::size_t to = 2; to < points.size() && !points[to - 1].arc && !points[to].arc; ++to) {
-        const glm::dvec3& end = points[to].tip;
+        const glm::dvec3& end = points[to].pose.tip;
         Deviation left;
-        for (std::size_t i = 1; i < to; ++i) left.include(distanceToSegment(points[i].tip, start, end), points[i].tip);
+        for (std::size_t i = 1; i < to; ++i)
+            left.include(distanceToSegment(points[i].pose.tip, start, end), points[i].pose.tip);
         if (left.distance > backStepTolerance) return std::nullopt;
         if (glm::distance(start, end) < turnRoom) continue;
         if (!guard.isClear(start, end, stroke.required, defaultSampling)) return std::nullopt;
@@ -43,9 +44,10 @@ PathStroke turnable(const PathStroke& line, const std::vector<StrokeStep>& steps
     if (lastMove(end) < turnRoom) end = wanted;
     PathStroke forth = between(line, {0, 1.0}, steps[end].position);
     StrokePoint& last = forth.points.back();
-    const glm::dvec3& corner = forth.points[forth.points.size() - 2].tip;
-    const double length = glm::distance(last.tip, corner);
-    if (!last.arc && length < turnRoom && length > 0.0) last.tip = corner + turnRoom / length * (last.tip - corner);
+    const glm::dvec3& corner = forth.points[forth.points.size() - 2].pose.tip;
+    const double length = glm::distance(last.pose.tip, corner);
+    if (!last.arc && length < turnRoom && length > 0.0)
+        last.pose.tip = corner + turnRoom / length * (last.pose.tip - corner);
     return forth;
 }
 

@@ -80,7 +80,7 @@ private:
         const ToolMove &before = moves_[i - 1], &behind = moves_[i];
         return before.tool == behind.tool && before.startKnown && before.endKnown && behind.startKnown &&
                behind.endKnown && behind.motion <= before.motion + 1 &&
-               glm::distance(before.to, behind.from) <= sameCorner;
+               glm::distance(before.to.tip, behind.from.tip) <= sameCorner;
     }
 
     /// Lines of one feed are merged while each end between stays within the tolerance of the line that replaces them
@@ -106,14 +106,14 @@ private:
     double farthest(const ControlBlock& block) const {
         double most = 0.0;
         for (std::size_t i = block.first; i < block.last; ++i)
-            most = std::max(most, glm::distance(moves_[i].to, onLine(block, moves_[i].to)));
+            most = std::max(most, glm::distance(moves_[i].to.tip, onLine(block, moves_[i].to.tip)));
         return most;
     }
     glm::dvec3 onLine(const ControlBlock& block, const glm::dvec3& place) const {
-        return nearestOnSegment(place, moves_[block.first].from, moves_[block.last].to);
+        return nearestOnSegment(place, moves_[block.first].from.tip, moves_[block.last].to.tip);
     }
     double lengthOfBlock(const ControlBlock& block) const {
-        return block.merged ? glm::distance(moves_[block.first].from, moves_[block.last].to)
+        return block.merged ? glm::distance(moves_[block.first].from.tip, moves_[block.last].to.tip)
                             : lengthOf(motions_[moves_[block.first].motion]);
     }
 
@@ -124,7 +124,7 @@ private:
         const double tolerance =
             motion.blendTolerance > 0.0 ? motion.blendTolerance : std::numeric_limits<double>::infinity();
         if (tolerance <= request_.gougeTolerance) return std::nullopt;
-        const glm::dvec3& corner = moves_[before.last].to;
+        const glm::dvec3& corner = moves_[before.last].to.tip;
         const glm::dvec3 in = corner - pointBefore(before, sameCorner), out = pointBehind(behind, sameCorner) - corner;
         if (!(glm::length(in) > 0.0) || !(glm::length(out) > 0.0)) return std::nullopt;
         const double half = 0.5 * glm::length(glm::normalize(out) - glm::normalize(in));
@@ -135,18 +135,18 @@ private:
     }
     /// Where the way is so far before the end of a block, or behind its start.
     glm::dvec3 pointBefore(const ControlBlock& block, double way) const {
-        if (block.merged) return along(moves_[block.last].to, moves_[block.first].from, way);
+        if (block.merged) return along(moves_[block.last].to.tip, moves_[block.first].from.tip, way);
         for (std::size_t i = block.last;; --i) {
-            const double length = glm::distance(moves_[i].from, moves_[i].to);
-            if (way <= length || i == block.first) return along(moves_[i].to, moves_[i].from, way);
+            const double length = glm::distance(moves_[i].from.tip, moves_[i].to.tip);
+            if (way <= length || i == block.first) return along(moves_[i].to.tip, moves_[i].from.tip, way);
             way -= length;
         }
     }
     glm::dvec3 pointBehind(const ControlBlock& block, double way) const {
-        if (block.merged) return along(moves_[block.first].from, moves_[block.last].to, way);
+        if (block.merged) return along(moves_[block.first].from.tip, moves_[block.last].to.tip, way);
         for (std::size_t i = block.first;; ++i) {
-            const double length = glm::distance(moves_[i].from, moves_[i].to);
-            if (way <= length || i == block.last) return along(moves_[i].from, moves_[i].to, way);
+            const double length = glm::distance(moves_[i].from.tip, moves_[i].to.tip);
+            if (way <= length || i == block.last) return along(moves_[i].from.tip, moves_[i].to.tip, way);
             way -= length;
         }
     }
@@ -159,10 +159,10 @@ private:
     void judgeMerged(const ControlBlock& block) {
         if (farthest(block) <= request_.gougeTolerance) return;
         ClearanceAsker& part = *parts_[moves_[block.first].tool];
-        const glm::dvec3 &from = moves_[block.first].from, &to = moves_[block.last].to;
+        const glm::dvec3 &from = moves_[block.first].from.tip, &to = moves_[block.last].to.tip;
         judgeGouge(part, glm::distance(from, to), [&](double share) { return glm::mix(from, to, share); });
         for (std::size_t i = block.first; i < block.last; ++i)
-            judgeExcess(part, moves_[i].to, onLine(block, moves_[i].to));
+            judgeExcess(part, moves_[i].to.tip, onLine(block, moves_[i].to.tip));
     }
 
     /// @param length mm, about, of the way that `at` describes from 0 to 1

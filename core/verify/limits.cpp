@@ -19,22 +19,22 @@ void judgeLimits(const std::vector<ToolMove>& moves, double spindleSpeed, const 
                  const Box& travel, Findings& findings) {
     Box used;
     for (const ToolMove& move : moves) {
-        if (!move.rapid && !move.startKnown) findings.add(FindingKind::unknownStart, move.line, move.to, 0.0);
+        if (!move.rapid && !move.startKnown) findings.add(FindingKind::unknownStart, move.line, move.to.tip, 0.0);
         if (!move.rapid && move.feed > machine.maximumFeed)
-            findings.add(FindingKind::feedLimit, move.line, move.to, move.feed);
+            findings.add(FindingKind::feedLimit, move.line, move.to.tip, move.feed);
         if (!move.endKnown) continue;
-        used.include(move.to);
+        used.include(move.to.tip);
         // Where nobody said how the setup stands on the table, only the way itself can be too long.
         for (int axis = 0; axis < 3; ++axis) {
             if (used.size()[axis] > machine.travel[axis])
-                findings.add(FindingKind::travelLimit, move.line, move.to, used.size()[axis]);
-            if (!travel.empty() && (move.to[axis] < travel.low[axis] || move.to[axis] > travel.high[axis]))
-                findings.add(FindingKind::travelLimit, move.line, move.to, wayTo(move.to, axis, travel));
+                findings.add(FindingKind::travelLimit, move.line, move.to.tip, used.size()[axis]);
+            if (!travel.empty() && (move.to.tip[axis] < travel.low[axis] || move.to.tip[axis] > travel.high[axis]))
+                findings.add(FindingKind::travelLimit, move.line, move.to.tip, wayTo(move.to.tip, axis, travel));
         }
     }
     if (!moves.empty() && (spindleSpeed > machine.maximumSpindleSpeed ||
                            (spindleSpeed > 0.0 && spindleSpeed < machine.minimumSpindleSpeed)))
-        findings.add(FindingKind::spindleLimit, moves.front().line, moves.front().to, spindleSpeed);
+        findings.add(FindingKind::spindleLimit, moves.front().line, moves.front().to.tip, spindleSpeed);
 }
 
 } // namespace burin

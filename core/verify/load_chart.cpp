@@ -31,7 +31,8 @@ public:
             const ToolMove& move = moves[i];
             PathPosition& position = of_[i];
             if (i == 0 || breaks(moves[i - 1], move)) intervals_.push_back({now, now});
-            position = {now, glm::distance(move.begin(), move.to), intervals_.size() - 1, motions_[move.motion]};
+            position = {now, glm::distance(move.begin().tip, move.to.tip), intervals_.size() - 1,
+                        motions_[move.motion]};
             now += position.length;
             motions_[move.motion] += position.length;
             intervals_.back().second = now;
@@ -48,7 +49,7 @@ public:
 private:
     static bool breaks(const ToolMove& before, const ToolMove& move) {
         if (before.rapid || move.rapid || !move.startKnown || before.tool != move.tool) return true;
-        const glm::dvec3 a = before.to - before.begin(), b = move.to - move.begin();
+        const glm::dvec3 a = before.to.tip - before.begin().tip, b = move.to.tip - move.begin().tip;
         const double lengths = glm::length(a) * glm::length(b);
         return lengths > 0.0 && glm::dot(a, b) < straightEnough * lengths;
     }
@@ -231,7 +232,8 @@ private:
             if (!(way > 0.0) && length > 0.0) return false;
             if (length > 0.0) engaged.add(cut, way / length, way);
             const ToolMove& move = (*replayed_.moves)[cut.move];
-            engaged.most = std::max(engaged.most, silhouettes_[move.tool].along(move.to - move.begin(), cut.top));
+            engaged.most =
+                std::max(engaged.most, silhouettes_[move.tool].along(move.to.tip - move.begin().tip, cut.top));
             return true;
         };
         for (std::size_t k = i + 1; k-- > 0 && add(steps[k]);) {

@@ -18,7 +18,7 @@ public:
     MoveSamples(const std::vector<ToolMove>& moves, double sampling) : moves_(moves), first_{0} {
         first_.reserve(moves.size() + 1);
         for (const ToolMove& move : moves) {
-            const double steps = std::max(1.0, std::ceil(glm::length(move.to - move.begin()) / sampling));
+            const double steps = std::max(1.0, std::ceil(glm::length(move.to.tip - move.begin().tip) / sampling));
             const std::size_t start = first_.back() == 0 ? 1 : 0; // the first place of all
             first_.push_back(first_.back() + (move.endKnown ? static_cast<std::size_t>(steps) + start : 0));
         }
@@ -36,7 +36,8 @@ public:
             const ToolMove& move = moves_[at];
             const std::size_t begins = first_[at] == 0 ? 0 : 1, steps = first_[at + 1] - first_[at] - 1 + begins;
             const double share = static_cast<double>(i - first_[at] + begins) / static_cast<double>(steps);
-            visit(static_cast<std::uint32_t>(at), share < 1.0 ? glm::mix(move.begin(), move.to, share) : move.to);
+            visit(static_cast<std::uint32_t>(at),
+                  share < 1.0 ? glm::mix(move.begin().tip, move.to.tip, share) : move.to.tip);
         }
     }
 

@@ -43,16 +43,18 @@ Result<void> judgeAgainst(const MeshDistance& mesh, NearTo to, const std::vector
                 const ToolMove& move = moves[i];
                 const Section& section = sections[move.tool];
                 if (progress.cancelled() || !move.endKnown) continue;
-                if (std::min(move.begin().z, move.to.z) + section.bottom - request.nearDistance > section.guard.top())
+                if (std::min(move.begin().tip.z, move.to.tip.z) + section.bottom - request.nearDistance >
+                    section.guard.top())
                     continue;
-                dips[i] = section.guard.deepestDip(move.begin(), move.to, request.nearDistance, request.sampling);
+                dips[i] =
+                    section.guard.deepestDip(move.begin().tip, move.to.tip, request.nearDistance, request.sampling);
             }
         });
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
         for (std::size_t i = 0; i < moves.size(); ++i) {
             if (!dips[i] || dips[i]->clearance < -request.gougeTolerance) continue;
             const ToolMove& move = moves[i];
-            const glm::dvec3 tip = glm::mix(move.begin(), move.to, dips[i]->part);
+            const glm::dvec3 tip = glm::mix(move.begin().tip, move.to.tip, dips[i]->part);
             const ToolClearance nearest = sections[move.tool].guard.clearance(tip, 2.0 * request.nearDistance);
             passes.add({which, to, move.line, nearest.meshPoint, std::max(0.0, dips[i]->clearance)});
         }

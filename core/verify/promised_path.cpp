@@ -34,10 +34,11 @@ public:
         for (std::size_t i = 1; i < path.points.size(); ++i) {
             const PathPoint& point = path.points[i];
             if (point.kind == MoveKind::rapid) continue;
-            glm::dvec3 at = path.points[i - 1].tip;
-            ends = {point.tip};
+            glm::dvec3 at = path.points[i - 1].pose.tip;
+            ends = {point.pose.tip};
             if (point.arc)
-                flatten(Arc{at, point.tip, point.arc->centre, point.arc->axis, point.arc->clockwise}, pathChord, ends);
+                flatten(Arc{at, point.pose.tip, point.arc->centre, point.arc->axis, point.arc->clockwise}, pathChord,
+                        ends);
             for (const glm::dvec3& end : ends) {
                 add({at, end});
                 at = end;
@@ -114,10 +115,10 @@ public:
             if (i % 1024 == 0 && progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
             const ToolMove& move = moves_[i];
             if (move.rapid || !move.endKnown || paths_[move.tool].empty()) continue;
-            const auto steps = static_cast<int>(glm::distance(move.begin(), move.to) / betweenLooks) + 1;
+            const auto steps = static_cast<int>(glm::distance(move.begin().tip, move.to.tip) / betweenLooks) + 1;
             bool off = false;
             for (int k = 1; k <= steps; ++k)
-                off = look(move, glm::mix(move.begin(), move.to, static_cast<double>(k) / steps));
+                off = look(move, glm::mix(move.begin().tip, move.to.tip, static_cast<double>(k) / steps));
             comparison.ends[move.motion] = off ? PathSide::off : PathSide::on;
         }
         return comparison;
@@ -127,7 +128,7 @@ private:
     /// Comes down to its path, or leaves it: on the way it is to be nowhere.
     static bool isAlongAxis(const ToolMove& move) noexcept {
         constexpr double steepest = 0.1; // sideways over along
-        const glm::dvec3 way = move.to - move.begin();
+        const glm::dvec3 way = move.to.tip - move.begin().tip;
         return std::hypot(way.x, way.y) < steepest * std::abs(way.z);
     }
     /// @return whether the tip is off the paths

@@ -63,8 +63,8 @@ public:
     }
     void add(const ToolMove& move, const Pieces& pieces, double radius, std::uint32_t order) {
         if (!move.endKnown) return;
-        const glm::dvec3 low = glm::min(move.begin(), move.to) - radius,
-                         high = glm::max(move.begin(), move.to) + radius;
+        const glm::dvec3 low = glm::min(move.begin().tip, move.to.tip) - radius,
+                         high = glm::max(move.begin().tip, move.to.tip) + radius;
         const double brick = grid_.edge() * brickSide;
         const glm::dvec3 origin = grid_.low();
         const auto at = [&](double place, double from) {
@@ -100,7 +100,7 @@ public:
           const Grid& grid, const Box& stock, std::span<const GrazedLine> lines)
         : rapid_(rapid), order_(order), cleared_(cleared), grid_(grid), stock_(stock), lines_(lines) {
         for (const RevolvedPiece& piece : flutes) {
-            sweeps_.emplace_back(piece, rapid.begin(), rapid.to);
+            sweeps_.emplace_back(piece, rapid.begin().tip, rapid.to.tip);
             radius_ = std::max(radius_, piece.widestRadius());
         }
     }
@@ -137,7 +137,7 @@ private:
             while (at != moves.begin() && !left.empty()) {
                 --at;
                 for (const RevolvedPiece& piece : *at->pieces)
-                    if (const auto away = SweptPiece(piece, at->move->begin(), at->move->to).along(x, y))
+                    if (const auto away = SweptPiece(piece, at->move->begin().tip, at->move->to.tip).along(x, y))
                         left.take(*away);
             }
             if (left.empty()) continue;
@@ -169,7 +169,7 @@ private:
 
     /// Beside the way and around its ends, just inside of where the flutes are widest.
     void outline() {
-        const glm::dvec2 from(rapid_.begin()), to(rapid_.to);
+        const glm::dvec2 from(rapid_.begin().tip), to(rapid_.to.tip);
         const double length = glm::distance(from, to);
         const glm::dvec2 along = length > 0.0 ? (to - from) / length : glm::dvec2(1.0, 0.0);
         const glm::dvec2 across(-along.y, along.x);

@@ -65,7 +65,7 @@ private:
     /// Of bricks; none: last < first.
     LineStretch rowsOf(const ToolMove& move, const ReplayTool& tool, double top) const {
         if (!move.endKnown) return {};
-        const glm::dvec3 from = inLineFrame(grid_, move.begin()), to = inLineFrame(grid_, move.to);
+        const glm::dvec3 from = inLineFrame(grid_, move.begin().tip), to = inLineFrame(grid_, move.to.tip);
         const glm::dvec3 axis = inLineFrame(grid_, glm::dvec3(0.0, 0.0, 1.0));
         const bool guards = std::min(from.z, to.z) + tool.guardBottom - tool.near < top;
         Box reach;

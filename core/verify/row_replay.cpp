@@ -48,7 +48,7 @@ ReplayTool::ReplayTool(const Cutter& cutter, const Grid& grid, double nearDistan
 }
 
 std::uint32_t stepsOf(const ToolMove& move, double edge) noexcept {
-    return static_cast<std::uint32_t>(std::max(1.0, std::ceil(glm::length(move.to - move.begin()) / edge)));
+    return static_cast<std::uint32_t>(std::max(1.0, std::ceil(glm::length(move.to.tip - move.begin().tip) / edge)));
 }
 
 RowResult RowReplay::run(std::span<const std::uint32_t> turns, const Progress& progress) {
@@ -65,7 +65,7 @@ RowResult RowReplay::run(std::span<const std::uint32_t> turns, const Progress& p
 void RowReplay::make(std::uint32_t number) {
     const ToolMove& move = moves_[number];
     const ReplayTool& tool = tools_[move.tool];
-    const glm::dvec3 from = inLineFrame(grid_, move.begin()), to = inLineFrame(grid_, move.to);
+    const glm::dvec3 from = inLineFrame(grid_, move.begin().tip), to = inLineFrame(grid_, move.to.tip);
     UnitSum removed;
     metered_ = meters_ && !move.rapid;
     if (metered_)

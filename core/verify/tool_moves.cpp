@@ -22,10 +22,10 @@ void appendRapid(const ToolMove& rapid, const MachineProfile& machine, std::vect
         return;
     }
     ToolMove stretch = rapid;
-    for (const glm::dvec3& corner : rapidWay(rapid.from, rapid.to, machine)) {
-        stretch.to = corner;
+    for (const glm::dvec3& corner : rapidWay(rapid.from.tip, rapid.to.tip, machine)) {
+        stretch.to.tip = corner;
         moves.push_back(stretch);
-        stretch.from = corner;
+        stretch.from.tip = corner;
     }
 }
 
@@ -66,8 +66,8 @@ std::vector<ToolMove> toolMoves(const ParsedProgram& program, const glm::dvec3& 
         appendStraightMoves(program.motions[i], arcChord, straight);
         for (const NcMotion& motion : straight) {
             ToolMove move;
-            move.from = motion.from + workOffset;
-            move.to = motion.to + workOffset;
+            move.from.tip = motion.from + workOffset;
+            move.to.tip = motion.to + workOffset;
             move.feed = motion.feed;
             move.line = motion.line;
             move.motion = static_cast<std::uint32_t>(i);

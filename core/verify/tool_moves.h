@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/pose.h"
 #include "core/machine/machine_profile.h"
 #include "core/nc/parser.h"
 #include "core/tool/tool.h"
@@ -11,10 +12,10 @@
 
 namespace burin {
 
-/// A straight move of the tip in the setup frame: a motion of the program, or a part of one.
+/// A straight move of the tool in the setup frame: a motion of the program, or a part of one.
 struct ToolMove {
-    glm::dvec3 from{0.0}, to{0.0}; ///< mm
-    double feed = 0.0;             ///< mm/min; 0 for rapids
+    ToolPose from, to; ///< setup frame
+    double feed = 0.0; ///< mm/min; 0 for rapids
     std::uint32_t line = 0;
     std::uint32_t motion = 0; ///< place in ParsedProgram::motions
     std::uint16_t tool = 0;   ///< place among the tools that the moves were made with
@@ -24,7 +25,7 @@ struct ToolMove {
     bool endKnown = true;   ///< false: nor is `to`; where the tool goes can't be judged
 
     /// Where the judged part of the move begins.
-    const glm::dvec3& begin() const noexcept { return startKnown ? from : to; }
+    const ToolPose& begin() const noexcept { return startKnown ? from : to; }
 };
 
 /// Arcs are judged as chords that leave them by no more than this, mm.

@@ -133,7 +133,7 @@ void judgePlunges(const ReplayedProgram& replayed, Findings& findings) {
     for (std::size_t i = 0; i < replayed.moves->size(); ++i) {
         const ToolMove& move = (*replayed.moves)[i];
         const Tool& tool = replayed.tools[move.tool];
-        const glm::dvec3 way = move.to - move.begin();
+        const glm::dvec3 way = move.to.tip - move.begin().tip;
         const bool down = way.z < 0.0 && std::hypot(way.x, way.y) < -steepest * way.z;
         if (tool.centreCutting || move.rapid || !down) {
             depth = 0.0;
@@ -141,9 +141,10 @@ void judgePlunges(const ReplayedProgram& replayed, Findings& findings) {
         }
         const MoveCut& cut = (*replayed.cuts)[i];
         if (!(cut.volume > 0.0)) continue;
-        if (std::hypot(cut.centroid.x - move.to.x, cut.centroid.y - move.to.y) > 0.5 * tool.cutter.radius()) continue;
+        if (std::hypot(cut.centroid.x - move.to.tip.x, cut.centroid.y - move.to.tip.y) > 0.5 * tool.cutter.radius())
+            continue;
         depth += std::min(-way.z, cut.volume / sectionAtTip(tool.cutter));
-        if (depth > plungeAllowed) findings.add(FindingKind::centrePlunge, move.line, move.to, depth);
+        if (depth > plungeAllowed) findings.add(FindingKind::centrePlunge, move.line, move.to.tip, depth);
     }
 }
 

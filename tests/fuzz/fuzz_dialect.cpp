@@ -29,15 +29,15 @@ Path pathOf(const char* tool, Coolant coolant) {
     path.toolId = tool;
     path.spindleSpeed = 10000.5;
     path.coolant = coolant;
-    path.points = {{{0.0, 0.0, 5.0}, MoveKind::rapid},
-                   {{0.0, 0.0, 0.0}, MoveKind::plunge, 300.0},
-                   {{10.0, 0.0, 0.0}, MoveKind::cut, 900.125, 7, 123},
-                   {{10.0, 4.0, -1.0}, MoveKind::cut, 900.0, 7, 124, PathArc{{10.0, 2.0, 0.0}, 2, false}},
-                   {{14.0, 4.0, -1.0}, MoveKind::cut, 900.0, 7, 125, PathArc{{12.0, 4.0, -1.0}, 1, true}},
-                   {{14.0, 8.0, -1.0}, MoveKind::cut, 900.0, 7, 126, PathArc{{14.0, 6.0, -1.0}, 0, false}},
-                   {{14.0, 8.0, -1.0}, MoveKind::cut, 900.0, 7, 127, PathArc{{14.0, 6.0, -1.0}, 2, true}},
-                   {{14.0, 8.0, 4.0}, MoveKind::retract, 900.0},
-                   {{14.0, 8.0, 5.0}, MoveKind::rapid}};
+    path.points = {{{{0.0, 0.0, 5.0}}, MoveKind::rapid},
+                   {{{0.0, 0.0, 0.0}}, MoveKind::plunge, 300.0},
+                   {{{10.0, 0.0, 0.0}}, MoveKind::cut, 900.125, 7, 123},
+                   {{{10.0, 4.0, -1.0}}, MoveKind::cut, 900.0, 7, 124, PathArc{{10.0, 2.0, 0.0}, 2, false}},
+                   {{{14.0, 4.0, -1.0}}, MoveKind::cut, 900.0, 7, 125, PathArc{{12.0, 4.0, -1.0}, 1, true}},
+                   {{{14.0, 8.0, -1.0}}, MoveKind::cut, 900.0, 7, 126, PathArc{{14.0, 6.0, -1.0}, 0, false}},
+                   {{{14.0, 8.0, -1.0}}, MoveKind::cut, 900.0, 7, 127, PathArc{{14.0, 6.0, -1.0}, 2, true}},
+                   {{{14.0, 8.0, 4.0}}, MoveKind::retract, 900.0},
+                   {{{14.0, 8.0, 5.0}}, MoveKind::rapid}};
     return path;
 }
 

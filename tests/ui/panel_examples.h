@@ -147,7 +147,7 @@ inline PathState path() {
     state.hasTakes = state.exists = state.outdated = true;
     state.path.id = 1;
     state.path.name = "Path 1";
-    state.path.takes = {1, 2};
+    state.path.sources = {{1}, {2}};
     state.path.edits = standardEdits();
     state.path.edits[1].enabled = false;
     for (const char* id : {"drop-air-cuts", "smooth-shape", "hold-out", "fit-arcs", "link", "set-feed"}) {

@@ -92,7 +92,7 @@ double lightnessOf(const QColor& colour) {
 
 EvaluatedPath straight(MoveKind kind, MillingSide side) {
     EvaluatedPath path;
-    path.path.points = {{{-7.0, 0.0, 13.0}, kind, 0.0, 0, -1}, {{7.0, 0.0, 13.0}, kind, 0.0, 0, -1}};
+    path.path.points = {{{{-7.0, 0.0, 13.0}}, kind, 0.0, 0, -1}, {{{7.0, 0.0, 13.0}}, kind, 0.0, 0, -1}};
     path.sides = {{0, 1, side}};
     return path;
 }

@@ -27,7 +27,7 @@ std::vector<glm::vec3> wave(float x) {
 Path somePath() {
     Path path;
     const auto add = [&path](double x, double y, double z, MoveKind kind) {
-        path.points.push_back({{x, y, z}, kind, 0.0, 0, -1});
+        path.points.push_back({{{x, y, z}}, kind, 0.0, 0, -1});
     };
     add(-26.0, -18.0, 26.0, MoveKind::rapid);
     for (double x = -26.0; x < -2.0; x += 6.0) {
@@ -341,7 +341,7 @@ private slots:
             return countLike(now, now.rect(), palette.force, 3);
         };
         const int none = red();
-        const glm::dvec3 from = path.path.points[last / 2].tip + glm::dvec3(0.0, 0.0, 6.0);
+        const glm::dvec3 from = path.path.points[last / 2].pose.tip + glm::dvec3(0.0, 0.0, 6.0);
         EditReport report;
         report.omissions = {{OmissionReason::shank, 1, 0, 9, {from, from + glm::dvec3(1e-3, 0.0, 0.0)}, 1e-3}};
         path.reports = {report};

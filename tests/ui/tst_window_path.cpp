@@ -32,7 +32,7 @@ const PathPoint& pointNear(const Workbench& bench, const glm::dvec2& place) {
     const glm::dvec2 zero(bench.bench.bench()->setup.workOffset);
     return *std::ranges::min_element(points, {}, [&](const PathPoint& point) {
         const bool cuts = point.kind == MoveKind::cut && point.sample >= 0;
-        return cuts ? glm::distance(glm::dvec2(point.tip) - zero, place) : 1e9;
+        return cuts ? glm::distance(glm::dvec2(point.pose.tip) - zero, place) : 1e9;
     });
 }
 
@@ -42,12 +42,12 @@ double distanceToPath(const Workbench& bench, const glm::dvec3& place) {
     double nearest = 1e9;
     for (std::size_t i = 1; i < points.size(); ++i) {
         std::vector<glm::dvec3> way;
-        const glm::dvec3& from = points[i - 1].tip;
+        const glm::dvec3& from = points[i - 1].pose.tip;
         if (points[i].arc)
-            flatten({from, points[i].tip, points[i].arc->centre, points[i].arc->axis, points[i].arc->clockwise}, 0.01,
-                    way);
+            flatten({from, points[i].pose.tip, points[i].arc->centre, points[i].arc->axis, points[i].arc->clockwise},
+                    0.01, way);
         else
-            way.push_back(points[i].tip);
+            way.push_back(points[i].pose.tip);
         glm::dvec3 at = from;
         for (const glm::dvec3& to : way) {
             const glm::dvec3 along = to - at;
@@ -65,7 +65,7 @@ double cuttingLength(const Workbench& bench) {
     const std::vector<PathPoint>& points = bench.path.evaluated()->path.points;
     double length = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i)
-        if (points[i].kind == MoveKind::cut) length += glm::distance(points[i - 1].tip, points[i].tip);
+        if (points[i].kind == MoveKind::cut) length += glm::distance(points[i - 1].pose.tip, points[i].pose.tip);
     return length;
 }
 
@@ -141,50 +141,51 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
 
     // A place in the groove's middle is dragged sideways by 4 mm, on its level.
     const PathPoint middle = pointNear(bench, {0.0, 0.0});
-    const glm::dvec3 aside = middle.tip + glm::dvec3(0.0, 4.0, 0.0);
-    drag(*viewport, viewport->project(middle.tip).toPoint(), viewport->project(aside).toPoint());
+    const glm::dvec3 aside = middle.pose.tip + glm::dvec3(0.0, 4.0, 0.0);
+    drag(*viewport, viewport->project(middle.pose.tip).toPoint(), viewport->project(aside).toPoint());
     QVERIFY(driver.waitFor([&] { return placeOf(bench, "move-points") < bench.path.stored()->edits.size(); }, 3000));
     QVERIFY(placeOf(bench, "move-points") < placeOf(bench, "hold-out"));
     QVERIFY(evaluatedAgain(driver));
     const glm::dvec2 zero(bench.bench.bench()->setup.workOffset);
     // Both ends of the drag are whole pixels, half of one off at most; what is left is the smoothing's.
-    const QPointF pixels = viewport->project(middle.tip + glm::dvec3(0.0, 1.0, 0.0)) - viewport->project(middle.tip);
+    const QPointF pixels =
+        viewport->project(middle.pose.tip + glm::dvec3(0.0, 1.0, 0.0)) - viewport->project(middle.pose.tip);
     const double pixel = 1.0 / std::hypot(pixels.x(), pixels.y()), missed = distanceToPath(bench, aside);
     QVERIFY2(missed < pixel + 0.03, qPrintable(QStringLiteral("%1 mm, a pixel is %2 mm").arg(missed).arg(pixel)));
     const PathPoint& end = pointNear(bench, {-14.0, 0.0}); // farther along than the falloff
-    QVERIFY(std::abs(end.tip.y - middle.tip.y) < 0.5);
+    QVERIFY(std::abs(end.pose.tip.y - middle.pose.tip.y) < 0.5);
     driver.shoot("24-dragged");
     driver.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(driver.waitFor([&] { return editsOf(bench) == before; }, 3000));
     QVERIFY(evaluatedAgain(driver));
-    QVERIFY(std::abs(pointNear(bench, {0.0, 0.0}).tip.y - middle.tip.y) < 0.05);
+    QVERIFY(std::abs(pointNear(bench, {0.0, 0.0}).pose.tip.y - middle.pose.tip.y) < 0.05);
 
     const double straight = cuttingLength(bench);
 
     QVERIFY(driver.settle()); // the pointer has the new places
     // A stretch is chosen by two clicks and replaced by a stroke that goes round it.
     const PathPoint from = pointNear(bench, {-6.0, 0.0}), to = pointNear(bench, {6.0, 0.0});
-    QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(from.tip).toPoint());
+    QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(from.pose.tip).toPoint());
     QVERIFY(bench.path.selection() && bench.path.selection()->first == bench.path.selection()->last);
-    const QPoint dot = viewport->mapTo(&driver.window(), viewport->project(from.tip).toPoint());
+    const QPoint dot = viewport->mapTo(&driver.window(), viewport->project(from.pose.tip).toPoint());
     const auto isMarked = [&] { return driver.window().grab().toImage().pixelColor(dot).green() > 215; };
     QVERIFY(driver.waitFor(isMarked, 5000)); // yellow; the line is orange
     driver.shoot("25-chosen-place");
     // So is a moment nearby whose own point simplification left out.
     const std::vector<PathPoint>& left = bench.path.evaluated()->path.points;
-    const Moment leftOut{from.take, from.sample + 5};
+    const Moment leftOut{from.source, from.sample + 5};
     QVERIFY(std::ranges::find(left, leftOut.tick, &PathPoint::sample) == left.end());
     bench.path.clearSelection();
     QVERIFY(driver.waitFor([&] { return !isMarked(); }, 5000));
     bench.path.select(leftOut);
     QVERIFY(driver.waitFor(isMarked, 5000));
-    bench.path.select({from.take, from.sample});
-    QTest::mouseClick(viewport, Qt::LeftButton, Qt::ShiftModifier, viewport->project(to.tip).toPoint());
+    bench.path.select({from.source, from.sample});
+    QTest::mouseClick(viewport, Qt::LeftButton, Qt::ShiftModifier, viewport->project(to.pose.tip).toPoint());
     QVERIFY(bench.path.selection()->last > bench.path.selection()->first + 20);
     QVERIFY(driver.waitFor([&] { return driver.visible<QPushButton>("drawStretchButton")->isEnabled(); }, 3000));
     QVERIFY(driver.clickOn("drawStretchButton"));
-    std::vector<glm::dvec3> corners{from.tip, from.tip + glm::dvec3(0.0, 5.0, 0.0), to.tip + glm::dvec3(0.0, 5.0, 0.0),
-                                    to.tip};
+    std::vector<glm::dvec3> corners{from.pose.tip, from.pose.tip + glm::dvec3(0.0, 5.0, 0.0),
+                                    to.pose.tip + glm::dvec3(0.0, 5.0, 0.0), to.pose.tip};
     const auto replaced = [&] { return placeOf(bench, "replace-stretch") < bench.path.stored()->edits.size(); };
     drawAlong(driver, *viewport, corners, "25-drawing");
     QVERIFY(driver.waitFor(replaced, 3000));
@@ -204,7 +205,7 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     QVERIFY2(std::abs(cuttingLength(bench) - length) < 1.0, qPrintable(QString::number(cuttingLength(bench) - length)));
     const glm::dvec3 along = glm::mix(corners[1], corners[2], 0.5);
     const PathPoint& drawn = pointNear(bench, glm::dvec2(along) - zero);
-    QVERIFY2(std::abs(drawn.tip.y - along.y) < 0.3, qPrintable(QString::number(drawn.tip.y - along.y)));
+    QVERIFY2(std::abs(drawn.pose.tip.y - along.y) < 0.3, qPrintable(QString::number(drawn.pose.tip.y - along.y)));
     driver.key(Qt::Key_Escape);
 
     // Edits are added from the menu, moved and removed; a wrong order is refused with one sentence.
@@ -252,7 +253,7 @@ void TestWindowPath::anAreaIsDrawnAndEmptied() {
     QVERIFY(makePath(driver));
     auto* viewport = driver.visible<Viewport>("viewport");
     QVERIFY(viewport != nullptr);
-    const double height = pointNear(bench, {0.0, 0.0}).tip.z;
+    const double height = pointNear(bench, {0.0, 0.0}).pose.tip.z;
     const glm::dvec2 zero(bench.bench.bench()->setup.workOffset);
 
     // The new edit asks for its outline at once: a loop round the groove's right half, not closed by the hand.
@@ -282,8 +283,8 @@ void TestWindowPath::anAreaIsDrawnAndEmptied() {
     double farthest = -1e9, nearest = 1e9;
     for (const PathPoint& point : bench.path.evaluated()->path.points)
         if (point.kind == MoveKind::cut || point.kind == MoveKind::plunge) { // a ramp ends where the stroke begins
-            farthest = std::max(farthest, point.tip.x - zero.x);
-            nearest = std::min(nearest, point.tip.x - zero.x);
+            farthest = std::max(farthest, point.pose.tip.x - zero.x);
+            nearest = std::min(nearest, point.pose.tip.x - zero.x);
         }
     QVERIFY2(farthest > 1.5 && farthest < 2.5, qPrintable(QString::number(farthest)));
     QVERIFY(nearest < -14.0);
@@ -309,7 +310,7 @@ void TestWindowPath::theMirrorsPlaneIsDrawn() {
     const glm::dvec3 zero = bench.bench.bench()->setup.workOffset;
     QCOMPARE(mirror().at, bench.bench.bench()->setup.stock.centre().x); // until somebody says otherwise
     const auto drawLine = [&](const glm::dvec2& from, const glm::dvec2& to) {
-        const double height = pointNear(bench, {0.0, 0.0}).tip.z;
+        const double height = pointNear(bench, {0.0, 0.0}).pose.tip.z;
         const auto at = [&](const glm::dvec2& place) {
             return viewport->project(glm::dvec3(glm::dvec2(zero) + place, height)).toPoint();
         };
@@ -318,7 +319,7 @@ void TestWindowPath::theMirrorsPlaneIsDrawn() {
     const auto rightEnd = [&] {
         double farthest = -1e9;
         for (const PathPoint& point : bench.path.evaluated()->path.points)
-            if (point.kind == MoveKind::cut) farthest = std::max(farthest, point.tip.x - zero.x);
+            if (point.kind == MoveKind::cut) farthest = std::max(farthest, point.pose.tip.x - zero.x);
         return farthest;
     };
     const double before = rightEnd();

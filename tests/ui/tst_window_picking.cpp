@@ -62,21 +62,20 @@ private slots:
         std::size_t longest = 0;
         double length = 0.0;
         for (std::size_t i = 1; i < points.size(); ++i) {
-            const double way = glm::distance(points[i - 1].tip, points[i].tip);
-            if (!isOfTheHand(points[i - 1]) || !isOfTheHand(points[i]) || points[i].kind != MoveKind::cut ||
-                way < length)
+            const double way = glm::distance(points[i - 1].pose.tip, points[i].pose.tip);
+            if (!hasMoment(points[i - 1]) || !hasMoment(points[i]) || points[i].kind != MoveKind::cut || way < length)
                 continue;
             longest = i;
             length = way;
         }
         QVERIFY2(length > 1.2, qPrintable(QString::number(length)));
         for (const double share : {0.25, 0.4, 0.7}) {
-            const glm::dvec3 meant = glm::mix(points[longest - 1].tip, points[longest].tip, share);
+            const glm::dvec3 meant = glm::mix(points[longest - 1].pose.tip, points[longest].pose.tip, share);
             QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(meant).toPoint());
             QVERIFY(bench.path.selection());
             const auto chosen = pointsOf(bench.path.evaluated()->path, *bench.path.selection());
             QVERIFY(!chosen.empty());
-            const double off = glm::distance(chosen.front().front().tip, meant);
+            const double off = glm::distance(chosen.front().front().pose.tip, meant);
             QVERIFY2(off < 0.3, qPrintable(QString::number(off))); // a pixel is as long
         }
         QVERIFY(driver.waitFor([&] { return driver.visible<QLabel>("pathSelection") != nullptr; }, 3000));
@@ -109,9 +108,9 @@ private slots:
         std::size_t largest = 0;
         Arc arc;
         for (std::size_t i = 1; i < points.size(); ++i) {
-            if (!points[i].arc || !isOfTheHand(points[i - 1]) || !isOfTheHand(points[i])) continue;
+            if (!points[i].arc || !hasMoment(points[i - 1]) || !hasMoment(points[i])) continue;
             const PathArc& turn = *points[i].arc;
-            const Arc candidate{points[i - 1].tip, points[i].tip, turn.centre, turn.axis, turn.clockwise};
+            const Arc candidate{points[i - 1].pose.tip, points[i].pose.tip, turn.centre, turn.axis, turn.clockwise};
             if (turn.axis != 2 || turnOf(candidate).startRadius < 3.0) continue; // on the way down
             if (largest != 0 && std::abs(turnOf(candidate).sweep) < std::abs(turnOf(arc).sweep)) continue;
             largest = i;
@@ -136,7 +135,7 @@ private slots:
                 const double pixel = 0.4 / (turn.startRadius * std::abs(turn.sweep)); // mm, of the arc
                 QVERIFY2(std::abs(told - share) < pixel + 1.0 / ticks, qPrintable(QString::number(told)));
                 const auto chosen = pointsOf(bench.path.evaluated()->path, *bench.path.selection());
-                QVERIFY(!chosen.empty() && glm::distance(chosen.front().front().tip, meant) < 0.4);
+                QVERIFY(!chosen.empty() && glm::distance(chosen.front().front().pose.tip, meant) < 0.4);
             }
             QTRY_COMPARE(escapeLabel(driver), QStringLiteral("Esc: clear the selection"));
             driver.shoot(view == StandardView::top ? "picking-arc-top" : "picking-arc-aslant");

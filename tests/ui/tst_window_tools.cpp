@@ -191,7 +191,7 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
         const std::vector<PathPoint>& points = path.path.points;
         for (std::size_t i = 1; i < points.size(); ++i)
             if (points[i].kind == MoveKind::cut &&
-                (points[i - 1].tip.x - zero.x - x) * (points[i].tip.x - zero.x - x) <= 0)
+                (points[i - 1].pose.tip.x - zero.x - x) * (points[i].pose.tip.x - zero.x - x) <= 0)
                 return points[i];
         return PathPoint{};
     };
@@ -210,7 +210,7 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     bench.path.addEdit({level});
     QVERIFY(levelled());
     const EvaluatedPath alone = *bench.path.evaluated();
-    const double depth = top - cutOver(alone, 0.0).tip.z, side = 3.0 - depth;
+    const double depth = top - cutOver(alone, 0.0).pose.tip.z, side = 3.0 - depth;
     const double section = 9.0 * std::acos(side / 3.0) - side * std::sqrt(9.0 - side * side);
     const double inStock = 60.0 * level.target / section;
     const double air = std::min(bench.bench.bench()->machine.maximumFeed,

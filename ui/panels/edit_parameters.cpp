@@ -57,7 +57,7 @@ struct ValueTexts {
     const std::vector<TakeInfo>& takes;
 
     QString operator()(const Moment& moment) const { return momentText(takes, moment); }
-    QString operator()(const TakeStretch& stretch) const { return stretchText(takes, stretch); }
+    QString operator()(const SourceStretch& stretch) const { return stretchText(takes, stretch); }
     QString operator()(const std::vector<glm::dvec3>& places) const {
         return EditParameterTexts::tr("%n points", nullptr, static_cast<int>(places.size()));
     }

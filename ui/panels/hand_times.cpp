@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/hand_times.h"
 
+#include "core/path/path_source.h"
 #include "ui/panels/texts.h"
 
 #include <QCoreApplication>
@@ -26,7 +27,8 @@ bool missedNoTick(const TakeInfo& take) {
     return *take.seconds <= static_cast<double>(take.sampleCount) * take.tickPeriod;
 }
 
-QString takeTextOf(const std::vector<TakeInfo>& takes, std::int64_t id) {
+QString sourceTextOf(const std::vector<TakeInfo>& takes, std::int64_t id) {
+    if (PathSource{id}.isGenerated()) return HandTimeTexts::tr("pass %1").arg(-id);
     const TakeInfo* const take = takeInfoOf(takes, id);
     return take != nullptr ? takeName(take->name) : HandTimeTexts::tr("take %1").arg(id);
 }
@@ -34,7 +36,9 @@ QString takeTextOf(const std::vector<TakeInfo>& takes, std::int64_t id) {
 } // namespace
 
 QString handTimeText(const std::vector<TakeInfo>& takes, const Moment& moment) {
-    const TakeInfo* const take = takeInfoOf(takes, moment.take);
+    if (PathSource{moment.source}.isGenerated())
+        return HandTimeTexts::tr("move %1").arg(QLocale().toString(static_cast<qlonglong>(moment.tick)));
+    const TakeInfo* const take = takeInfoOf(takes, moment.source);
     if (take == nullptr || !take->seconds || take->sampleCount == 0)
         return HandTimeTexts::tr("sample %1").arg(QLocale().toString(static_cast<qlonglong>(moment.tick)));
     if (!missedNoTick(*take)) {
@@ -46,17 +50,17 @@ QString handTimeText(const std::vector<TakeInfo>& takes, const Moment& moment) {
 }
 
 QString momentText(const std::vector<TakeInfo>& takes, const Moment& moment) {
-    return HandTimeTexts::tr("%1, %2").arg(takeTextOf(takes, moment.take), handTimeText(takes, moment));
+    return HandTimeTexts::tr("%1, %2").arg(sourceTextOf(takes, moment.source), handTimeText(takes, moment));
 }
 
-QString stretchText(const std::vector<TakeInfo>& takes, const TakeStretch& stretch) {
-    if (stretch.take == 0) return HandTimeTexts::tr("everything");
-    const Moment first{stretch.take, stretch.first}, last{stretch.take, stretch.last};
+QString stretchText(const std::vector<TakeInfo>& takes, const SourceStretch& stretch) {
+    if (stretch.source == 0) return HandTimeTexts::tr("everything");
+    const Moment first{stretch.source, stretch.first}, last{stretch.source, stretch.last};
     if (stretch.last == stretch.first) return momentText(takes, first);
-    if (stretch.last == TakeStretch{}.last)
-        return HandTimeTexts::tr("%1, from %2").arg(takeTextOf(takes, stretch.take), handTimeText(takes, first));
+    if (stretch.last == SourceStretch{}.last)
+        return HandTimeTexts::tr("%1, from %2").arg(sourceTextOf(takes, stretch.source), handTimeText(takes, first));
     return HandTimeTexts::tr("%1, %2 to %3")
-        .arg(takeTextOf(takes, stretch.take), handTimeText(takes, first), handTimeText(takes, last));
+        .arg(sourceTextOf(takes, stretch.source), handTimeText(takes, first), handTimeText(takes, last));
 }
 
 } // namespace burin

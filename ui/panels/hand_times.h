@@ -18,6 +18,6 @@ QString handTimeText(const std::vector<TakeInfo>& takes, const Moment& moment);
 /// The same with the take's name.
 QString momentText(const std::vector<TakeInfo>& takes, const Moment& moment);
 /// What the hand did between two moments.
-QString stretchText(const std::vector<TakeInfo>& takes, const TakeStretch& stretch);
+QString stretchText(const std::vector<TakeInfo>& takes, const SourceStretch& stretch);
 
 } // namespace burin

@@ -201,7 +201,7 @@ void PathPanel::Fields::tell() {
 void PathPanel::Fields::refreshFigures() {
     const bool evaluated = state.points > 0;
     const QString none = QStringLiteral("–");
-    takes_->setValue(countText(state.path.takes.size()));
+    takes_->setValue(countText(state.path.sources.size()));
     points_->setValue(evaluated ? countText(state.points) : none);
     length_->setValue(evaluated ? wayText(state.cuttingLength, unit) : none);
     const double length = std::max(state.cuttingLength, 1e-9);

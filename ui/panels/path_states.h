@@ -42,7 +42,7 @@ struct PathState {
     bool outdated = false;                              ///< takes or edits changed since
     bool busy = false;
     bool waiting = false; ///< for the workpiece; then it is evaluated by itself
-    std::optional<TakeStretch> selection;
+    std::optional<SourceStretch> selection;
     DragChoice drag = DragChoice::level;
     bool drawing = false;                   ///< a stroke is being drawn in the selection's stead
     std::optional<DrawnField> drawnField{}; ///< of an edit, that is being drawn

@@ -74,12 +74,12 @@ void EditedPath::setPath(const EvaluatedPath& evaluated) {
         while (stretch != evaluated.sides.end() && stretch->last < i) ++stretch;
         const bool against = stretch != evaluated.sides.end() && stretch->first <= i &&
                              stretch->side == MillingSide::conventional && point.kind == MoveKind::cut;
-        box_.include(point.tip);
+        box_.include(point.pose.tip);
         if (i == 0) continue;
-        const glm::dvec3& from = path.points[i - 1].tip;
+        const glm::dvec3& from = path.points[i - 1].pose.tip;
         std::vector<LineEnds>& kind = lines[against ? conventional : indexOf(point.kind)];
         if (point.kind == MoveKind::rapid)
-            addDashes(kind, from, point.tip, rapidDash);
+            addDashes(kind, from, point.pose.tip, rapidDash);
         else if (point.kind == MoveKind::plunge)
             addPlunge(kind, from, point);
         else

@@ -14,7 +14,7 @@ void OtherPaths::setPaths(const std::vector<std::shared_ptr<const EvaluatedPath>
         const std::vector<PathPoint>& points = evaluated->path.points;
         for (std::size_t i = 1; i < points.size(); ++i)
             if (points[i].kind == MoveKind::cut || points[i].kind == MoveKind::plunge)
-                addMove(lines, points[i - 1].tip, points[i]);
+                addMove(lines, points[i - 1].pose.tip, points[i]);
     }
     lines_.setLines(lineData(lines));
     empty_ = lines.empty();

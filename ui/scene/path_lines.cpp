@@ -10,12 +10,12 @@ namespace burin {
 
 void addMove(std::vector<LineEnds>& lines, const glm::dvec3& from, const PathPoint& point) {
     if (!point.arc) {
-        lines.emplace_back(from, point.tip);
+        lines.emplace_back(from, point.pose.tip);
         return;
     }
     constexpr double drawnChord = 0.02; // mm
     std::vector<glm::dvec3> places;
-    flatten({from, point.tip, point.arc->centre, point.arc->axis, point.arc->clockwise}, drawnChord, places);
+    flatten({from, point.pose.tip, point.arc->centre, point.arc->axis, point.arc->clockwise}, drawnChord, places);
     glm::dvec3 last = from;
     for (const glm::dvec3& place : places) lines.emplace_back(std::exchange(last, place), place);
 }

@@ -21,12 +21,12 @@ double cuttingLength(const Path& path) {
     double length = 0.0;
     for (std::size_t i = 1; i < path.points.size(); ++i)
         if (path.points[i].kind == MoveKind::cut || path.points[i].kind == MoveKind::plunge)
-            length += lengthOf(path.points[i - 1].tip, path.points[i]);
+            length += lengthOf(path.points[i - 1].pose.tip, path.points[i]);
     return length;
 }
 
 /// How all of an interval of the hand is milled; nothing where that differs.
-std::optional<MillingSide> sideOf(const EvaluatedPath& path, const TakeStretch& chosen) {
+std::optional<MillingSide> sideOf(const EvaluatedPath& path, const SourceStretch& chosen) {
     std::optional<MillingSide> side;
     for (const MillingStretch& stretch : path.sides)
         for (std::size_t i = stretch.first; i <= stretch.last; ++i) {

@@ -26,13 +26,13 @@ std::string keyOf(const StoredPath& path, std::size_t edit) {
 }
 
 Arc arcOf(const glm::dvec3& from, const PathPoint& to) {
-    return {from, to.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
+    return {from, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
 }
 
 glm::dvec3 placeOf(const std::vector<PathPoint>& points, const PathPlace& place) {
     const PathPoint &from = points[place.piece], &to = points[place.piece + 1];
-    if (!to.arc) return glm::mix(from.tip, to.tip, place.share);
-    const Arc arc = arcOf(from.tip, to);
+    if (!to.arc) return glm::mix(from.pose.tip, to.pose.tip, place.share);
+    const Arc arc = arcOf(from.pose.tip, to);
     return placeOn(arc, turnOf(arc), place.share);
 }
 
@@ -40,8 +40,8 @@ glm::dvec3 placeOf(const std::vector<PathPoint>& points, const PathPlace& place)
 std::vector<glm::dvec3> drawnLine(const std::vector<PathPoint>& points) {
     std::vector<glm::dvec3> line, places;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        places.assign(1, points[i].tip);
-        if (i > 0 && points[i].arc) flatten(arcOf(points[i - 1].tip, points[i]), markedChord, places);
+        places.assign(1, points[i].pose.tip);
+        if (i > 0 && points[i].arc) flatten(arcOf(points[i - 1].pose.tip, points[i]), markedChord, places);
         line.insert(line.end(), places.begin(), places.end());
     }
     return line;
@@ -64,7 +64,7 @@ public:
 private:
     void follow(std::vector<glm::dvec3>& moved, std::ptrdiff_t step) const {
         const MovePoints edit;
-        const std::int64_t take = points_[place_.nearestPoint()].take;
+        const std::int64_t take = points_[place_.nearestPoint()].source;
         const double end = step < 0 ? 0.0 : 1.0;
         PathPlace at = place_;
         glm::dvec3 from = start_;
@@ -73,7 +73,7 @@ private:
         for (auto piece = static_cast<std::ptrdiff_t>(place_.piece); piece >= 0 && piece < pieces; piece += step) {
             at.piece = static_cast<std::size_t>(piece);
             const PathPoint& point = points_[at.piece + (step < 0 ? 0 : 1)];
-            if (way >= edit.falloff || !isOfTheHand(point) || point.take != take) return;
+            if (way >= edit.falloff || !hasMoment(point) || point.source != take) return;
             const double steps = points_[at.piece + 1].arc ? draggedSteps : 1.0, begin = at.share;
             for (double i = 1.0; i <= steps; i += 1.0) {
                 at.share = glm::mix(begin, end, i / steps);
@@ -138,9 +138,9 @@ void PathScenePresenter::setFieldDrawing(const DrawnField& field, bool wanted) {
     }
     field_ = field;
     drawnFor_ = keyOf(*path, field.edit);
-    std::optional<TakeStretch> stretch;
+    std::optional<SourceStretch> stretch;
     for (const EditField& each : fieldsOf(path->edits[field.edit].parameters))
-        if (const auto* meant = std::get_if<TakeStretch>(&each.value)) stretch = *meant;
+        if (const auto* meant = std::get_if<SourceStretch>(&each.value)) stretch = *meant;
     startDrawing(heightOf(stretch));
 }
 
@@ -209,9 +209,9 @@ void PathScenePresenter::takePath() {
     std::vector<HandPoint> points;
     if (path_)
         for (const PathPoint& point : path_->path.points) {
-            const bool usable = isOfTheHand(point) && point.kind != MoveKind::rapid;
-            const glm::dvec3 from = points.empty() ? point.tip : points.back().place;
-            points.push_back({point.tip, usable, point.arc ? std::optional(arcOf(from, point)) : std::nullopt});
+            const bool usable = hasMoment(point) && point.kind != MoveKind::rapid;
+            const glm::dvec3 from = points.empty() ? point.pose.tip : points.back().place;
+            points.push_back({point.pose.tip, usable, point.arc ? std::optional(arcOf(from, point)) : std::nullopt});
         }
     hand_.setPoints(std::move(points));
 }
@@ -275,7 +275,7 @@ std::vector<glm::dvec3> PathScenePresenter::asTheHandWent(std::vector<glm::dvec3
         }
     if (first == nullptr || places.empty()) return places;
     const auto apart = [&](const glm::dvec3& begin, const glm::dvec3& end) {
-        return glm::distance(begin, first->tip) + glm::distance(end, last->tip);
+        return glm::distance(begin, first->pose.tip) + glm::distance(end, last->pose.tip);
     };
     if (apart(places.back(), places.front()) < apart(places.front(), places.back())) std::ranges::reverse(places);
     return places;
@@ -325,15 +325,16 @@ Moment PathScenePresenter::momentOf(const PathPlace& place) const {
 }
 
 /// Where an interval of the path begins, or the middle height of all that cuts.
-std::optional<double> PathScenePresenter::heightOf(const std::optional<TakeStretch>& stretch) const {
+std::optional<double> PathScenePresenter::heightOf(const std::optional<SourceStretch>& stretch) const {
     if (!path_) return std::nullopt;
-    const auto isUsable = [](const PathPoint& point) { return isOfTheHand(point) && point.kind != MoveKind::rapid; };
-    if (stretch && stretch->take != 0)
+    const auto isUsable = [](const PathPoint& point) { return hasMoment(point) && point.kind != MoveKind::rapid; };
+    if (stretch && stretch->source != 0)
         for (const std::vector<PathPoint>& chain : pointsOf(path_->path, *stretch))
-            if (const auto found = std::ranges::find_if(chain, isUsable); found != chain.end()) return found->tip.z;
+            if (const auto found = std::ranges::find_if(chain, isUsable); found != chain.end())
+                return found->pose.tip.z;
     std::vector<double> heights;
     for (const PathPoint& point : path_->path.points)
-        if (isUsable(point)) heights.push_back(point.tip.z);
+        if (isUsable(point)) heights.push_back(point.pose.tip.z);
     if (heights.empty()) return std::nullopt;
     const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
     std::ranges::nth_element(heights, middle);

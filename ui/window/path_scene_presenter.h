@@ -52,7 +52,7 @@ private:
     void finishDrawing(const std::vector<glm::dvec3>& places);
     Moment momentOf(const PathPlace& place) const;
     std::vector<std::vector<PathPoint>> chosenPoints() const;
-    std::optional<double> heightOf(const std::optional<TakeStretch>& stretch) const;
+    std::optional<double> heightOf(const std::optional<SourceStretch>& stretch) const;
 
     Viewport& viewport_;
     PathHand hand_;

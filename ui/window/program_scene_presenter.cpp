@@ -163,7 +163,7 @@ QString ProgramScenePresenter::loadText(std::size_t motion) const {
 }
 
 QString ProgramScenePresenter::handText(std::size_t motion) const {
-    if (motion >= program_->moments.size() || program_->moments[motion].take == 0) return {};
+    if (motion >= program_->moments.size() || program_->moments[motion].source == 0) return {};
     const Moment& moment = program_->moments[motion];
     return QLatin1Char('\n') + tr("the hand: %1").arg(momentText(workbench_.mill.takes(), moment));
 }

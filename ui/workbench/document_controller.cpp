@@ -67,6 +67,9 @@ Result<ProjectContents> contentsOf(const Project& project) {
     Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes) return std::move(takes).error();
     contents.takes = std::move(*takes);
+    Result<std::vector<GeneratedInfo>> generated = project.generated();
+    if (!generated) return std::move(generated).error();
+    contents.generated = std::move(*generated);
     Result<std::vector<StoredPath>> paths = project.paths();
     if (!paths) return std::move(paths).error();
     contents.paths = std::move(*paths);

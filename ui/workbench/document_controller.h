@@ -26,6 +26,7 @@ struct ProjectContents {
     KeptGuides guides;
     std::vector<Tool> tools;
     std::vector<TakeInfo> takes;
+    std::vector<GeneratedInfo> generated; ///< by planners
     std::vector<StoredPath> paths;
     std::vector<StoredProgram> programs;
     std::optional<ReopenedProgram> keptProgram; ///< the one that was checked last

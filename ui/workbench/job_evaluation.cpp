@@ -11,7 +11,7 @@ namespace burin {
 namespace {
 
 bool alike(const StoredPath& one, const StoredPath& other) {
-    return one.name == other.name && one.takes == other.takes &&
+    return one.name == other.name && one.sources == other.sources &&
            std::ranges::equal(one.edits, other.edits,
                               [](const Edit& a, const Edit& b) { return toJson(a) == toJson(b); });
 }
@@ -27,9 +27,9 @@ Result<void> keep(Project& project, const StoredPath& path) {
 
 /// A path with what was recorded since, and what it takes to evaluate it.
 Result<PathMatter> gather(Project& project, StoredPath path) {
-    const Result<std::vector<TakeInfo>> takes = project.takes();
-    if (!takes) return takes.error();
-    addNewerTakes(path, *takes);
+    const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
+    if (!sources) return sources.error();
+    addNewerTakes(path, *sources);
     if (const Result<void> done = keep(project, path); !done) return done.error();
     return matterOf(project, path);
 }
@@ -231,7 +231,7 @@ void JobEvaluation::takeRecorded(std::int64_t id, const Basis& asked, Result<Pat
     const bool asAsked = entry != nullptr && entry->revision == asked.revision && entry->key == asked.key;
     if (asAsked && matter)
         entry->recorded =
-            std::make_shared<const Recorded>(Recorded{std::move(matter->recorded), std::move(matter->tool)});
+            std::make_shared<const Recorded>(Recorded{std::move(matter->sources), std::move(matter->tool)});
     if (asAsked && !matter) {
         entry->problem = matter.error();
         entry->failedOn = basisOf(*entry);

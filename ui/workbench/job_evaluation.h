@@ -58,7 +58,7 @@ signals:
 private:
     using Before = std::vector<std::shared_ptr<const EvaluatedPath>>;
     struct Recorded {
-        std::vector<RecordedStrokes> strokes;
+        std::vector<SourceStrokes> strokes;
         Tool tool;
     };
     /// What an evaluation stands on.

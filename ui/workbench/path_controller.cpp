@@ -26,11 +26,11 @@ std::size_t placeFor(const std::vector<Edit>& edits, const Edit& edit) {
 }
 
 /// An edit whose interval and moments are those that were chosen.
-Edit meantFor(Edit edit, const TakeStretch& chosen) {
+Edit meantFor(Edit edit, const SourceStretch& chosen) {
     for (const EditField& field : fieldsOf(edit.parameters)) {
-        if (std::holds_alternative<TakeStretch>(field.value)) setField(edit.parameters, field.key, chosen);
+        if (std::holds_alternative<SourceStretch>(field.value)) setField(edit.parameters, field.key, chosen);
         if (std::holds_alternative<Moment>(field.value))
-            setField(edit.parameters, field.key, Moment{chosen.take, chosen.first});
+            setField(edit.parameters, field.key, Moment{chosen.source, chosen.first});
     }
     return edit;
 }
@@ -63,9 +63,12 @@ PathController::PathController(const Desk& desk, BenchController& bench, const T
     connect(&evaluation_, &JobEvaluation::recordingsAdded, this, &PathController::keepTakes);
 }
 
-void PathController::load(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes) {
+void PathController::load(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes,
+                          const std::vector<GeneratedInfo>& generated) {
     paths_ = paths;
-    recorded_ = standing_ = takes;
+    standing_ = takes;
+    generated_ = generated;
+    sources_ = sourcesOf(takes, generated);
     newestStrokes_.clear();
     ++loads_;
     making_ = false;
@@ -130,30 +133,30 @@ std::vector<std::string> PathController::toolsMissingBefore() const {
 const StoredPath* PathController::stored() const {
     if (!hasTakes()) return nullptr;
     const auto found =
-        std::ranges::find_if(paths_, [&](const StoredPath& path) { return burin::toolOf(path, recorded_) == tool_; });
+        std::ranges::find_if(paths_, [&](const StoredPath& path) { return burin::toolOf(path, sources_) == tool_; });
     return found == paths_.end() ? nullptr : &*found;
 }
 
 std::vector<StoredPath> PathController::jobPaths() const {
-    std::vector<StoredPath> paths = firstPaths(paths_, recorded_);
+    std::vector<StoredPath> paths = firstPaths(paths_, sources_);
     std::erase_if(paths, [&](const StoredPath& path) { return !isMilledWith(toolOf(path.id)); });
-    return inMillingOrder(paths, recorded_, toolsThatMilled(), tools_.tools());
+    return inMillingOrder(paths, sources_, toolsThatMilled(), tools_.tools());
 }
 
 std::string PathController::toolOf(std::int64_t path) const {
     const auto found = std::ranges::find(paths_, path, &StoredPath::id);
-    return found == paths_.end() ? std::string() : burin::toolOf(*found, recorded_);
+    return found == paths_.end() ? std::string() : burin::toolOf(*found, sources_);
 }
 
 std::vector<std::string> PathController::toolsThatMilled() const {
-    return toolsOf(standing_);
+    return toolsOf(sourcesOf(standing_, generated_));
 }
 
 std::vector<std::string> PathController::toolsWithoutPath() const {
-    std::vector<std::string> tools = toolsThatMilled();
+    std::vector<std::string> tools = toolsOf(sourcesOf(standing_, {}));
     std::erase_if(tools, [&](const std::string& tool) {
         return std::ranges::any_of(paths_,
-                                   [&](const StoredPath& path) { return burin::toolOf(path, recorded_) == tool; });
+                                   [&](const StoredPath& path) { return burin::toolOf(path, sources_) == tool; });
     });
     return tools;
 }
@@ -163,12 +166,13 @@ bool PathController::hasTakes() const {
 }
 
 bool PathController::isMilledWith(const std::string& tool) const {
-    return std::ranges::find(standing_, tool, &TakeInfo::toolId) != standing_.end();
+    return std::ranges::find(standing_, tool, &TakeInfo::toolId) != standing_.end() ||
+           std::ranges::find(generated_, tool, &GeneratedInfo::toolId) != generated_.end();
 }
 
 void PathController::takesChanged(const std::vector<TakeInfo>& all, const std::vector<TakeInfo>& standing,
                                   const std::map<std::int64_t, std::uint64_t>& newestStrokes) {
-    recorded_ = all;
+    sources_ = sourcesOf(all, generated_);
     standing_ = standing;
     newestStrokes_ = newestStrokes;
     updateJob();
@@ -247,12 +251,12 @@ std::size_t PathController::addEdit(const Edit& edit) {
 }
 
 void PathController::select(const Moment& moment) {
-    selection_ = TakeStretch{moment.take, moment.tick, moment.tick};
+    selection_ = SourceStretch{moment.source, moment.tick, moment.tick};
     emit changed();
 }
 
 void PathController::selectTo(const Moment& moment) {
-    if (!selection_ || selection_->take != moment.take) {
+    if (!selection_ || selection_->source != moment.source) {
         select(moment);
         return;
     }
@@ -270,7 +274,7 @@ void PathController::clearSelection() {
 void PathController::movePlace(const Moment& moment, const glm::dvec3& by, MovePoints::Along along) {
     const StoredPath* path = stored();
     if (path == nullptr || by == glm::dvec3(0.0)) return;
-    const TakeStretch stretch{moment.take, moment.tick, moment.tick};
+    const SourceStretch stretch{moment.source, moment.tick, moment.tick};
     std::vector<Edit> edits = path->edits;
     const auto same = std::ranges::find_if(edits, [&](const Edit& edit) {
         const auto* moves = std::get_if<MovePoints>(&edit.parameters);
@@ -370,7 +374,7 @@ void PathController::setPresent(const std::vector<StoredPath>& paths, bool prese
 void PathController::keepTakes(const StoredPath& path) {
     const auto known = std::ranges::find(paths_, path.id, &StoredPath::id);
     if (known == paths_.end()) return;
-    known->takes = path.takes; // its edits may have been changed meanwhile
+    known->sources = path.sources; // its edits may have been changed meanwhile
     updateJob();
 }
 

@@ -58,7 +58,7 @@ public:
     void removeEdit(std::size_t index);
     void moveEdit(std::size_t from, std::size_t to);
     /// What the user chose of the path: edits that are added are meant for it. Nothing: for all of it.
-    const std::optional<TakeStretch>& selection() const noexcept { return selection_; }
+    const std::optional<SourceStretch>& selection() const noexcept { return selection_; }
     void select(const Moment& moment);   ///< this one moment
     void selectTo(const Moment& moment); ///< everything from what was chosen to there; of one take
     void clearSelection();
@@ -77,7 +77,8 @@ public:
     void benchChanged();                 ///< links may go other ways, feeds be others
     void useTool(const std::string& id); ///< the tool in force
 
-    void load(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes);
+    void load(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes,
+              const std::vector<GeneratedInfo>& generated);
 
 signals:
     void evaluatedAnew(); ///< that of the tool in force
@@ -100,12 +101,13 @@ private:
     BenchController& bench_;
     const ToolController& tools_;
     JobEvaluation evaluation_;
-    std::optional<Error> notMade_;   ///< why there is no path of the tool in force
-    std::vector<StoredPath> paths_;  ///< all of the project
-    std::vector<TakeInfo> recorded_; ///< all of the project
+    std::optional<Error> notMade_;    ///< why there is no path of the tool in force
+    std::vector<StoredPath> paths_;   ///< all of the project
+    std::vector<SourceInfo> sources_; ///< all of the project
+    std::vector<GeneratedInfo> generated_;
     std::vector<TakeInfo> standing_; ///< of these, the ones that strokes stand of: a tool without them has no path
     std::string tool_;               ///< in force, by id
-    std::optional<TakeStretch> selection_;
+    std::optional<SourceStretch> selection_;
     std::map<std::int64_t, std::uint64_t> newestStrokes_;
     quint64 version_ = 0, newestVersion_ = 0;
     std::map<RecordedKey, quint64> versions_; ///< since edits and what stands around were changed last

@@ -214,11 +214,11 @@ void ProgramController::read(const std::vector<StoredPath>& paths, std::function
     reading_ = true;
     desk_.project.ask(
         [paths, machine = target_.machine().id](Project& project) -> Result<ReadJob> {
-            const Result<std::vector<TakeInfo>> takes = project.takes();
-            if (!takes) return takes.error();
+            const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
+            if (!sources) return sources.error();
             ReadJob job;
             for (StoredPath path : paths) {
-                addNewerTakes(path, *takes);
+                addNewerTakes(path, *sources);
                 Result<PathMatter> matter = matterOf(project, path);
                 if (!matter) return std::move(matter).error();
                 job.matters.push_back(std::move(*matter));

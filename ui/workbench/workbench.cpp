@@ -57,7 +57,7 @@ void Workbench::wire() {
     connect(&model, &ModelController::imported, this, [this] {
         undo_.clear();
         bench.clear();
-        path.load({}, {});
+        path.load({}, {}, {});
         program.load({}, {});
         setup.placeAround(model.model());
     });
@@ -101,7 +101,7 @@ void Workbench::load(const ProjectContents& contents) {
     guides.load(contents.guides);
     mill.load(contents.takes);
     mill.setStrokes({});
-    path.load(contents.paths, contents.takes);
+    path.load(contents.paths, contents.takes, contents.generated);
     program.load(contents.programs, contents.programDraft, contents.keptProgram);
     updateWanted();
     if (!contents.takes.empty()) bench.embed();

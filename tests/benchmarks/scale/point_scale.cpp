@@ -23,7 +23,7 @@ public:
 
     Paths() : scene_(job()), bench_(benchOf(scene_)), samples_(samplesOf(scene_)) {
         path_.name = "rows";
-        path_.takes = {1};
+        path_.sources = {{1}};
         path_.edits = standardEdits();
     }
 
@@ -95,7 +95,7 @@ private:
     Bench bench_;
     std::vector<Sample> samples_;
     StoredPath path_;
-    std::vector<RecordedStrokes> recorded_;
+    std::vector<SourceStrokes> recorded_;
     std::optional<EvaluatedPath> evaluated_;
 };
 

@@ -176,6 +176,32 @@ std::vector<Obstacle> obstacles() {
     return {jaw, column, above};
 }
 
+GeneratedMoves generatedMoves() {
+    GeneratedMoves moves;
+    moves.info.name = "Parallele Bahnen";
+    moves.info.toolId = tool().id;
+    moves.info.allowance = 0.3;
+    for (std::int64_t stroke = 0; stroke < 2; ++stroke) {
+        std::vector<GeneratedPoint>& points = moves.strokes.emplace_back();
+        for (std::int64_t i = 0; i < 3; ++i) {
+            const auto seed = static_cast<std::uint64_t>(3 * stroke + i);
+            points.push_back({{noiseVector(seed, 10.0)}, 100 * stroke + 7 * i, i > 0, i == 2});
+        }
+    }
+    return moves;
+}
+
+bool identical(const GeneratedMoves& one, const GeneratedMoves& other) {
+    const auto same = [](const GeneratedPoint& a, const GeneratedPoint& b) {
+        return a.pose.tip == b.pose.tip && a.pose.axis == b.pose.axis && a.moment == b.moment &&
+               a.removes == b.removes && a.onBoundary == b.onBoundary;
+    };
+    return one.info.name == other.info.name && one.info.toolId == other.info.toolId &&
+           one.info.allowance == other.info.allowance &&
+           std::ranges::equal(one.strokes, other.strokes,
+                              [&](const auto& a, const auto& b) { return std::ranges::equal(a, b, same); });
+}
+
 AxisMode axisMode() {
     return {false, glm::normalize(glm::dvec3(0.1, -0.2, 0.9))};
 }

@@ -29,6 +29,8 @@ AxisMode axisMode();
 TravelPlacement travelPlacement();
 /// One of each kind.
 KeptGuides guides();
+/// Two strokes of three points each, with gaps in their moments; no id yet.
+GeneratedMoves generatedMoves();
 
 /// A saved project with one of everything, and whether a project holds just that (whole_project.cpp).
 bool fillProject(const std::filesystem::path& file);
@@ -41,6 +43,8 @@ inline constexpr SampleRange undoneInFixture{100, 50};
 bool identical(const Sample& one, const Sample& other);
 bool identical(const std::vector<Sample>& one, const std::vector<Sample>& other);
 bool identical(const Model& one, const Model& other);
+/// Names, points and marks; not ids and setups.
+bool identical(const GeneratedMoves& one, const GeneratedMoves& other);
 /// Guides by what they are and where their curves lead; tangents to the last digit but one.
 bool identical(const KeptGuides& one, const KeptGuides& other);
 

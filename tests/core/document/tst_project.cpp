@@ -93,7 +93,7 @@ private slots:
         Result<Project> project = Project::open(fileIn(folder));
         const SetupId second = project->setups()->back().id, unknown{99};
         const std::int64_t take = project->takes()->front().id;
-        const StoredPath astray{0, "a", {take}, {}, second}, nowhere{0, "b", {}, {}, unknown};
+        const StoredPath astray{0, "a", {{take}}, {}, second}, nowhere{0, "b", {}, {}, unknown};
         QCOMPARE(project->addPath(astray).error().code, ErrorCode::argumentInvalid);
         QCOMPARE(project->addPath(nowhere).error().code, ErrorCode::nameUnknown);
         QCOMPARE(project->setAxisMode({}, unknown).error().code, ErrorCode::nameUnknown);
@@ -328,17 +328,17 @@ private slots:
         Result<Project> project = Project::open(fileIn(folder));
         QVERIFY(project);
         StoredPath path = project->paths()->front();
-        const std::int64_t used = path.takes.front();
+        const std::int64_t used = path.sources.front().id;
 
         const Result<void> removed = project->removeTake(used);
         QVERIFY(!removed);
         QCOMPARE(removed.error().code, ErrorCode::argumentInvalid);
-        path.takes = {used, 99};
+        path.sources = {{used}, {99}};
         QCOMPARE(project->setPath(path).error().code, ErrorCode::nameUnknown);
         QCOMPARE(project->addPath(path).error().place, std::string("99"));
         QVERIFY(fixture::holdsFixture(*project)); // nothing of all that was kept
 
-        path.takes.clear();
+        path.sources.clear();
         path.edits.pop_back();
         QVERIFY(project->setPath(path));
         QCOMPARE(project->paths()->front().edits.size(), path.edits.size());
@@ -347,6 +347,64 @@ private slots:
         QCOMPARE(project->removeTake(used).error().code, ErrorCode::nameUnknown);
         path.id = 77;
         QCOMPARE(project->setPath(path).error().subject, std::string("path"));
+    }
+
+    /// To the last bit, strokes of several chunks too; a path is made of them as of takes, and they of no path alone
+    /// go.
+    void whatAPlannerMadeIsKept() {
+        const QTemporaryDir folder;
+        QVERIFY(fixture::fillProject(fileIn(folder)));
+        GeneratedMoves moves = fixture::generatedMoves();
+        std::vector<GeneratedPoint>& longest = moves.strokes.emplace_back();
+        for (int i = 0; i < 40000; ++i)
+            longest.push_back({{{0.1 * i, std::sin(i), -1.0 / (i + 1)}}, 1000 + 3 * i, i % 3 != 0, i % 5 == 0});
+        std::int64_t id = 0, path = 0;
+        {
+            Result<Project> project = Project::open(fileIn(folder));
+            const std::int64_t take = project->takes()->front().id;
+            id = *project->addGenerated(moves);
+            QVERIFY(id < -1); // the fixture has some
+            path = *project->addPath({0, "both", {{id}, {take}, {id}}, {}, firstSetup});
+            QVERIFY(project->save());
+        }
+        Result<Project> project = Project::open(fileIn(folder));
+        QVERIFY(fixture::identical(*project->generatedMoves(id), moves));
+        QCOMPARE(project->generated()->back().pointCount, std::uint64_t{40006});
+        StoredPath both = project->paths()->back();
+        QVERIFY(both.id == path && both.sources.front() == PathSource{id} && both.sources[1].isTake());
+        QCOMPARE(project->removeGenerated(id).error().code, ErrorCode::argumentInvalid);
+        QVERIFY(project->removePath(path) && project->restorePath(both));
+        both.sources.erase(both.sources.begin());
+        both.sources.pop_back();
+        QVERIFY(project->setPath(both) && project->removeGenerated(id));
+        QCOMPARE(project->generatedMoves(id).error().code, ErrorCode::nameUnknown);
+        both.sources = {{id}};
+        QCOMPARE(project->setPath(both).error().code, ErrorCode::nameUnknown);
+        QVERIFY(*project->addGenerated(moves) < id); // a number is never given again
+    }
+
+    void movesThatNoPlannerMakesAreRefused() {
+        const QTemporaryDir folder;
+        QVERIFY(fixture::fillProject(fileIn(folder)));
+        Result<Project> project = Project::open(fileIn(folder));
+        const std::size_t before = project->generated()->size();
+        const auto refused = [&](const std::function<void(GeneratedMoves&)>& spoil) {
+            GeneratedMoves moves = fixture::generatedMoves();
+            spoil(moves);
+            return project->addGenerated(moves).error().code;
+        };
+        constexpr double endless = std::numeric_limits<double>::infinity();
+        QCOMPARE(refused([](auto& moves) { moves.strokes[0].clear(); }), ErrorCode::argumentInvalid);
+        QCOMPARE(refused([](auto& moves) { moves.strokes[0][1].pose.tip.y = endless; }), ErrorCode::argumentInvalid);
+        QCOMPARE(refused([](auto& moves) { moves.strokes[0][1].pose.axis.z = 0.9; }), ErrorCode::argumentInvalid);
+        QCOMPARE(refused([](auto& moves) { moves.strokes[0][1].moment = moves.strokes[0][0].moment; }),
+                 ErrorCode::argumentInvalid);
+        QCOMPARE(refused([](auto& moves) { moves.strokes[0].back().moment = moves.strokes[1].back().moment + 1; }),
+                 ErrorCode::argumentInvalid);
+        QCOMPARE(refused([](auto& moves) { moves.strokes[0].front().moment = -1; }), ErrorCode::argumentInvalid);
+        QCOMPARE(refused([](auto& moves) { moves.info.allowance = -0.5; }), ErrorCode::argumentInvalid);
+        QCOMPARE(refused([](auto& moves) { moves.info.setup = SetupId{77}; }), ErrorCode::nameUnknown);
+        QCOMPARE(project->generated()->size(), before);
     }
 
     /// With its number, its takes and its edits, so that what names it means it again; the file reads it all back.
@@ -366,7 +424,8 @@ private slots:
             QVERIFY(project->removePath(path.id));
             const std::int64_t newer = *project->addPath(path);
             QVERIFY(newer > path.id);
-            for (const std::int64_t take : path.takes) QVERIFY(!project->removeTake(take)); // the new one uses it
+            for (const PathSource source : path.sources)
+                QVERIFY(!project->removeTake(source.id)); // the new one uses it
             QVERIFY(project->removePath(newer));
             QVERIFY(project->restorePath(path));
         }

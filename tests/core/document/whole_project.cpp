@@ -17,8 +17,8 @@ std::vector<Edit> edits() {
             {SetFeed{}, true}};
 }
 
-StoredPath path(std::vector<std::int64_t> takes) {
-    return {0, "Schlichten", std::move(takes), edits(), firstSetup};
+StoredPath path(const std::vector<std::int64_t>& takes) {
+    return {0, "Schlichten", sourcesOf(takes), edits(), firstSetup};
 }
 
 StoredProgram program() {
@@ -26,7 +26,7 @@ StoredProgram program() {
 }
 
 bool same(const StoredPath& one, const StoredPath& other) {
-    if (one.name != other.name || one.takes != other.takes || one.edits.size() != other.edits.size()) return false;
+    if (one.name != other.name || one.sources != other.sources || one.edits.size() != other.edits.size()) return false;
     for (std::size_t i = 0; i < one.edits.size(); ++i)
         if (toJson(one.edits[i]) != toJson(other.edits[i]) || one.edits[i].enabled != other.edits[i].enabled)
             return false;
@@ -69,7 +69,11 @@ bool storeSecondSetup(Project& project) {
     if (!second) return false;
     Setup turned = setup();
     turned.voxel *= 0.5;
-    StoredPath back{0, "Planen", {}, edits(), *second};
+    GeneratedMoves planned = generatedMoves();
+    planned.info.setup = *second;
+    const Result<std::int64_t> made = project.addGenerated(planned);
+    if (!made) return false;
+    const StoredPath back{0, "Planen", {{*made}}, edits(), *second};
     StoredProgram posted = program();
     posted.setup = *second;
     return project.setSetup(turned, *second) && project.setObstacles({obstacles().front()}, *second) &&
@@ -91,6 +95,8 @@ bool holdsSetups(const Project& project, int version) {
     const Result<Setup> turned = project.setup(second);
     const Result<std::vector<Obstacle>> stored = project.obstacles(second);
     const Result<ProgramTarget> target = project.programTarget(second);
+    const Result<GeneratedMoves> planned = project.generatedMoves(paths->back().sources.front().id);
+    if (!planned || planned->info.setup != second || !identical(*planned, generatedMoves())) return false;
     return setups->back().name == "Rückseite" && turned && turned->voxel == 0.5 * setup().voxel && stored &&
            *stored == std::vector<Obstacle>{obstacles().front()} && target && target->machine == "shapeoko-like" &&
            paths->back().setup == second && programs->back().setup == second;

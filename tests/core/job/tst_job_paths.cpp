@@ -20,7 +20,7 @@ std::int64_t record(Project& project, const char* toolId) {
 }
 
 std::vector<std::int64_t> takesIn(const Result<std::vector<StoredPath>>& paths, std::size_t place) {
-    return paths && place < paths->size() ? (*paths)[place].takes : std::vector<std::int64_t>{};
+    return paths && place < paths->size() ? takesOf((*paths)[place].sources) : std::vector<std::int64_t>{};
 }
 
 } // namespace
@@ -61,11 +61,13 @@ private slots:
         one.id = *project_->addPath(one);
         variant.id = *project_->addPath(variant);
         const auto takes = *project_->takes();
+        const std::vector<SourceInfo> sources = sourcesOf(takes, {});
         const auto all = *project_->paths();
-        QCOMPARE(toolOf(one, takes), std::string("ball-6"));
-        QVERIFY(isFirstOfItsTool(one, all, takes) && !isFirstOfItsTool(variant, all, takes));
+        QCOMPARE(toolOf(one, sources), std::string("ball-6"));
+        QVERIFY(isFirstOfItsTool(one, all, sources) && !isFirstOfItsTool(variant, all, sources));
         const auto paths = jobPaths(*project_);
-        QVERIFY(paths && paths->size() == 1 && paths->front().id == one.id && paths->front().takes.front() == take);
+        QVERIFY(paths && paths->size() == 1 && paths->front().id == one.id &&
+                paths->front().sources.front() == PathSource{take});
     }
 
     /// A job's order is one, whoever asks: larger tools first, those alike as they first milled, whenever their paths
@@ -76,12 +78,13 @@ private slots:
         for (const char* tool : {"ball-10", "ball-6", "flat-10"})
             QVERIFY(project_->addPath(*standardPath(*project_, tool)));
         const auto takes = *project_->takes();
+        const std::vector<SourceInfo> sources = sourcesOf(takes, {});
         std::vector<Tool> tools;
         for (const char* id : {"ball-10", "flat-10", "ball-6"}) tools.push_back(*loadTool(id));
         const auto inOrder = [&](const std::vector<StoredPath>& paths) {
             std::vector<std::int64_t> first;
-            for (const StoredPath& path : inMillingOrder(paths, takes, toolsOf(takes), tools))
-                first.push_back(path.takes.front());
+            for (const StoredPath& path : inMillingOrder(paths, sources, toolsOf(sources), tools))
+                first.push_back(path.sources.front().id);
             return first;
         };
         const std::vector wanted{one, other, small};
@@ -96,12 +99,12 @@ private slots:
     void aPathTakesNewerRecordingsOfItsToolAlone() {
         const std::int64_t left = record(*project_, "ball-6"), used = record(*project_, "ball-6");
         StoredPath path;
-        path.takes = {used};
+        path.sources = {{used}};
         record(*project_, "flat-10");
         const std::int64_t newer = record(*project_, "ball-6");
-        addNewerTakes(path, *project_->takes());
-        QCOMPARE(path.takes, (std::vector{used, newer}));
-        QVERIFY(std::ranges::find(path.takes, left) == path.takes.end());
+        addNewerTakes(path, *sourcesOf(*project_));
+        QCOMPARE(takesOf(path.sources), (std::vector{used, newer}));
+        QVERIFY(std::ranges::find(path.sources, PathSource{left}) == path.sources.end());
     }
 
     /// A take whose strokes were all taken back mills nothing: its tool is none of the job, and no other tool's path is

@@ -102,7 +102,7 @@ private slots:
         Path free, held;
         held.leastFeed = 300.0;
         const auto line = [](double x, double y, double feed) {
-            return PathPoint{{x, y, 0.0}, feed > 0.0 ? MoveKind::cut : MoveKind::rapid, feed};
+            return PathPoint{{{x, y, 0.0}}, feed > 0.0 ? MoveKind::cut : MoveKind::rapid, feed};
         };
         held.points = {line(0, 0, 0.0), line(10, 0, 1000.0), line(20, 0, 1000.0), line(30, 0, 1000.0)};
         free.points = {line(30, 5, 0.0), line(40, 5, 1000.0)};

@@ -52,11 +52,11 @@ Result<Job> milled(const Bench& bench) {
     PathMatter matter;
     matter.path.edits = {{Simplify{}}, {Link{}}, {SetFeed{}}, {level}};
     matter.tool = bench.tool;
-    matter.recorded = {*recordedStrokes(takeOf(along({{2.0, 3.0, 8.5}, {18.0, 3.0, 8.5}}, 50.0)))};
+    matter.sources = {*recordedStrokes(takeOf(along({{2.0, 3.0, 8.5}, {18.0, 3.0, 8.5}}, 50.0)))};
     Progress progress;
     const Result<EvaluatedPaths> paths = evaluateInOrder(bench, {matter}, progress);
     if (!paths) return paths.error();
-    Result<EvaluatedPath> path = evaluateStored(matter.recorded, bench, bench.tool, matter.path, {}, progress);
+    Result<EvaluatedPath> path = evaluateStored(matter.sources, bench, bench.tool, matter.path, {}, progress);
     if (!path) return path.error();
     ProgramRequest request;
     request.name = "groove.ngc";
@@ -69,7 +69,8 @@ Result<Job> milled(const Bench& bench) {
 /// The feed in the middle of the groove, mm/min.
 double feedOf(const Path& path) {
     for (std::size_t i = 1; i < path.points.size(); ++i)
-        if (path.points[i].kind == MoveKind::cut && path.points[i - 1].tip.x <= 10.0 && path.points[i].tip.x > 10.0)
+        if (path.points[i].kind == MoveKind::cut && path.points[i - 1].pose.tip.x <= 10.0 &&
+            path.points[i].pose.tip.x > 10.0)
             return path.points[i].feed;
     return 0.0;
 }

@@ -18,33 +18,37 @@ namespace {
 
 const glm::dvec3 zero(12.5, -3.25, 40.0); // mm, program zero in the setup frame
 
-/// A path whose cuts wander, with arcs among them, and links that no hand made.
+/// A path whose cuts wander, of takes and of generated moves in turn, with arcs among them, and links of neither.
 Path wanderingPath() {
     Path path;
     path.name = "wandering";
     path.spindleSpeed = 10000.0;
     glm::dvec3 at = zero + glm::dvec3(0.0, 0.0, 5.0);
-    path.points.push_back({at, MoveKind::rapid, 0.0, 0, -1});
+    path.points.push_back({{at}, MoveKind::rapid, 0.0, 0, -1});
     const int strokes = *rc::gen::inRange(1, 4);
     for (int stroke = 0; stroke < strokes; ++stroke) {
         at.z = zero.z - 1.0;
-        path.points.push_back({at, MoveKind::plunge, 300.0, 0, -1});
+        path.points.push_back({{at}, MoveKind::plunge, 300.0, 0, -1});
         const int count = *rc::gen::inRange(2, 60);
         for (int i = 0; i < count; ++i) {
             const auto step = [] { return *rc::gen::inRange(-400, 400) / 100.0; };
-            PathPoint point{at + glm::dvec3(step(), step(), 0.01 * step()), MoveKind::cut, 1200.0, stroke + 1, 7 * i};
-            const glm::dvec2 chord(point.tip - at);
+            PathPoint point{{at + glm::dvec3(step(), step(), 0.01 * step())},
+                            MoveKind::cut,
+                            1200.0,
+                            stroke % 2 == 0 ? stroke + 1 : -stroke,
+                            7 * i};
+            const glm::dvec2 chord(point.pose.tip - at);
             if (i % 5 == 4 && glm::length(chord) > 0.5) { // a half circle
-                point.tip.z = at.z;
-                point.arc = PathArc{0.5 * (at + point.tip), 2, i % 2 == 0};
+                point.pose.tip.z = at.z;
+                point.arc = PathArc{0.5 * (at + point.pose.tip), 2, i % 2 == 0};
             }
-            at = point.tip;
+            at = point.pose.tip;
             path.points.push_back(point);
         }
         at.z = zero.z + 5.0;
-        path.points.push_back({at, MoveKind::retract, 1200.0, 0, -1});
+        path.points.push_back({{at}, MoveKind::retract, 1200.0, 0, -1});
         at += glm::dvec3(3.0, 0.0, 0.0);
-        path.points.push_back({at, MoveKind::rapid, 0.0, 0, -1});
+        path.points.push_back({{at}, MoveKind::rapid, 0.0, 0, -1});
     }
     return path;
 }
@@ -83,26 +87,26 @@ void TestProgramMoments::everyBlockLeadsToItsMoment_data() {
 
 void TestProgramMoments::everyBlockLeadsToItsMoment() {
     QFETCH(QString, dialect);
-    QVERIFY(rc::check("the move of a moment ends where the hand was", [&] {
+    QVERIFY(rc::check("the move of a moment ends where the hand, or the planner, was", [&] {
         const Path path = wanderingPath();
         const Result<ParsedProgram> program = postedAndRead(path, dialect.toStdString());
         RC_ASSERT(program.hasValue());
         const std::vector<Moment> moments = momentsOf(*program, path, zero);
         RC_ASSERT(moments.size() == program->motions.size());
-        std::size_t ofTheHand = 0;
+        std::size_t ofSources = 0;
         for (const PathPoint& point : path.points) {
             if (point.sample < 0) continue;
-            ++ofTheHand;
+            ++ofSources;
             // The last motion of this moment ends in the point; none of them belongs to another one.
             bool reached = false;
             for (std::size_t i = 0; i < moments.size(); ++i)
-                if (moments[i] == Moment{point.take, point.sample})
-                    reached = glm::distance(program->motions[i].to + zero, point.tip) <= 0.002;
+                if (moments[i] == Moment{point.source, point.sample})
+                    reached = glm::distance(program->motions[i].to + zero, point.pose.tip) <= 0.002;
             RC_ASSERT(reached);
         }
-        RC_ASSERT(ofTheHand > 0);
+        RC_ASSERT(ofSources > 0);
         for (std::size_t i = 0; i < moments.size(); ++i)
-            if (program->motions[i].rapid()) RC_ASSERT(moments[i].take == 0);
+            if (program->motions[i].rapid()) RC_ASSERT(moments[i].source == 0);
     }));
 }
 

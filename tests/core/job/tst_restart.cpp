@@ -235,7 +235,7 @@ std::string faultOfRestart(const Result<RestartedProgram>& rest, const std::stri
 PathMatter matterOfHand(std::int64_t id, const Tool& tool, const std::vector<glm::dvec3>& corners, bool arcs) {
     PathMatter matter;
     matter.path.id = id;
-    matter.path.takes = {id};
+    matter.path.sources = {{id}};
     matter.path.edits = {{Simplify{}}};
     if (arcs) matter.path.edits.push_back({FitArcs{}});
     matter.path.edits.push_back({Link{}});
@@ -244,7 +244,7 @@ PathMatter matterOfHand(std::int64_t id, const Tool& tool, const std::vector<glm
     Take take = takeOf(along(corners, 50.0));
     take.info.id = id;
     take.info.toolId = tool.id;
-    matter.recorded = {*recordedStrokes(take)};
+    matter.sources = {*recordedStrokes(take)};
     return matter;
 }
 

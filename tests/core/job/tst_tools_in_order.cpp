@@ -44,14 +44,14 @@ PathMatter matter(std::int64_t id, const Tool& tool, const std::vector<glm::dvec
                   const std::vector<Edit>& tuning = {}, double allowance = 0.0) {
     PathMatter made;
     made.path.id = id;
-    made.path.takes = {id};
+    made.path.sources = {{id}};
     made.path.edits = {{Simplify{}}, {Link{}}, {SetFeed{}}};
     made.path.edits.insert(made.path.edits.end(), tuning.begin(), tuning.end());
     made.tool = tool;
     Take take = takeOf(along(corners, 50.0), allowance);
     take.info.id = id;
     take.info.toolId = tool.id;
-    made.recorded = {*recordedStrokes(take)};
+    made.sources = {*recordedStrokes(take)};
     return made;
 }
 
@@ -72,7 +72,7 @@ Result<std::vector<MilledPath>> milledInTurn(const Bench& bench, const std::vect
     Progress progress;
     std::vector<MilledPath> milled;
     for (const PathMatter& each : matters) {
-        Result<EvaluatedPath> path = evaluateStored(each.recorded, bench, each.tool, each.path, milled, progress);
+        Result<EvaluatedPath> path = evaluateStored(each.sources, bench, each.tool, each.path, milled, progress);
         if (!path) return path.error();
         milled.push_back({std::make_shared<const EvaluatedPath>(std::move(*path)), each.tool});
     }
@@ -89,7 +89,7 @@ Result<EvaluatedPath> lastOf(const std::vector<PathMatter>& matters) {
 std::pair<double, double> feedsWithin(const Path& path, double from, double to) {
     double least = 1e9, most = 0.0;
     for (std::size_t i = 1; i < path.points.size(); ++i) {
-        const double low = path.points[i - 1].tip.x, high = path.points[i].tip.x;
+        const double low = path.points[i - 1].pose.tip.x, high = path.points[i].pose.tip.x;
         if (path.points[i].kind != MoveKind::cut || high < from || low > to) continue;
         least = std::min(least, path.points[i].feed);
         most = std::max(most, path.points[i].feed);
@@ -101,14 +101,14 @@ double lengthOn(const EvaluatedPath& path, MillingSide side) {
     double length = 0.0;
     for (const MillingStretch& stretch : path.sides)
         for (std::size_t i = stretch.first; stretch.side == side && i <= stretch.last; ++i)
-            length += glm::distance(path.path.points[i - 1].tip, path.path.points[i].tip);
+            length += glm::distance(path.path.points[i - 1].pose.tip, path.path.points[i].pose.tip);
     return length;
 }
 
 /// Where the first rapid down ends.
 double firstPlungeFrom(const Path& path) {
     for (std::size_t i = 1; i < path.points.size(); ++i)
-        if (path.points[i].kind == MoveKind::plunge) return path.points[i - 1].tip.z;
+        if (path.points[i].kind == MoveKind::plunge) return path.points[i - 1].pose.tip.z;
     return -1.0;
 }
 
@@ -198,7 +198,7 @@ void TestToolsInOrder::aKeptPathCountsOnlyBehindTheSamePaths() {
                follower = matter(2, flat("follower", 2, diameter), {{-10, 10, 8}, {50, 10, 8}}, {{levelRemoval()}});
     const Bench bench = plateBench(first.tool);
     Progress progress;
-    const auto path = evaluateStored(follower.recorded, bench, follower.tool, follower.path, {}, progress);
+    const auto path = evaluateStored(follower.sources, bench, follower.tool, follower.path, {}, progress);
     QVERIFY(path);
     EvaluatedPath marked = *path;
     marked.path.spindleSpeed = 4321.0; // so that it is known again
@@ -301,7 +301,7 @@ void TestToolsInOrder::theWishToStopIsHeard() {
     progress.cancel();
     QCOMPARE(evaluateInOrder(bench, {first}, progress).error().code, ErrorCode::cancelled);
     Progress other;
-    const auto path = evaluateStored(first.recorded, bench, first.tool, first.path, {}, other);
+    const auto path = evaluateStored(first.sources, bench, first.tool, first.path, {}, other);
     QVERIFY(path);
     const MilledPath milled{std::make_shared<const EvaluatedPath>(*path), first.tool};
     QCOMPARE(bench.stock

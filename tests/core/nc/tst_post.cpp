@@ -23,11 +23,11 @@ Path path() {
     made.name = "p";
     made.toolId = "ball-6";
     made.spindleSpeed = 10000;
-    made.points = {{{10, 20, 40}, MoveKind::rapid, 0, 0, -1},
-                   {{10, 20, 30}, MoveKind::plunge, 300, 0, -1},
-                   {{15, 20, 30}, MoveKind::cut, 900, 7, 123},
-                   {{15, 20, 31}, MoveKind::retract, 900, 0, -1},
-                   {{15, 20, 40}, MoveKind::rapid, 0, 0, -1}};
+    made.points = {{{{10, 20, 40}}, MoveKind::rapid, 0, 0, -1},
+                   {{{10, 20, 30}}, MoveKind::plunge, 300, 0, -1},
+                   {{{15, 20, 30}}, MoveKind::cut, 900, 7, 123},
+                   {{{15, 20, 31}}, MoveKind::retract, 900, 0, -1},
+                   {{{15, 20, 40}}, MoveKind::rapid, 0, 0, -1}};
     return made;
 }
 
@@ -99,7 +99,7 @@ private slots:
             faulty.points[3].feed = 0;
             break;
         case 2:
-            faulty.points[2].tip.x = 310.5;
+            faulty.points[2].pose.tip.x = 310.5;
             break;
         case 3:
             limits.toolChangeHeight = 100.5;
@@ -117,7 +117,7 @@ private slots:
             faulty.points.erase(faulty.points.begin());
             break;
         default:
-            faulty.points[2].tip.y = std::nan("");
+            faulty.points[2].pose.tip.y = std::nan("");
             break;
         }
         const auto program = toProgram({faulty}, request(), limits);

@@ -117,7 +117,7 @@ inline std::vector<glm::dvec3> cutsOf(const std::vector<PathPoint>& points) {
     std::vector<glm::dvec3> places;
     for (std::size_t i = 1; i < points.size(); ++i) {
         if (points[i].kind != MoveKind::cut) continue;
-        const std::vector<glm::dvec3> move = placesOf(points[i - 1].tip, points[i], points[i].arc ? 0.05 : 1e9);
+        const std::vector<glm::dvec3> move = placesOf(points[i - 1].pose.tip, points[i], points[i].arc ? 0.05 : 1e9);
         places.insert(places.end(), move.begin(), move.end());
     }
     return places;

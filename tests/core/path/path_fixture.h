@@ -139,12 +139,12 @@ inline bool isEmpty(const Result<EvaluatedPath>& path) {
 inline std::vector<glm::dvec3> placesOf(const glm::dvec3& from, const PathPoint& to, double step) {
     std::vector<glm::dvec3> places;
     if (!to.arc) {
-        const auto count = static_cast<int>(std::max(1.0, std::ceil(glm::distance(from, to.tip) / step)));
-        for (int k = 0; k <= count; ++k) places.push_back(glm::mix(from, to.tip, static_cast<double>(k) / count));
+        const auto count = static_cast<int>(std::max(1.0, std::ceil(glm::distance(from, to.pose.tip) / step)));
+        for (int k = 0; k <= count; ++k) places.push_back(glm::mix(from, to.pose.tip, static_cast<double>(k) / count));
         return places;
     }
     const int w = to.arc->axis, u = (w + 1) % 3, v = (w + 2) % 3;
-    const glm::dvec3 a = from - to.arc->centre, b = to.tip - to.arc->centre;
+    const glm::dvec3 a = from - to.arc->centre, b = to.pose.tip - to.arc->centre;
     const double radiusA = std::hypot(a[u], a[v]), radiusB = std::hypot(b[u], b[v]);
     const double full = 2.0 * std::acos(-1.0), start = std::atan2(a[v], a[u]);
     double turn = std::fmod(std::atan2(b[v], b[u]) - start + 2.0 * full, full); // anticlockwise
@@ -152,7 +152,7 @@ inline std::vector<glm::dvec3> placesOf(const glm::dvec3& from, const PathPoint&
     const auto count = static_cast<int>(std::max(1.0, std::ceil(radiusA * std::abs(turn) / step)));
     for (int k = 0; k <= count; ++k) {
         const double share = static_cast<double>(k) / count, radius = radiusA + share * (radiusB - radiusA);
-        glm::dvec3 place = glm::mix(from, to.tip, share);
+        glm::dvec3 place = glm::mix(from, to.pose.tip, share);
         place[u] = to.arc->centre[u] + radius * std::cos(start + share * turn);
         place[v] = to.arc->centre[v] + radius * std::sin(start + share * turn);
         places.push_back(place);
@@ -164,7 +164,7 @@ inline std::vector<glm::dvec3> placesOf(const glm::dvec3& from, const PathPoint&
 inline void walk(const std::vector<PathPoint>& points, double step,
                  const std::function<void(const PathPoint& end, const glm::dvec3& place)>& visit) {
     for (std::size_t i = 1; i < points.size(); ++i)
-        for (const glm::dvec3& place : placesOf(points[i - 1].tip, points[i], step)) visit(points[i], place);
+        for (const glm::dvec3& place : placesOf(points[i - 1].pose.tip, points[i], step)) visit(points[i], place);
 }
 
 /// The places of all moves behind one another.
@@ -188,8 +188,8 @@ inline std::size_t backStepsIn(const std::vector<PathPoint>& points, bool arcs =
     for (std::size_t i = 2; i < points.size(); ++i) {
         if (points[i].kind == MoveKind::rapid || points[i - 1].kind == MoveKind::rapid) continue;
         if (!arcs && (points[i].arc || points[i - 1].arc)) continue;
-        const std::vector<glm::dvec3> in = placesOf(points[i - 2].tip, points[i - 1], apart);
-        const std::vector<glm::dvec3> out = placesOf(points[i - 1].tip, points[i], apart);
+        const std::vector<glm::dvec3> in = placesOf(points[i - 2].pose.tip, points[i - 1], apart);
+        const std::vector<glm::dvec3> out = placesOf(points[i - 1].pose.tip, points[i], apart);
         const double shorter = std::min(lengthAlong(in), lengthAlong(out));
         if (shorter < figure || shorter >= 0.1) continue;
         const glm::dvec3 arrives = in.back() - in[in.size() - 2], leaves = out[1] - out[0];
@@ -239,7 +239,7 @@ inline double farthestFrom(const std::vector<glm::dvec3>& line, const std::vecto
 
 inline std::vector<glm::dvec3> tipsOf(const std::vector<PathPoint>& points) {
     std::vector<glm::dvec3> tips;
-    for (const PathPoint& point : points) tips.push_back(point.tip);
+    for (const PathPoint& point : points) tips.push_back(point.pose.tip);
     return tips;
 }
 

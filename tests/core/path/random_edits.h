@@ -26,7 +26,7 @@ inline std::vector<Edit> randomEdits(bool surface) {
     const int count = *rc::gen::inRange(0, surface ? 2 : 4);
     const auto length = [] { return 0.1 * *rc::gen::inRange(-60, 60); };
     for (int i = 0; i < count; ++i) {
-        const TakeStretch stretch{1, *rc::gen::inRange(0, 60), *rc::gen::inRange(60, 200)};
+        const SourceStretch stretch{1, *rc::gen::inRange(0, 60), *rc::gen::inRange(60, 200)};
         const glm::dvec3 by(length(), length(), length());
         LiftArea lift;
         lift.outline = {{-9, -9, 0}, {by.x + 9, -9, 0}, {0, by.y + 9, 0}};

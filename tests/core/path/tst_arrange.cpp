@@ -40,10 +40,10 @@ std::vector<std::vector<PathPoint>> strokesAfter(const std::vector<Edit>& edits,
 }
 
 bool isAt(const PathPoint& point, const glm::dvec3& place) {
-    return glm::distance(point.tip, place) < 1e-9;
+    return glm::distance(point.pose.tip, place) < 1e-9;
 }
 
-constexpr TakeStretch second{1, 600, 1100};
+constexpr SourceStretch second{1, 600, 1100};
 
 } // namespace
 
@@ -66,7 +66,7 @@ private slots:
             const auto strokes = strokesAfter({before, {CutOut{second}}});
             QVERIFY(!strokes.empty());
             for (const auto& stroke : strokes)
-                for (const PathPoint& point : stroke) QVERIFY(point.tip.y != 4.0);
+                for (const PathPoint& point : stroke) QVERIFY(point.pose.tip.y != 4.0);
         }
     }
 
@@ -90,7 +90,7 @@ private slots:
         const auto strokes = strokesAfter({{Reverse{second}}, {Join{{}, 5.0}}});
         QCOMPARE(strokes.size(), std::size_t{1});
         for (std::size_t i = 1; i < strokes[0].size(); ++i) {
-            const glm::dvec3 step = strokes[0][i].tip - strokes[0][i - 1].tip;
+            const glm::dvec3 step = strokes[0][i].pose.tip - strokes[0][i - 1].pose.tip;
             QVERIFY(glm::length(step) < 0.0201); // filters in time find no jump
         }
         QCOMPARE(strokesAfter({{Reverse{second}}, {Join{{}, 3.9}}}).size(), std::size_t{3}); // too far
@@ -99,9 +99,10 @@ private slots:
     void strokesAreReordered() {
         const auto last = strokesAfter({{Reorder{{1, 300}, {}}}});
         QCOMPARE(last.size(), std::size_t{3});
-        QCOMPARE(last[2].front().tip.y, 0.0);
+        QCOMPARE(last[2].front().pose.tip.y, 0.0);
         const auto first = strokesAfter({{Reorder{{1, 1300}, {1, 100}}}});
-        QVERIFY(first[0].front().tip.y == 8.0 && first[1].front().tip.y == 0.0 && first[2].front().tip.y == 4.0);
+        QVERIFY(first[0].front().pose.tip.y == 8.0 && first[1].front().pose.tip.y == 0.0 &&
+                first[2].front().pose.tip.y == 4.0);
     }
 
     void reversingTurnsTheMotionsRound() {
@@ -110,7 +111,7 @@ private slots:
         const auto strokes = strokesAfter({{Reverse{}}, {DropAirCuts{}}}, {takeOf(ticks)});
         QCOMPARE(strokes.size(), std::size_t{1});
         QVERIFY(isAt(strokes[0].front(), {20, 0, -1}));
-        QVERIFY(std::abs(strokes[0].back().tip.x - 10.0) < 0.021); // where it cut, not where it did not
+        QVERIFY(std::abs(strokes[0].back().pose.tip.x - 10.0) < 0.021); // where it cut, not where it did not
         QVERIFY(strokes[0].front().sample > strokes[0].back().sample);
     }
 
@@ -144,11 +145,11 @@ private slots:
         const auto strokes = strokesAfter({{MovePoints{{1, 850, 850}, {0, 1, 0.5}, 2.0, MovePoints::Along::free}}});
         QCOMPARE(strokes.size(), std::size_t{3});
         for (const PathPoint& point : strokes[1]) {
-            const double off = std::abs(point.tip.x - 5.0);
+            const double off = std::abs(point.pose.tip.x - 5.0);
             const double weight = off < 2.0 ? 0.5 * (1.0 + std::cos(std::acos(-1.0) * off / 2.0)) : 0.0;
-            QVERIFY(glm::distance(point.tip, {point.tip.x, 4.0 + weight, -1.0 + 0.5 * weight}) < 1e-9);
+            QVERIFY(glm::distance(point.pose.tip, {point.pose.tip.x, 4.0 + weight, -1.0 + 0.5 * weight}) < 1e-9);
         }
-        for (const PathPoint& point : strokes[0]) QVERIFY(point.tip.y == 0.0 && point.tip.z == -1.0);
+        for (const PathPoint& point : strokes[0]) QVERIFY(point.pose.tip.y == 0.0 && point.pose.tip.z == -1.0);
     }
 
     void pointsSlideOnThePart() {
@@ -164,8 +165,8 @@ private slots:
         QVERIFY(path);
         const double chord = 20.0 * (1.0 - std::cos(std::acos(-1.0) / 400.0)); // facets lie inside by twice that
         for (const PathPoint& point : path->path.points)
-            QVERIFY(std::abs(glm::length(point.tip + glm::dvec3(0, 0, 3)) - 23.0) < 2.0 * chord + 1e-3);
-        QVERIFY(std::abs(path->path.points[500].tip.y - 4.0) < 0.2);
+            QVERIFY(std::abs(glm::length(point.pose.tip + glm::dvec3(0, 0, 3)) - 23.0) < 2.0 * chord + 1e-3);
+        QVERIFY(std::abs(path->path.points[500].pose.tip.y - 4.0) < 0.2);
     }
 
     void aStretchIsReplacedByWhatWasDrawn() {
@@ -175,10 +176,10 @@ private slots:
         std::size_t found = 0;
         for (const PathPoint& point : strokes[1]) {
             if (point.sample < 700 || point.sample > 1000) {
-                QCOMPARE(point.tip.y, 4.0);
+                QCOMPARE(point.pose.tip.y, 4.0);
                 continue;
             }
-            QVERIFY(distanceToPolyline(point.tip, drawn) < 1e-9);
+            QVERIFY(distanceToPolyline(point.pose.tip, drawn) < 1e-9);
             if (found < drawn.size() && isAt(point, drawn[found])) ++found;
         }
         QCOMPARE(found, drawn.size());                                            // its corners stand
@@ -208,14 +209,14 @@ private slots:
         QCOMPARE(strokes.size(), std::size_t{3});
         double highest = -9.0;
         for (std::size_t i = 1; i < strokes[1].size(); ++i) {
-            const glm::dvec3 &from = strokes[1][i - 1].tip, &to = strokes[1][i].tip;
+            const glm::dvec3 &from = strokes[1][i - 1].pose.tip, &to = strokes[1][i].pose.tip;
             highest = std::max(highest, to.z);
             if (from.z != to.z) QVERIFY(std::abs(from.x - 3.003) < 1e-9 || std::abs(from.x - 6.005) < 1e-9);
             const bool inside = from.x > 3.0031 && to.x < 6.0049;
             if (inside) QVERIFY(from.z == 1.0 && to.z == 1.0);
         }
         QCOMPARE(highest, 1.0);
-        for (const PathPoint& point : strokes[0]) QCOMPARE(point.tip.z, -1.0);
+        for (const PathPoint& point : strokes[0]) QCOMPARE(point.pose.tip.z, -1.0);
     }
 
     void aLineThatIsDrawnIsAMirrorsPlane() {
@@ -252,7 +253,7 @@ private slots:
         for (std::size_t i = 1; i < path->path.points.size(); ++i) {
             const PathPoint& point = path->path.points[i];
             if (point.kind != MoveKind::cut) continue;
-            const glm::dvec3 middle = 0.5 * (path->path.points[i - 1].tip + point.tip);
+            const glm::dvec3 middle = 0.5 * (path->path.points[i - 1].pose.tip + point.pose.tip);
             const bool inside = middle.x > 3 && middle.x < 6 && middle.y > 3 && middle.y < 5;
             QCOMPARE(point.feed, inside ? 450.0 : 900.0);
             slow = slow || inside;

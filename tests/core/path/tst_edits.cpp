@@ -28,7 +28,7 @@ struct Another {
         return std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0.25}, {0, 1, 0}};
     }
     EditValue operator()(const Moment&) const { return Moment{3, 141}; }
-    EditValue operator()(const TakeStretch&) const { return TakeStretch{2, 7, 18}; }
+    EditValue operator()(const SourceStretch&) const { return SourceStretch{2, 7, 18}; }
 };
 
 /// Values that it may not have.
@@ -48,7 +48,7 @@ struct Strange {
         return {std::vector<glm::dvec3>{{0, 0, 0}}, std::vector<glm::dvec3>(5, nowhere)};
     }
     Values operator()(const Moment&) const { return {Moment{-1, 0}, Moment{1, -1}}; }
-    Values operator()(const TakeStretch&) const { return {TakeStretch{1, 5, 4}, TakeStretch{-1, 0, 4}}; }
+    Values operator()(const SourceStretch&) const { return {SourceStretch{1, 5, 4}, SourceStretch{-1, 0, 4}}; }
 };
 
 } // namespace

@@ -62,7 +62,7 @@ private slots:
         for (const glm::dvec3& place : placesAlong(path->path.points, 0.001))
             nearest = std::min(nearest, glm::distance(place, corner));
         QVERIFY2(std::abs(nearest - e) <= 0.0025, qPrintable(QString::number(nearest))); // figures, chords
-        const double leg = glm::distance(path->path.points[1].tip, corner);
+        const double leg = glm::distance(path->path.points[1].pose.tip, corner);
         const double radius = e / (1.0 / std::sin(0.5 * inner) - 1.0);
         QCOMPARE(leg, arc ? radius / std::tan(0.5 * inner) : 2.0 * e / std::cos(0.5 * inner));
         QCOMPARE(path->path.points[2].arc.has_value(), arc);
@@ -78,7 +78,7 @@ private slots:
         const std::vector<PathPoint>& points = path->path.points;
         for (std::size_t i = 1; i < points.size(); ++i) {
             if (points[i].arc) continue;
-            const glm::dvec3 way = points[i].tip - points[i - 1].tip;
+            const glm::dvec3 way = points[i].pose.tip - points[i - 1].pose.tip;
             QVERIFY(way.x > -1e-9); // never back
         }
         QVERIFY(farthestFrom(placesAlong(points, 0.01), zigzag) < 0.3);
@@ -128,13 +128,13 @@ private slots:
         const glm::dvec3 along = glm::normalize(glm::dvec3(20, 5, 0));
         std::size_t start = 0, end = 0;
         for (std::size_t i = 0; i < points.size(); ++i) {
-            if (points[i].tip == glm::dvec3(0, 0, -3)) start = i;
-            if (points[i].tip == glm::dvec3(20, 5, -3)) end = i;
+            if (points[i].pose.tip == glm::dvec3(0, 0, -3)) start = i;
+            if (points[i].pose.tip == glm::dvec3(20, 5, -3)) end = i;
         }
         QVERIFY(start > 0 && end == start + 1 && end + 2 == points.size());
-        const glm::dvec3 arrives = directionOf(points[start - 1].tip, points[start], true);
+        const glm::dvec3 arrives = directionOf(points[start - 1].pose.tip, points[start], true);
         QVERIFY(glm::length(glm::dvec2(arrives) / glm::length(glm::dvec2(arrives)) - glm::dvec2(along)) < 1e-4);
-        const glm::dvec3 begin = points.front().tip;
+        const glm::dvec3 begin = points.front().pose.tip;
         if (form == LeadIn::Form::line) QVERIFY(glm::distance(begin, -4.0 * along + glm::dvec3(0, 0, -3)) < 1e-9);
         if (form == LeadIn::Form::ramp) QVERIFY(glm::distance(begin, -4.0 * along + glm::dvec3(0, 0, -0.5)) < 1e-9);
         if (form == LeadIn::Form::arc)
@@ -142,14 +142,15 @@ private slots:
         if (form == LeadIn::Form::helix) {
             QCOMPARE(begin.z, -0.5);
             for (std::size_t i = 1; i <= start; ++i) {
-                QVERIFY(points[i].arc && points[i - 1].tip.z - points[i].tip.z <= pi * 4.0 * std::tan(0.05) + 1e-9);
-                for (const glm::dvec3& place : placesOf(points[i - 1].tip, points[i], 0.1))
+                QVERIFY(points[i].arc &&
+                        points[i - 1].pose.tip.z - points[i].pose.tip.z <= pi * 4.0 * std::tan(0.05) + 1e-9);
+                for (const glm::dvec3& place : placesOf(points[i - 1].pose.tip, points[i], 0.1))
                     QVERIFY(std::abs(std::hypot(place.x + 4.0 * along.y, place.y - 4.0 * along.x) - 4.0) < 1e-9);
             }
         }
-        const glm::dvec3 leaves = directionOf(points[end].tip, points[end + 1], false);
+        const glm::dvec3 leaves = directionOf(points[end].pose.tip, points[end + 1], false);
         QVERIFY(points[end + 1].arc && glm::distance(leaves, along) < 1e-3);
-        QVERIFY(std::abs(glm::distance(points.back().tip, points[end].tip) - 2.0 * std::sqrt(2.0)) < 1e-9);
+        QVERIFY(std::abs(glm::distance(points.back().pose.tip, points[end].pose.tip) - 2.0 * std::sqrt(2.0)) < 1e-9);
     }
 
     void aLeadKeepsClearOfThePart() {
@@ -158,7 +159,8 @@ private slots:
         const auto path = edited({{0, 0, -5}, {20, 0, -5}}, {{LeadIn{}}, {LeadOut{}}},
                                  contextOf(part, ballTool(), {{-60, -60, -20}, {60, 60, 0}}));
         QVERIFY(path);
-        QVERIFY(path->path.points.front().tip.y < -2.0 && path->path.points.back().tip.y < -2.0); // to the right
+        QVERIFY(path->path.points.front().pose.tip.y < -2.0 &&
+                path->path.points.back().pose.tip.y < -2.0); // to the right
         for (const glm::dvec3& place : placesAlong(path->path.points, 0.01)) QVERIFY(place.y <= 0.0101);
     }
 
@@ -183,8 +185,8 @@ private slots:
                         run({takeOf(ticks)},
                             {{SmoothShape{wavelength, tolerance}}, {HoldOut{}}, {FitArcs{}}, {in}, {out}}, context);
                     if (!path) return std::array{-1, -1};
-                    left[0] += path->path.points.front().tip.y > 1.0 ? 1 : 0;
-                    left[1] += path->path.points.back().tip.y > 1.0 ? 1 : 0;
+                    left[0] += path->path.points.front().pose.tip.y > 1.0 ? 1 : 0;
+                    left[1] += path->path.points.back().pose.tip.y > 1.0 ? 1 : 0;
                 }
             return left;
         };
@@ -203,11 +205,11 @@ private slots:
             in.form = LeadIn::Form::line;
             const auto path = edited({start, start + step, {20, 0, -5}}, {{in}});
             QVERIFY(path);
-            const glm::dvec3 lead = path->path.points.front().tip - start;
+            const glm::dvec3 lead = path->path.points.front().pose.tip - start;
             QVERIFY2(lead.x <= -0.45 * in.size, qPrintable(QString::number(lead.x))); // from behind, within 60 degrees
             in.direction = LeadDirection::firstMove;
             const auto before = edited({start, start + step, {20, 0, -5}}, {{in}});
-            QVERIFY(before && (before->path.points.front().tip - start).x > -0.1 * in.size);
+            QVERIFY(before && (before->path.points.front().pose.tip - start).x > -0.1 * in.size);
         }
     }
 
@@ -220,7 +222,7 @@ private slots:
             std::vector<Edit> edits{{turn}, {HoldOut{}}, {in}};
             const auto turned = run({takeOf(along({{0, 0, -3}, {20, 0, -3}}, 50.0))}, edits, freeContext());
             QVERIFY(path && turned);
-            const glm::dvec3 before = path->path.points.front().tip, after = turned->path.points.front().tip;
+            const glm::dvec3 before = path->path.points.front().pose.tip, after = turned->path.points.front().pose.tip;
             const glm::dvec3 expected(std::cos(angle) * before.x - std::sin(angle) * before.y,
                                       std::sin(angle) * before.x + std::cos(angle) * before.y, before.z);
             QVERIFY2(glm::distance(after, expected) < 1e-6,
@@ -241,10 +243,11 @@ private slots:
             if (!path) return std::pair{lowest, between};
             const std::vector<PathPoint>& points = path->path.points;
             for (std::size_t i = 1; i < points.size(); ++i) {
-                const bool across = glm::distance(glm::dvec2(points[i].tip), glm::dvec2(points[i - 1].tip)) > 1.0;
+                const bool across =
+                    glm::distance(glm::dvec2(points[i].pose.tip), glm::dvec2(points[i - 1].pose.tip)) > 1.0;
                 if (points[i].kind != MoveKind::rapid || !across) continue;
-                lowest = std::min({lowest, points[i].tip.z, points[i - 1].tip.z});
-                if (points[i - 1].tip.x < 0.0 && points[i].tip.x > 0.0) between = points[i].tip.z;
+                lowest = std::min({lowest, points[i].pose.tip.z, points[i - 1].pose.tip.z});
+                if (points[i - 1].pose.tip.x < 0.0 && points[i].pose.tip.x > 0.0) between = points[i].pose.tip.z;
             }
             return std::pair{lowest, between};
         };
@@ -289,10 +292,11 @@ private slots:
         for (const MillingStretch& stretch : sides->stretches) {
             for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
                 const PathPoint& point = path->path.points[i];
-                if (point.kind != MoveKind::cut || glm::distance(point.tip, path->path.points[i - 1].tip) < 10.0)
+                if (point.kind != MoveKind::cut ||
+                    glm::distance(point.pose.tip, path->path.points[i - 1].pose.tip) < 10.0)
                     continue;
                 ++cuts;
-                if (point.take == 1)
+                if (point.source == 1)
                     QVERIFY(stretch.side == MillingSide::neither); // a slot: on both sides
                 else
                     QVERIFY(stretch.side == (stockOnLeft ? MillingSide::conventional : MillingSide::climb));

@@ -112,25 +112,26 @@ private slots:
             for (std::size_t i = 1; i < points.size(); ++i) {
                 if (points[i].kind != MoveKind::plunge) continue;
                 const bool down =
-                    glm::distance(glm::dvec2(points[i].tip), glm::dvec2(points[i - 1].tip)) < 1e-9 && !points[i].arc;
+                    glm::distance(glm::dvec2(points[i].pose.tip), glm::dvec2(points[i - 1].pose.tip)) < 1e-9 &&
+                    !points[i].arc;
                 QCOMPARE(points[i].feed, down ? 300.0 : 450.0);
                 ramps += down ? 0 : 1;
             }
             QVERIFY(ramps >= 2);
             // Once down it stays there: the hand's own descent is not gone through again.
             for (const PathPoint& point : points)
-                if (point.kind == MoveKind::cut) QVERIFY(std::abs(point.tip.z + 4.0) < 1e-6);
+                if (point.kind == MoveKind::cut) QVERIFY(std::abs(point.pose.tip.z + 4.0) < 1e-6);
             // It removes nothing beside what the stroke removes.
             if (entry.form == EntryForm::helix) continue;
             for (const PathPoint& point : points) {
-                if (point.kind != MoveKind::plunge || point.tip.z >= 0.0) continue;
+                if (point.kind != MoveKind::plunge || point.pose.tip.z >= 0.0) continue;
                 double nearest = 1e9;
                 for (std::size_t i = 1; i < corners.size(); ++i)
-                    nearest = std::min(nearest, distanceToPolyline({point.tip.x, point.tip.y, 0.0},
+                    nearest = std::min(nearest, distanceToPolyline({point.pose.tip.x, point.pose.tip.y, 0.0},
                                                                    {{corners[i - 1].x, corners[i - 1].y, 0.0},
                                                                     {corners[i].x, corners[i].y, 0.0}}));
                 QVERIFY2(nearest < 1e-6, qPrintable(QString::number(nearest)));
-                QVERIFY(point.tip.z > -4.0 - 1e-9);
+                QVERIFY(point.pose.tip.z > -4.0 - 1e-9);
             }
         }
     }
@@ -238,8 +239,8 @@ private slots:
             // The hand's beginning stays, and the tool beside the walls.
             double nearest = 1e9;
             for (const PathPoint& point : path->path.points) {
-                nearest = std::min(nearest, glm::distance(point.tip, start));
-                if (point.tip.z < -1.0) QVERIFY(point.tip.x > -6.0 - 1e-6 && point.tip.y > -6.0 - 1e-6);
+                nearest = std::min(nearest, glm::distance(point.pose.tip, start));
+                if (point.pose.tip.z < -1.0) QVERIFY(point.pose.tip.x > -6.0 - 1e-6 && point.pose.tip.y > -6.0 - 1e-6);
             }
             QVERIFY(nearest < 1e-9);
             QVERIFY(path->errorBudget < 0.07);
@@ -268,10 +269,11 @@ private slots:
         int descents = 0;
         for (std::size_t i = 1; i < path->path.points.size(); ++i) {
             const PathPoint &from = path->path.points[i - 1], &to = path->path.points[i];
-            farthest = std::min(farthest, to.tip.x);
-            if (std::abs(to.tip.y) > 1.0 || to.tip.z > from.tip.z - 1e-9 || to.tip.z >= 0.0) continue;
-            QVERIFY2(std::abs(to.tip.x - 4.0) < 0.5,
-                     qPrintable(QString::number(to.tip.x))); // down into the cleared slot
+            farthest = std::min(farthest, to.pose.tip.x);
+            if (std::abs(to.pose.tip.y) > 1.0 || to.pose.tip.z > from.pose.tip.z - 1e-9 || to.pose.tip.z >= 0.0)
+                continue;
+            QVERIFY2(std::abs(to.pose.tip.x - 4.0) < 0.5,
+                     qPrintable(QString::number(to.pose.tip.x))); // down into the cleared slot
             ++descents;
         }
         QVERIFY(descents > 0);
@@ -294,7 +296,7 @@ private slots:
         const double plunge = deepestPlunge(path->path.points, tool.cutter, 1.05 * std::tan(0.06));
         QVERIFY2(plunge < plungeBlur, qPrintable(QString::number(plunge)));
         for (const PathPoint& point : path->path.points)
-            if (point.tip.z < -1.0) QVERIFY(point.tip.x > -6.0 - 1e-6 && point.tip.x < -5.5 + 1e-6);
+            if (point.pose.tip.z < -1.0) QVERIFY(point.pose.tip.x > -6.0 - 1e-6 && point.pose.tip.x < -5.5 + 1e-6);
     }
 
     void noStrokeIsPlungedIntoUnsaid() {

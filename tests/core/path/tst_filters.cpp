@@ -60,8 +60,8 @@ private slots:
         QVERIFY(path);
         double amplitude = 0.0;
         for (std::size_t i = 3000; i < 7000; ++i) {
-            amplitude = std::max(amplitude, std::abs(path->path.points[i].tip.y));
-            QVERIFY(std::abs(path->path.points[i].tip.x - ticks[i].tip.x) < 1e-9); // no delay, a line stays a line
+            amplitude = std::max(amplitude, std::abs(path->path.points[i].pose.tip.y));
+            QVERIFY(std::abs(path->path.points[i].pose.tip.x - ticks[i].tip.x) < 1e-9); // no delay, a line stays a line
         }
         QVERIFY2(std::abs(amplitude / 0.1 - left) < 0.01 * left + 1e-4, qPrintable(QString::number(amplitude)));
     }
@@ -85,7 +85,7 @@ private slots:
             double amplitude = 0.0;
             const std::vector<PathPoint>& points = path->path.points;
             for (std::size_t i = points.size() / 4; i < points.size() / 4 * 3; ++i)
-                amplitude = std::max(amplitude, std::abs(points[i].tip.y));
+                amplitude = std::max(amplitude, std::abs(points[i].pose.tip.y));
             const double left = 1.0 / (1.0 + std::pow(2.0, spline ? 6 : 4)); // twice the cut-off
             // The way between late ticks is a chord: up to 0.8 % of the amplitude off a sine.
             QVERIFY2(std::abs(amplitude / 0.1 - left) < 0.05 * left,
@@ -115,7 +115,7 @@ private slots:
         const double frequency = speed / (2 * pi * radius);
         const double exact = radius * (1.0 - 1.0 / (1.0 + std::pow(frequency / 5.0, 4)));
         QVERIFY(std::abs(exact - loss) < 0.05 * loss);
-        const glm::dvec3 tip = path->path.points[6000].tip;
+        const glm::dvec3 tip = path->path.points[6000].pose.tip;
         QVERIFY(std::abs(radius - std::hypot(tip.x, tip.y) - exact) < 0.02 * exact);
     }
 
@@ -129,7 +129,7 @@ private slots:
         QVERIFY(path);
         double largest = 0.0;
         for (std::size_t i = 0; i < ticks.size(); ++i)
-            largest = std::max(largest, glm::distance(ticks[i].tip, path->path.points[i].tip));
+            largest = std::max(largest, glm::distance(ticks[i].tip, path->path.points[i].pose.tip));
         QVERIFY(largest <= 0.02 + 1e-12);
         QVERIFY(std::abs(path->reports.front().largestDeviation - largest) < 1e-12);
         QVERIFY(std::abs(path->errorBudget - largest) < 1e-12);
@@ -152,7 +152,7 @@ private slots:
         for (std::size_t i = 1001; i < 5000; ++i) {
             before = std::max(before, bend(ticks[i - 1].tip, ticks[i].tip, ticks[i + 1].tip));
             const auto& points = path->path.points;
-            after = std::max(after, bend(points[i - 1].tip, points[i].tip, points[i + 1].tip));
+            after = std::max(after, bend(points[i - 1].pose.tip, points[i].pose.tip, points[i + 1].pose.tip));
         }
         QVERIFY(before >= 0.02);
         QVERIFY2(after < 0.1 * before, qPrintable(QString::number(after))); // the tremor itself bends by 0.0003 mm
@@ -164,7 +164,7 @@ private slots:
         const auto path = run({takeOf(ticks)}, {{Smooth{2.0, 5.0}}}, contextOf(nothing_, ballTool(), stock_));
         QVERIFY(path);
         for (const PathPoint& point : path->path.points)
-            QVERIFY(std::abs(point.tip.y) < 1e-9 || std::abs(point.tip.y - 10.0) < 1e-9);
+            QVERIFY(std::abs(point.pose.tip.y) < 1e-9 || std::abs(point.pose.tip.y - 10.0) < 1e-9);
         QCOMPARE(std::ranges::count(path->path.points, MoveKind::rapid, &PathPoint::kind), 2);
     }
 
@@ -175,7 +175,7 @@ private slots:
         const auto path = run({takeOf(ticks)}, {{Smooth{2.0, 5.0}}}, contextOf(nothing_, ballTool(), stock_));
         QVERIFY(path);
         for (const PathPoint& point : path->path.points)
-            QVERIFY(std::abs(point.tip.y) < 1e-9 || std::abs(point.tip.y - 10.0) < 1e-9);
+            QVERIFY(std::abs(point.pose.tip.y) < 1e-9 || std::abs(point.pose.tip.y - 10.0) < 1e-9);
     }
 
     void simplifyKeepsWithinToleranceOfAnyPolyline() {
@@ -248,7 +248,7 @@ private slots:
         QVERIFY2(dropped > 650 && dropped <= 800, qPrintable(QString::number(dropped)));
         QVERIFY(path->reports.front().largestDeviation <= 0.05);
         std::size_t plunging = 0;
-        for (const PathPoint& point : path->path.points) plunging += point.tip.z < 0.0 ? 1 : 0;
+        for (const PathPoint& point : path->path.points) plunging += point.pose.tip.z < 0.0 ? 1 : 0;
         QCOMPARE(plunging, std::size_t{1999});
     }
 

@@ -41,7 +41,7 @@ std::string brokenRule(const glm::dvec3& from, const PathPoint& to, const PathCo
     const auto plane = [&](const glm::dvec3& place) {
         return glm::dvec2(figure(place[u], context.workOffset[u]), figure(place[v], context.workOffset[v]));
     };
-    const glm::dvec2 start = plane(from), end = plane(to.tip), centre = plane(to.arc->centre);
+    const glm::dvec2 start = plane(from), end = plane(to.pose.tip), centre = plane(to.arc->centre);
     const double startRadius = glm::distance(centre, start), endRadius = glm::distance(centre, end);
     if (std::abs(startRadius - endRadius) > rules.radiusMismatch + 1e-9) return "mismatch of radii";
     if (startRadius < rules.smallestRadius - 0.002 || startRadius > rules.largestRadius + 0.002) return "radius";
@@ -97,7 +97,7 @@ private slots:
         qInfo() << lines->path.points.size() - 1 << "lines," << points.size() - 1 << "arcs and lines";
         QVERIFY(5 * (points.size() - 1) <= lines->path.points.size() - 1);
         for (std::size_t i = 1; i < points.size(); ++i)
-            if (points[i].arc) QCOMPARE(brokenRule(points[i - 1].tip, points[i], context, rules), std::string());
+            if (points[i].arc) QCOMPARE(brokenRule(points[i - 1].pose.tip, points[i], context, rules), std::string());
         const std::vector<glm::dvec3> fitted = placesAlong(points, 0.01), source = tipsOf(ticks);
         QVERIFY(farthestFrom(source, fitted) <= rules.tolerance + 1e-5); // the sampled arc's own chords: 1e-6
         QVERIFY(farthestFrom(fitted, source) <= rules.tolerance + 1e-9);
@@ -155,11 +155,11 @@ private slots:
             RC_ASSERT(static_cast<bool>(path));
             const std::vector<PathPoint>& points = path->path.points;
             for (std::size_t i = 1; i < points.size(); ++i)
-                if (points[i].arc) RC_ASSERT(brokenRule(points[i - 1].tip, points[i], context, rules).empty());
+                if (points[i].arc) RC_ASSERT(brokenRule(points[i - 1].pose.tip, points[i], context, rules).empty());
             const std::vector<glm::dvec3> fitted = placesAlong(points, 0.02), source = tipsOf(ticks);
             RC_ASSERT(farthestFrom(source, fitted) <= rules.tolerance + 1e-4); // chords of the arc's own samples
             RC_ASSERT(farthestFrom(fitted, source) <= rules.tolerance + 1e-9);
-            RC_ASSERT(points.front().tip == source.front() && points.back().tip == source.back());
+            RC_ASSERT(points.front().pose.tip == source.front() && points.back().pose.tip == source.back());
         }));
     }
 

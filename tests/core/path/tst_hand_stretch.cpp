@@ -13,19 +13,19 @@ namespace {
 constexpr std::int64_t take = 7;
 
 PathPoint point(double x, std::int64_t tick) {
-    return {{x, 0.0, -2.0}, MoveKind::cut, 0.0, take, tick, {}};
+    return {{{x, 0.0, -2.0}}, MoveKind::cut, 0.0, take, tick, {}};
 }
 
 PathPoint link(double x) {
-    return {{x, 0.0, 5.0}, MoveKind::rapid, 0.0, 0, -1, {}};
+    return {{{x, 0.0, 5.0}}, MoveKind::rapid, 0.0, 0, -1, {}};
 }
 
 /// Chains as places along X and the ticks there.
-std::vector<std::vector<std::pair<double, std::int64_t>>> along(const Path& path, const TakeStretch& stretch) {
+std::vector<std::vector<std::pair<double, std::int64_t>>> along(const Path& path, const SourceStretch& stretch) {
     std::vector<std::vector<std::pair<double, std::int64_t>>> chains;
     for (const std::vector<PathPoint>& chain : pointsOf(path, stretch)) {
         chains.emplace_back();
-        for (const PathPoint& each : chain) chains.back().emplace_back(each.tip.x, each.sample);
+        for (const PathPoint& each : chain) chains.back().emplace_back(each.pose.tip.x, each.sample);
     }
     return chains;
 }
@@ -51,7 +51,7 @@ void TestHandStretch::aMomentWhosePointIsLeftOutStaysInItsPlace() {
     QCOMPARE(along(path, {take, 200, 200}), (Chains{{{10.0, 200}}}));
     QCOMPARE(along(path, {take, 250, 250}), (Chains{{{20.0, 250}}}));
     QCOMPARE(along(path, {take, 101, 101}), (Chains{{{0.1, 101}}}));
-    QCOMPARE(pointsOf(path, {take, 250, 250})[0][0].tip.z, -2.0);
+    QCOMPARE(pointsOf(path, {take, 250, 250})[0][0].pose.tip.z, -2.0);
 }
 
 void TestHandStretch::endsOfAStretchStandBetweenPoints() {
@@ -88,7 +88,8 @@ void TestHandStretch::onAnArcItStaysOnTheArc() {
     const auto chains = pointsOf(path, {take, 100, 100});
     QCOMPARE(chains.size(), std::size_t{1});
     const double angle = std::numbers::pi / 3.0; // a third of the half circle
-    QVERIFY(glm::distance(chains[0][0].tip, glm::dvec3(10.0 * std::cos(angle), 10.0 * std::sin(angle), -2.0)) < 1e-9);
+    QVERIFY(glm::distance(chains[0][0].pose.tip, glm::dvec3(10.0 * std::cos(angle), 10.0 * std::sin(angle), -2.0)) <
+            1e-9);
 }
 
 void TestHandStretch::aMoveLeadsThroughWhatLiesBehindItsStart() {
@@ -104,8 +105,8 @@ void TestHandStretch::aMoveLeadsThroughWhatLiesBehindItsStart() {
     QVERIFY(!leadsThrough({take + 1, 100}, to, {take, 150, 150}));
     QVERIFY(!leadsThrough({}, to, {take, 150, 150}));
     QVERIFY(leadsThrough({}, to, {take, 200, 200}));
-    QVERIFY(!leadsThrough(from, {}, TakeStretch{})); // everything that the hand did
-    QVERIFY(leadsThrough({}, to, TakeStretch{}));
+    QVERIFY(!leadsThrough(from, {}, SourceStretch{})); // everything that the hand did
+    QVERIFY(leadsThrough({}, to, SourceStretch{}));
     PathPoint drawn = point(0, 100);
     drawn.sample = -1;
     QCOMPARE(momentOf(drawn), Moment{});

@@ -96,7 +96,7 @@ private slots:
         QVERIFY(path);
         const std::vector<glm::dvec3> before{{-8, 0, 11}, {0, 0, 9.9}, {8, 0, 11}};
         for (const PathPoint& point : path->path.points) {
-            if (point.tip.z > 10.006) QVERIFY(distanceToPolyline(point.tip, before) < 1e-6);
+            if (point.pose.tip.z > 10.006) QVERIFY(distanceToPolyline(point.pose.tip, before) < 1e-6);
         }
         // Tip at 9.9, aim 10.005: pushed by 0.105, and no figure above what thinning may add.
         QVERIFY(path->reports.front().largestDeviation >= 0.105 - 1e-6);
@@ -119,8 +119,8 @@ private slots:
                                                                              : flatClearance(ridge, place, 3.0));
             });
             QVERIFY2(least >= -1e-4, qPrintable(QString::number(least)));
-            QVERIFY(path->path.points.front().tip == glm::dvec3(-8, 0, 8));
-            QVERIFY(path->path.points.back().tip == glm::dvec3(8, 1, 8));
+            QVERIFY(path->path.points.front().pose.tip == glm::dvec3(-8, 0, 8));
+            QVERIFY(path->path.points.back().pose.tip == glm::dvec3(8, 1, 8));
         }
     }
 

@@ -64,7 +64,7 @@ Variation variationOf(const std::vector<PathPoint>& points, const std::function<
     double time = 0.0, sum = 0.0, square = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) {
         if (points[i].kind != MoveKind::cut) continue;
-        const double from = points[i - 1].tip.x, length = points[i].tip.x - from;
+        const double from = points[i - 1].pose.tip.x, length = points[i].pose.tip.x - from;
         const int steps = std::max(1, static_cast<int>(length / 0.05));
         for (int k = 0; k < steps; ++k) {
             const double x = from + length * (k + 0.5) / steps;
@@ -150,7 +150,8 @@ private slots:
             QVERIFY(held[i].feed <= feed + 1e-9);
             cameDown = cameDown || held[i].feed < 0.7 * feed;
             stayed = stayed || held[i].feed > 0.9 * feed; // a block has the least of what its intervals ask for
-            for (double x = std::max(radius, held[i - 1].tip.x); x < std::min(held[i].tip.x, 40.0 - radius); x += 0.25)
+            for (double x = std::max(radius, held[i - 1].pose.tip.x); x < std::min(held[i].pose.tip.x, 40.0 - radius);
+                 x += 0.25)
                 QVERIFY2(forceAt(x, held[i].feed) < 1.1 * most, qPrintable(QString::number(x)));
         }
         QVERIFY(cameDown && stayed);
@@ -158,7 +159,7 @@ private slots:
         PathContext brittle = barContext();
         brittle.tool.strength = 1.0;
         for (const PathPoint& point : fed({{edit}}, brittle)) // as slow as the smallest chip, where it cuts
-            if (point.kind == MoveKind::cut && point.tip.x > 1.0 && point.tip.x < 37.0)
+            if (point.kind == MoveKind::cut && point.pose.tip.x > 1.0 && point.pose.tip.x < 37.0)
                 QVERIFY(point.feed <= 0.006 * 2.0 * spindle);
         // Nothing is stated, or there is no stock to know of.
         QCOMPARE(fed({{edit}}).size(), constant.size());
@@ -201,7 +202,7 @@ private slots:
                 last = 0.0;
                 continue;
             }
-            const double speed = points[i].feed / 60.0, length = points[i].tip.x - points[i - 1].tip.x;
+            const double speed = points[i].feed / 60.0, length = points[i].pose.tip.x - points[i - 1].pose.tip.x;
             if (last > 0.0) QVERIFY(speed * speed <= last * last + 2.0 * 20.0 * (length + 0.5) + 1e-6);
             last = speed;
         }
@@ -210,7 +211,8 @@ private slots:
     void theWayAndThePlungesStay() {
         const std::vector<PathPoint> constant = fed({}), level = fed({{LevelFeed{}}});
         QVERIFY(farthestFrom(tipsOf(level), tipsOf(constant)) < 1e-9);
-        QVERIFY(level.front().tip == constant.front().tip && level.back().tip == constant.back().tip);
+        QVERIFY(level.front().pose.tip == constant.front().pose.tip &&
+                level.back().pose.tip == constant.back().pose.tip);
         for (const PathPoint& point : level)
             if (point.kind == MoveKind::plunge) QCOMPARE(point.feed, 300.0);
     }

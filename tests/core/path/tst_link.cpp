@@ -93,7 +93,7 @@ private slots:
                     left.remove(parts.front(), place);
             });
             RC_ASSERT(clean);
-            RC_ASSERT(path->path.points.front().tip.z >= 5.0 && path->path.points.back().tip.z >= 5.0);
+            RC_ASSERT(path->path.points.front().pose.tip.z >= 5.0 && path->path.points.back().pose.tip.z >= 5.0);
         }));
     }
 
@@ -109,18 +109,18 @@ private slots:
         // Over the stock, down to a millimetre above it, in, along; out, up, over; and the second one with its slopes.
         QCOMPARE(kinds, "rrpcurrrpcccur");
         const std::vector<PathPoint>& p = path->path.points;
-        QVERIFY(p[0].tip == glm::dvec3(-10, 0, 5) && p[1].tip == glm::dvec3(-10, 0, 1));
-        QVERIFY(p[2].tip == glm::dvec3(-10, 0, -2));
+        QVERIFY(p[0].pose.tip == glm::dvec3(-10, 0, 5) && p[1].pose.tip == glm::dvec3(-10, 0, 1));
+        QVERIFY(p[2].pose.tip == glm::dvec3(-10, 0, -2));
         for (const PathPoint& point : p) {
             if (point.kind == MoveKind::rapid) QCOMPARE(point.feed, 0.0);
             if (point.kind == MoveKind::plunge) QCOMPARE(point.feed, 300.0);
             if (point.kind == MoveKind::retract) QCOMPARE(point.feed, 900.0);
         }
         QCOMPARE(p[9].feed, 900.0);
-        QCOMPARE(p[10].feed, 300.0);                // 3 mm down over 2 mm: steeper than 45°
-        QCOMPARE(p[11].feed, 900.0);                // 2 mm down over 3 mm
-        QVERIFY(p[3].take == 1 && p[3].sample > 0); // the hand's moment
-        QVERIFY(p[0].take == 0 && p[0].sample == -1);
+        QCOMPARE(p[10].feed, 300.0);                  // 3 mm down over 2 mm: steeper than 45°
+        QCOMPARE(p[11].feed, 900.0);                  // 2 mm down over 3 mm
+        QVERIFY(p[3].source == 1 && p[3].sample > 0); // the hand's moment
+        QVERIFY(p[0].source == 0 && p[0].sample == -1);
     }
 
     void neighbouringRowsAreJoinedWithoutALift() {
@@ -175,7 +175,7 @@ private slots:
                 // Up to the holder, which is higher than the clamp, the tool is no wider than its ball.
                 QVERIFY(std::abs(place.y - 4.0) > 0.1 + 3.0 - 1e-6 || place.z > clamp.high.z);
             });
-            QVERIFY(path->path.points.front().tip.z >= clamp.high.z + obstacle.margin + 5.0);
+            QVERIFY(path->path.points.front().pose.tip.z >= clamp.high.z + obstacle.margin + 5.0);
         }
     }
 
@@ -227,7 +227,8 @@ private slots:
             double most = 0.0;
             for (std::size_t i = 2; i < points.size(); ++i) {
                 if (points[i].kind != MoveKind::rapid || points[i - 1].kind != MoveKind::rapid) continue;
-                const glm::dvec3 before = points[i - 1].tip - points[i - 2].tip, on = points[i].tip - points[i - 1].tip;
+                const glm::dvec3 before = points[i - 1].pose.tip - points[i - 2].pose.tip,
+                                 on = points[i].pose.tip - points[i - 1].pose.tip;
                 if (glm::length(before) < 1e-6 || glm::length(on) < 1e-6) continue;
                 const double cosine = glm::dot(glm::normalize(before), glm::normalize(on));
                 most = std::max(most, std::acos(std::clamp(cosine, -1.0, 1.0)));
@@ -250,8 +251,8 @@ private slots:
             const bool out = points[i].kind == MoveKind::retract && points[i - 1].kind == MoveKind::cut;
             const bool in = points[i].kind == MoveKind::cut && points[i - 1].kind == MoveKind::plunge;
             if (!out && !in) continue;
-            const glm::dvec3 before = glm::normalize(points[i - 1].tip - points[i - 2].tip);
-            const glm::dvec3 on = glm::normalize(points[i].tip - points[i - 1].tip);
+            const glm::dvec3 before = glm::normalize(points[i - 1].pose.tip - points[i - 2].pose.tip);
+            const glm::dvec3 on = glm::normalize(points[i].pose.tip - points[i - 1].pose.tip);
             QVERIFY2(glm::dot(before, on) > 0.97, qPrintable(QString::number(glm::dot(before, on))));
             ++turns;
         }
@@ -268,7 +269,7 @@ private slots:
         QVERIFY(path);
         double lowest = 1e9;
         for (const PathPoint& point : path->path.points) {
-            if (point.kind == MoveKind::rapid) lowest = std::min(lowest, point.tip.z);
+            if (point.kind == MoveKind::rapid) lowest = std::min(lowest, point.pose.tip.z);
         }
         // At the slot's end the round of the cutter leaves nothing in the tool's own circle, but the map of squares is
         // conservative there; so the rapid stops on the stock's top or lower, never below the slot's floor.
@@ -357,7 +358,7 @@ private:
     static double rapidLength(const std::vector<PathPoint>& points) {
         double length = 0.0;
         for (std::size_t i = 1; i < points.size(); ++i)
-            if (points[i].kind == MoveKind::rapid) length += glm::distance(points[i - 1].tip, points[i].tip);
+            if (points[i].kind == MoveKind::rapid) length += glm::distance(points[i - 1].pose.tip, points[i].pose.tip);
         return length;
     }
     /// Of the rapids, in plan.
@@ -365,7 +366,7 @@ private:
         double length = 0.0;
         for (std::size_t i = 1; i < points.size(); ++i)
             if (points[i].kind == MoveKind::rapid)
-                length += glm::distance(glm::dvec2(points[i - 1].tip), glm::dvec2(points[i].tip));
+                length += glm::distance(glm::dvec2(points[i - 1].pose.tip), glm::dvec2(points[i].pose.tip));
         return length;
     }
     /// Of all moves: the tool is a ball with a shaft as wide, its holder is above everything.

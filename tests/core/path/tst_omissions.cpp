@@ -18,7 +18,7 @@ namespace {
 double lengthOfCuts(const std::vector<PathPoint>& points) {
     double length = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i)
-        if (points[i].kind == MoveKind::cut) length += glm::distance(points[i - 1].tip, points[i].tip);
+        if (points[i].kind == MoveKind::cut) length += glm::distance(points[i - 1].pose.tip, points[i].pose.tip);
     return length;
 }
 
@@ -84,7 +84,7 @@ private slots:
         QVERIFY2(path, path ? "" : path.error().detail.c_str());
         double farthest = -1e9;
         for (const PathPoint& point : path->path.points)
-            if (point.tip.z < -7.9) farthest = std::max(farthest, point.tip.x);
+            if (point.pose.tip.z < -7.9) farthest = std::max(farthest, point.pose.tip.x);
         constexpr double wall = 7.0 - 2.5;
         QVERIFY2(farthest <= wall + 1e-6 && farthest > wall - blur, qPrintable(QString::number(farthest)));
         const EditReport& link = reportOf(*path, "link");
@@ -184,8 +184,9 @@ private slots:
             for (std::size_t i = 1; i < path->path.points.size(); ++i) {
                 const PathPoint& point = path->path.points[i];
                 if (point.kind != MoveKind::cut) continue;
-                farthest = std::max(farthest, point.tip.x);
-                if (point.sample >= second) secondLength += glm::distance(path->path.points[i - 1].tip, point.tip);
+                farthest = std::max(farthest, point.pose.tip.x);
+                if (point.sample >= second)
+                    secondLength += glm::distance(path->path.points[i - 1].pose.tip, point.pose.tip);
             }
             walk(path->path.points, 0.1, [&](const PathPoint&, const glm::dvec3& tip) {
                 for (const Box& box : boxes) nearest = std::min(nearest, slotToolDistance(box, tip));

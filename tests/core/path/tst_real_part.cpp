@@ -57,7 +57,7 @@ double leastClearance(const std::vector<PathPoint>& points, const PartOracle& or
         if (points[i].kind == MoveKind::rapid) continue; // from stroke to stroke, without links
         glm::dvec3 last(1e9);
         double clear = 0.0;
-        for (const glm::dvec3& place : placesOf(points[i - 1].tip, points[i], step)) {
+        for (const glm::dvec3& place : placesOf(points[i - 1].pose.tip, points[i], step)) {
             if (glm::distance(place, last) < clear) continue;
             last = place;
             clear = oracle.clearance(place, 1.0);

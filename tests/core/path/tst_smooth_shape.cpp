@@ -249,7 +249,7 @@ private slots:
         QVERIFY(path);
         double length = 0.0;
         for (std::size_t i = 1; i < path->path.points.size(); ++i)
-            length += glm::distance(path->path.points[i - 1].tip, path->path.points[i].tip);
+            length += glm::distance(path->path.points[i - 1].pose.tip, path->path.points[i].pose.tip);
         QVERIFY(std::abs(length - 80.0) < 0.2);
     }
 

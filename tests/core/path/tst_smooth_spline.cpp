@@ -78,7 +78,7 @@ private slots:
         const auto path = run({takeOf(ticks)}, {{SmoothSpline{}}}, context());
         QVERIFY(path);
         for (std::size_t i = 0; i < ticks.size(); ++i)
-            QVERIFY(glm::distance(path->path.points[i].tip, ticks[i].tip) < 1e-6);
+            QVERIFY(glm::distance(path->path.points[i].pose.tip, ticks[i].tip) < 1e-6);
     }
 
     void randomStrokesStayInTheTube() {
@@ -91,7 +91,7 @@ private slots:
             RC_ASSERT(static_cast<bool>(path));
             RC_ASSERT(path->path.points.size() == ticks.size());
             for (std::size_t i = 0; i < ticks.size(); ++i) // hence every place between, at the same share of the way
-                RC_ASSERT(glm::distance(path->path.points[i].tip, ticks[i].tip) <= tube + 1e-12);
+                RC_ASSERT(glm::distance(path->path.points[i].pose.tip, ticks[i].tip) <= tube + 1e-12);
         }));
     }
 

@@ -84,10 +84,10 @@ private slots:
             QVERIFY2(clearance >= allowance - 0.004, qPrintable(QString::number(clearance)));
             QVERIFY2(clearance <= allowance + 0.04, qPrintable(QString::number(clearance))); // across the crease
         });
-        for (const PathPoint& point : path->path.points) QVERIFY(clearanceOf(point.tip) <= allowance + 0.012);
+        for (const PathPoint& point : path->path.points) QVERIFY(clearanceOf(point.pose.tip) <= allowance + 0.012);
         if (allowance == 0.0)
             for (const PathPoint& point : path->path.points)
-                QVERIFY(std::abs(point.tip.z - restingHeight(point.tip.x, point.tip.y)) < 0.05);
+                QVERIFY(std::abs(point.pose.tip.z - restingHeight(point.pose.tip.x, point.pose.tip.y)) < 0.05);
     }
 
     void theNearestWayLeadsToThePartToo() {
@@ -111,7 +111,8 @@ private slots:
     void besideThePartNothingIsLeft() {
         const auto path = run({takeOf(along({{-40, 0, 5}, {40, 0, 5}}, 60.0))}, {{LayOnPart{}}}, domeContext());
         QVERIFY(path);
-        for (const PathPoint& point : path->path.points) QVERIFY(std::abs(point.tip.x) <= 18.0 + toolRadius + 0.01);
+        for (const PathPoint& point : path->path.points)
+            QVERIFY(std::abs(point.pose.tip.x) <= 18.0 + toolRadius + 0.01);
     }
 
     void anOffsetKeepsItsDistance_data() {
@@ -135,12 +136,13 @@ private slots:
             }
             for (std::size_t i = 1; i < path->path.points.size(); ++i) {
                 if (path->path.points[i].kind == MoveKind::rapid) continue;
-                for (const glm::dvec3& place : placesOf(path->path.points[i - 1].tip, path->path.points[i], 0.02)) {
+                for (const glm::dvec3& place :
+                     placesOf(path->path.points[i - 1].pose.tip, path->path.points[i], 0.02)) {
                     const double off = distanceToPolyline({place.x, place.y, 0.0}, flat);
                     QVERIFY2(std::abs(off - std::abs(distance)) <= 0.002, qPrintable(QString::number(off)));
                 }
             }
-            const glm::dvec3 start = path->path.points.front().tip;
+            const glm::dvec3 start = path->path.points.front().pose.tip;
             QVERIFY(glm::distance(start, corners[0] + glm::dvec3(0, distance, 0)) < 1e-6); // all set off along X
         }
     }
@@ -156,8 +158,8 @@ private slots:
         std::vector<std::size_t> found(15);
         for (std::size_t i = 1; i < path->path.points.size(); ++i) {
             const PathPoint& point = path->path.points[i];
-            if (point.kind == MoveKind::rapid || point.take != 0) continue;
-            const glm::dvec3& tip = point.tip;
+            if (point.kind == MoveKind::rapid || point.source != 0) continue;
+            const glm::dvec3& tip = point.pose.tip;
             const double off = distanceToPolyline({tip.x, tip.y, 0.0}, rows.guide), row = off / 0.8;
             QVERIFY2(std::abs(row - std::round(row)) * 0.8 < 0.004, qPrintable(QString::number(off)));
             QVERIFY(std::abs(tip.z - restingHeight(tip.x, tip.y)) < 0.05);
@@ -217,8 +219,8 @@ private:
     static void expectNoGouge(const EvaluatedPath& path) {
         for (std::size_t i = 1; i < path.path.points.size(); ++i) {
             const PathPoint& point = path.path.points[i];
-            if (point.kind == MoveKind::rapid && point.take != 0) continue; // from stroke to stroke, without links
-            for (const glm::dvec3& place : placesOf(path.path.points[i - 1].tip, point, 0.05))
+            if (point.kind == MoveKind::rapid && point.source != 0) continue; // from stroke to stroke, without links
+            for (const glm::dvec3& place : placesOf(path.path.points[i - 1].pose.tip, point, 0.05))
                 RC_ASSERT(clearanceOf(place) >= -0.01);
         }
     }

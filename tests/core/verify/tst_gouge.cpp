@@ -104,8 +104,8 @@ struct Job {
     }
     void add(const glm::dvec3& to, std::uint16_t tool, bool rapid, double feed) {
         ToolMove move;
-        move.from = moves.empty() ? to : moves.back().to;
-        move.to = to;
+        move.from.tip = moves.empty() ? to : moves.back().to.tip;
+        move.to.tip = to;
         move.feed = feed;
         move.line = static_cast<std::uint32_t>(moves.size() + 1);
         move.motion = move.line - 1;
@@ -149,10 +149,10 @@ Answers sampleBySample(const Job& job, const std::vector<ShrunkOutline>& outline
         if (flutes <= onPartDistance) ++answers.onPart;
         if (std::abs(flutes - onPartDistance) <= 2e-4) ++answers.nearlyOnPart;
     };
-    ask(job.moves.front(), job.moves.front().from);
+    ask(job.moves.front(), job.moves.front().from.tip);
     for (const ToolMove& move : job.moves) {
-        const int steps = std::max(1, int(std::ceil(glm::length(move.to - move.from) / job.request.sampling)));
-        for (int i = 1; i <= steps; ++i) ask(move, glm::mix(move.from, move.to, double(i) / steps));
+        const int steps = std::max(1, int(std::ceil(glm::length(move.to.tip - move.from.tip) / job.request.sampling)));
+        for (int i = 1; i <= steps; ++i) ask(move, glm::mix(move.from.tip, move.to.tip, double(i) / steps));
     }
     std::sort(answers.depths.begin(), answers.depths.end(), std::greater<>());
     return answers;

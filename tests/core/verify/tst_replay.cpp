@@ -79,17 +79,17 @@ std::vector<ToolMove> someMoves(std::size_t tools) {
     const int count = *rc::gen::inRange(2, 9);
     for (int i = 0; i < count; ++i) {
         ToolMove move;
-        move.from = tip;
+        move.from.tip = tip;
         const auto place = [](double low, double length) { return low + length * *rc::gen::inRange(0, 101) / 100.0; };
-        move.to = {place(-2.9863, 22.0), place(0.0171, 18.0), place(5.0, 9.0)};
-        if (*rc::gen::inRange(0, 4) == 0) move.to.z = tip.z;                   // level
-        if (*rc::gen::inRange(0, 5) == 0) move.to = {tip.x, tip.y, move.to.z}; // straight down or up
+        move.to.tip = {place(-2.9863, 22.0), place(0.0171, 18.0), place(5.0, 9.0)};
+        if (*rc::gen::inRange(0, 4) == 0) move.to.tip.z = tip.z;                       // level
+        if (*rc::gen::inRange(0, 5) == 0) move.to.tip = {tip.x, tip.y, move.to.tip.z}; // straight down or up
         move.rapid = *rc::gen::inRange(0, 3) == 0;
         move.spindleOn = *rc::gen::inRange(0, 3) != 0;
         move.startKnown = i > 0 && *rc::gen::inRange(0, 8) != 0;
         move.tool = static_cast<std::uint16_t>(*rc::gen::inRange(0, static_cast<int>(tools)));
         move.line = static_cast<std::uint32_t>(i + 1);
-        tip = move.to;
+        tip = move.to.tip;
         moves.push_back(move);
     }
     return moves;
@@ -106,12 +106,13 @@ struct SlowReplay {
             const Cutter& cutter = tools[move.tool].cutter;
             const std::vector<RevolvedPiece> stack = pieces(cutter);
             MaterialRemoval removal(cutter, volume.grid());
-            const glm::dvec3 from = move.startKnown ? move.from : move.to;
-            const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(move.to - from) / voxel)));
+            const glm::dvec3 from = move.startKnown ? move.from.tip : move.to.tip;
+            const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(move.to.tip - from) / voxel)));
             glm::dvec3 tip = from;
             double taken = 0.0;
             for (int i = 1; i <= steps; ++i) {
-                const glm::dvec3 next = i == steps ? move.to : glm::mix(from, move.to, static_cast<double>(i) / steps);
+                const glm::dvec3 next =
+                    i == steps ? move.to.tip : glm::mix(from, move.to.tip, static_cast<double>(i) / steps);
                 taken += removal.cut(volume, ToolPose{tip, up}, ToolPose{next, up}).volume;
                 tip = next;
                 const ShankContact contact = shankContact(volume, stack, flutePieces(cutter).size(), {next, up});
@@ -122,8 +123,8 @@ struct SlowReplay {
             }
             volumes.push_back(taken);
             if (taken <= 1e-3) continue;
-            if (move.rapid) findings.add(FindingKind::rapidInStock, move.line, move.to, taken);
-            if (!move.spindleOn) findings.add(FindingKind::spindleOff, move.line, move.to, taken);
+            if (move.rapid) findings.add(FindingKind::rapidInStock, move.line, move.to.tip, taken);
+            if (!move.spindleOn) findings.add(FindingKind::spindleOff, move.line, move.to.tip, taken);
         }
     }
 };
@@ -195,9 +196,9 @@ void ReplayTest::isThatOfOneStepAfterTheOther() {
 void ReplayTest::takesWhatADenseGridSays() {
     const std::vector<Tool> tools{toolOf(CutterType::ball)};
     std::vector<ToolMove> moves(2);
-    moves[0].from = {1.3, 5.1, 9.2};
-    moves[0].to = moves[1].from = {12.2, 9.4, 7.4};
-    moves[1].to = {3.1, 13.3, 8.8};
+    moves[0].from.tip = {1.3, 5.1, 9.2};
+    moves[0].to.tip = moves[1].from.tip = {12.2, 9.4, 7.4};
+    moves[1].to.tip = {3.1, 13.3, 8.8};
     RunVolume volume = workpiece(RunAxis::z);
     const RunVolume before = workpiece(RunAxis::z);
     Findings findings;
@@ -221,16 +222,17 @@ void ReplayTest::takesWhatADenseGridSays() {
                     const glm::dvec3 p = grid.low() + (glm::dvec3(i, j, k) + (inVoxel + 0.5) / double(fine)) * voxel;
                     bool taken = false;
                     for (const ToolMove& move : moves) {
-                        const double nearest = distance(p, move.from + up, move.to + up);
+                        const double nearest = distance(p, move.from.tip + up, move.to.tip + up);
                         taken = taken || nearest < 2.0; // the flutes go on upwards from the ball's centre
                         const glm::dvec2 plan(p);
                         const double flat =
-                            distance({plan, 0.0}, {glm::dvec2(move.from), 0.0}, {glm::dvec2(move.to), 0.0});
-                        const double share =
-                            std::clamp(glm::dot(plan - glm::dvec2(move.from), glm::dvec2(move.to - move.from)) /
-                                           glm::dot(glm::dvec2(move.to - move.from), glm::dvec2(move.to - move.from)),
-                                       0.0, 1.0);
-                        taken = taken || (flat < 2.0 && p.z > glm::mix(move.from, move.to, share).z + 2.0);
+                            distance({plan, 0.0}, {glm::dvec2(move.from.tip), 0.0}, {glm::dvec2(move.to.tip), 0.0});
+                        const double share = std::clamp(
+                            glm::dot(plan - glm::dvec2(move.from.tip), glm::dvec2(move.to.tip - move.from.tip)) /
+                                glm::dot(glm::dvec2(move.to.tip - move.from.tip),
+                                         glm::dvec2(move.to.tip - move.from.tip)),
+                            0.0, 1.0);
+                        taken = taken || (flat < 2.0 && p.z > glm::mix(move.from.tip, move.to.tip, share).z + 2.0);
                     }
                     if (taken) expected += std::pow(voxel / fine, 3.0);
                 }
@@ -266,11 +268,11 @@ void ReplayTest::tellsWhatEachMoveTook() {
     const std::vector<Tool> tools{toolOf(CutterType::flat)};
     std::vector<ToolMove> moves(4);
     const glm::dvec3 start(1.5, 8.2, 11.0), end(10.5, 8.2, 11.0), down(0.0, 0.0, -1.0);
-    moves[0].from = moves[0].to = start;
-    moves[1].from = start;
-    moves[1].to = moves[2].from = end;
-    moves[2].to = moves[3].from = start;
-    moves[3].to = start + down;
+    moves[0].from.tip = moves[0].to.tip = start;
+    moves[1].from.tip = start;
+    moves[1].to.tip = moves[2].from.tip = end;
+    moves[2].to.tip = moves[3].from.tip = start;
+    moves[3].to.tip = start + down;
     RunVolume volume = workpiece(RunAxis::z);
     Findings findings;
     const std::vector<MoveCut> cuts = fastReplay(moves, tools, volume, findings);

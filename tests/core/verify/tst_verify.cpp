@@ -340,12 +340,12 @@ void VerifyTest::theAllowanceIsComparedWithThePath() {
     Path promised;
     promised.toolId = job.request.tool.id;
     std::string text = start + "G0 Z5\nG0 X-40 Y-5\nG0 Z" + std::to_string(-20.0 + program) + "\nF600\n";
-    promised.points.push_back({{-25.0, 5.0, 10.0 + path}, MoveKind::rapid});
+    promised.points.push_back({{{-25.0, 5.0, 10.0 + path}}, MoveKind::rapid});
     for (const double y : {5.0, 10.0, 15.0}) {
         const std::string lane = std::to_string(y - 10.0);
-        promised.points.push_back({{-25.0, y, 10.0 + path}});
-        promised.points.push_back({{55.0, y, 10.0 + path}});
-        promised.points.push_back({{-25.0, y, 10.0 + path}});
+        promised.points.push_back({{{-25.0, y, 10.0 + path}}});
+        promised.points.push_back({{{55.0, y, 10.0 + path}}});
+        promised.points.push_back({{{-25.0, y, 10.0 + path}}});
         text += "G1 Y" + lane + "\nX40\nX-40\n";
     }
     const std::vector<Path> paths{promised};

@@ -45,11 +45,11 @@ public:
         path.toolId = tool.id;
         path.spindleSpeed = 12000.0;
     }
-    void rapid(const glm::dvec3& to) { path.points.push_back({to, MoveKind::rapid, 0.0}); }
-    void plunge(const glm::dvec3& to) { path.points.push_back({to, MoveKind::plunge, plungeFeed}); }
-    void cut(const glm::dvec3& to) { path.points.push_back({to, MoveKind::cut, feed}); }
+    void rapid(const glm::dvec3& to) { path.points.push_back({{to}, MoveKind::rapid, 0.0}); }
+    void plunge(const glm::dvec3& to) { path.points.push_back({{to}, MoveKind::plunge, plungeFeed}); }
+    void cut(const glm::dvec3& to) { path.points.push_back({{to}, MoveKind::cut, feed}); }
     void turn(const glm::dvec3& to, const glm::dvec3& centre) {
-        PathPoint point{to, MoveKind::cut, feed};
+        PathPoint point{{to}, MoveKind::cut, feed};
         point.arc = PathArc{centre, 2, true};
         path.points.push_back(point);
     }
@@ -59,7 +59,7 @@ public:
         rapid({x, y, z});
     }
     void rise() {
-        const glm::dvec3 at = path.points.back().tip;
+        const glm::dvec3 at = path.points.back().pose.tip;
         rapid({at.x, at.y, safe});
     }
     /// Around the tray's outside, from the middle of its low side along x and back.

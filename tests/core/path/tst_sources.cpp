@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "block_fixture.h"
+
+#include "core/path/stroke.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+constexpr std::int64_t planned = -4; ///< the id of moves in these tests
+constexpr double depth = -2.0;
+
+/// Rows of a facing pass, 1 mm apart, a point each 2 mm; the moment of a point is 1000 times its row and its column.
+GeneratedMoves facing() {
+    GeneratedMoves moves;
+    moves.info = {planned, firstSetup, "facing", "flat", 0.0, 0};
+    for (std::int64_t row = 0; row < 5; ++row) {
+        std::vector<GeneratedPoint>& stroke = moves.strokes.emplace_back();
+        for (std::int64_t column = 0; column <= 6; ++column) {
+            const auto x = static_cast<double>(row % 2 == 0 ? 2 * column - 6 : 6 - 2 * column);
+            stroke.push_back({{{x, static_cast<double>(row) - 2.0, depth}}, 1000 * row + column});
+        }
+    }
+    return moves;
+}
+
+std::map<std::int64_t, glm::dvec3> placesOf(const GeneratedMoves& moves) {
+    std::map<std::int64_t, glm::dvec3> places;
+    for (const auto& stroke : moves.strokes)
+        for (const GeneratedPoint& point : stroke) places[point.moment] = point.pose.tip;
+    return places;
+}
+
+Take takeAbove() {
+    Take take = takeOf(along({{-6, 4, depth}, {6, 4, depth}}, 50.0));
+    take.info.toolId = "flat";
+    return take;
+}
+
+/// The take, then the moves.
+Result<EvaluatedPath> evaluated(const std::vector<Edit>& edits) {
+    std::vector<SourceStrokes> sources;
+    sources.push_back(*recordedStrokes(takeAbove()));
+    sources.push_back(*strokesOf(facing()));
+    Progress progress;
+    return evaluate("path", std::move(sources), edits, blockContext(flatTool(4.0)), progress);
+}
+
+/// The cutting places of a source in a path, by their moments.
+std::map<std::int64_t, glm::dvec3> cutOf(const Path& path, std::int64_t source) {
+    std::map<std::int64_t, glm::dvec3> places;
+    for (const PathPoint& point : path.points)
+        if (point.source == source && point.kind == MoveKind::cut) places[point.sample] = point.pose.tip;
+    return places;
+}
+
+} // namespace
+
+class TestSources : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// Before any edit a path goes just where its sources do, in their order.
+    void aPathOfBothGoesWhereBothGo() {
+        const Result<EvaluatedPath> path = evaluated({});
+        QVERIFY(path);
+        std::map<std::int64_t, glm::dvec3> places;
+        bool ofTheHand = true;
+        for (const PathPoint& point : path->path.points) {
+            if (point.source == planned) places[point.sample] = point.pose.tip;
+            QVERIFY(ofTheHand || point.source == planned); // the take comes first
+            ofTheHand = point.source != planned;
+        }
+        QVERIFY(places == placesOf(facing()));
+    }
+
+    /// Linked, fed and levelled like a recording: every place stays, at its own moment; the tool never goes aside.
+    void theStandardEditsLeaveAPlannersPlaces() {
+        const Result<EvaluatedPath> path = evaluated({{DropAirCuts{}}, {DropDwells{}}, {Link{}}, {SetFeed{}}});
+        QVERIFY(path);
+        const auto wanted = placesOf(facing()), made = cutOf(path->path, planned);
+        for (const auto& [moment, place] : wanted) {
+            const bool first = moment % 1000 == 0; // reached by a plunge
+            QVERIFY2(first || (made.contains(moment) && made.at(moment) == place), qPrintable(QString::number(moment)));
+        }
+        QVERIFY(std::ranges::all_of(path->path.points, [](const PathPoint& point) {
+            return point.kind == MoveKind::rapid || point.feed > 0.0;
+        }));
+    }
+
+    /// What goes by the hand's time leaves moves alone that have none.
+    void filtersInTimeAreForTheHand() {
+        const Result<EvaluatedPath> path = evaluated({{DropDwells{.speed = 1000.0}}, {Smooth{}}, {SmoothSpline{}}});
+        QVERIFY(path);
+        std::map<std::int64_t, glm::dvec3> places;
+        for (const PathPoint& point : path->path.points)
+            if (point.source == planned) places[point.sample] = point.pose.tip;
+        QVERIFY(places == placesOf(facing()));
+    }
+
+    /// A moment names a place of generated moves as a tick names one of a take; nothing else is meant by it.
+    void editsNameAPlannersMoments() {
+        Trim trim;
+        trim.stretch = {planned, 1002, 3004};
+        const Edit edit{trim};
+        const Result<Edit> again = editFromJson(toJson(edit));
+        QVERIFY(again && toJson(*again) == toJson(edit));
+        const Result<EvaluatedPath> path = evaluated({{CutOut{{planned, 1002, 3004}}}});
+        QVERIFY(path);
+        std::set<std::int64_t> left;
+        for (const PathPoint& point : path->path.points)
+            if (point.source == planned) left.insert(point.sample);
+        for (const auto& [moment, place] : placesOf(facing()))
+            QCOMPARE(left.contains(moment), moment < 1002 || moment > 3004);
+        QVERIFY(std::ranges::any_of(path->path.points, [](const PathPoint& point) { return point.source == 1; }));
+    }
+
+    /// Edits are for upright tools.
+    void aTiltedMoveIsRefused() {
+        GeneratedMoves moves = facing();
+        moves.strokes[2][3].pose.axis = {0.0, 0.6, 0.8};
+        const Result<SourceStrokes> strokes = strokesOf(moves);
+        QVERIFY(!strokes);
+        QCOMPARE(strokes.error().code, ErrorCode::notSupported);
+        QCOMPARE(strokes.error().detail, std::string("move 2003"));
+    }
+
+    void movesOfAnotherToolAreRefused() {
+        Progress progress;
+        const PathContext context = blockContext(ballTool(4.0));
+        const Result<EvaluatedPath> path = evaluate("path", {*strokesOf(facing())}, {}, context, progress);
+        QCOMPARE(path.error().code, ErrorCode::argumentInvalid);
+        QVERIFY(path.error().detail.starts_with("pass 4"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSources)
+#include "tst_sources.moc"
