@@ -47,8 +47,8 @@ struct Strange {
         const glm::dvec3 nowhere(0, std::numeric_limits<double>::quiet_NaN(), 0);
         return {std::vector<glm::dvec3>{{0, 0, 0}}, std::vector<glm::dvec3>(5, nowhere)};
     }
-    Values operator()(const Moment&) const { return {Moment{-1, 0}, Moment{1, -1}}; }
-    Values operator()(const SourceStretch&) const { return {SourceStretch{1, 5, 4}, SourceStretch{-1, 0, 4}}; }
+    Values operator()(const Moment&) const { return {Moment{1, -1}, Moment{-1, -1}}; }
+    Values operator()(const SourceStretch&) const { return {SourceStretch{1, 5, 4}, SourceStretch{-1, -2, 4}}; }
 };
 
 } // namespace
