@@ -170,7 +170,8 @@ bool stepsBack(const glm::dvec3& from, const StrokePoint& at, const StrokePoint&
 }
 
 /// An arc that was fitted where the tool is sent forth and back becomes lines again, of which linking can leave points
-/// out. @return whether there was one
+/// out; so does one that leaves no more than a short move up to where the tool turns back. @return whether there was
+/// one
 bool straightenBackSteps(std::vector<Primitive>& whole, const std::vector<StrokePoint>& points, const Fitter& lines,
                          const Progress& progress) {
     const auto startOf = [&](std::size_t i) { return i == 0 ? std::size_t{0} : whole[i - 1].end; };
@@ -182,10 +183,18 @@ bool straightenBackSteps(std::vector<Primitive>& whole, const std::vector<Stroke
     const auto isFitted = [&](std::size_t i) { return whole[i].arc && whole[i].end > startOf(i) + 1; };
     bool any = false;
     std::vector<bool> straight(whole.size(), false);
+    const auto isShort = [&](std::size_t i) {
+        return lengthTo(madeOf(i), points[startOf(i)].pose.tip) < longestBackStep;
+    };
     for (std::size_t i = 0; i + 1 < whole.size(); ++i) {
-        if (!isFitted(i) && !isFitted(i + 1)) continue;
         if (!stepsBack(points[startOf(i)].pose.tip, madeOf(i), madeOf(i + 1))) continue;
-        any = straight[isFitted(i) ? i : i + 1] = true;
+        for (const std::size_t arc : {i, i + 1, i - 1, i + 2}) {
+            if (arc >= whole.size() || !isFitted(arc)) continue; // of the first move the one before is none
+            const bool leavesAShortMove = (arc == i - 1 && isShort(i)) || (arc == i + 2 && isShort(i + 1));
+            if (arc != i && arc != i + 1 && !leavesAShortMove) continue;
+            any = straight[arc] = true;
+            break;
+        }
     }
     std::vector<Primitive> changed;
     for (std::size_t i = 0; i < whole.size(); ++i) {
