@@ -72,7 +72,7 @@ namespace {
 json jsonOf(const Omission& part) {
     return {{"reason", idOf(part.reason)},
             {"text", textOf(part.reason).text},
-            {"take", part.take},
+            {"take", part.source},
             {"first_tick", part.first},
             {"last_tick", part.last},
             {"from_mm", burin::jsonOf(part.line.front())},
@@ -84,7 +84,7 @@ json jsonOf(const std::vector<StrokeEntry>& entries) {
     json list = json::array();
     for (const StrokeEntry& entry : entries)
         list.push_back({{"form", idOf(entry.form)},
-                        {"take", entry.take},
+                        {"take", entry.source},
                         {"tick", entry.sample},
                         {"to_mm", burin::jsonOf(entry.tip)},
                         {"depth_mm", entry.depth}});

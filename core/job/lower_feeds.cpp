@@ -32,10 +32,10 @@ Path wholeOf(const std::vector<Path>& paths) {
 }
 
 std::size_t lowerFeeds(std::vector<Path>& paths, const ParsedProgram& program, const std::vector<FeedLimit>& limits,
-                       const glm::dvec3& zero) {
+                       const Kinematics& kinematics) {
     const auto mayLower = [](const Path& path) { return path.leastFeed > 0.0; };
     if (limits.empty() || std::ranges::none_of(paths, mayLower)) return 0;
-    const std::vector<std::optional<std::size_t>> behind = pointsBehind(program, wholeOf(paths), zero);
+    const std::vector<std::optional<std::size_t>> behind = pointsBehind(program, wholeOf(paths), kinematics);
     const std::vector<PointOf> points = pointsOf(paths);
     std::vector<bool> lowered(points.size(), false);
     for (const FeedLimit& limit : limits) {

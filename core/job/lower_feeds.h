@@ -11,8 +11,8 @@ Path wholeOf(const std::vector<Path>& paths);
 
 /// Feeds come down to what the check of a program of these paths found that spindle and tool bear, no lower than each
 /// path lets them (Path::leastFeed) and where it does. A move that was split comes down as a whole.
-/// @param zero program zero in the setup frame, mm. @return moves whose feed is lower than before
+/// @param kinematics of the machine with the program's zero. @return moves whose feed is lower than before
 std::size_t lowerFeeds(std::vector<Path>& paths, const ParsedProgram& program, const std::vector<FeedLimit>& limits,
-                       const glm::dvec3& zero);
+                       const Kinematics& kinematics);
 
 } // namespace burin

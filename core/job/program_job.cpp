@@ -279,14 +279,14 @@ Result<CheckedProgram> makeProgram(const Bench& bench, const ProgramPaths& paths
     Result<CheckedProgram> checked = postAndCheck(bench, paths, wanted, progress);
     if (!checked) return checked;
     ProgramPaths slower = paths;
-    if (const std::size_t slowed =
-            lowerFeeds(slower.paths, checked->parsed, checked->report.feedLimits, bench.setup.workOffset);
+    const std::unique_ptr<const Kinematics> kinematics = kinematicsOf(bench.machine, bench.setup.workOffset);
+    if (const std::size_t slowed = lowerFeeds(slower.paths, checked->parsed, checked->report.feedLimits, *kinematics);
         slowed > 0) {
         checked = postAndCheck(bench, slower, wanted, progress);
         if (!checked) return checked;
         checked->slowed = slowed;
     }
-    checked->moments = momentsOf(checked->parsed, wholeOf(paths.paths), bench.setup.workOffset);
+    checked->moments = momentsOf(checked->parsed, wholeOf(paths.paths), *kinematics);
     if (checked->passed() || request.overrideReason.empty()) return checked;
     return overrideCheck(std::move(*checked), request.overrideReason, bench.machine);
 }

@@ -16,13 +16,13 @@ constexpr std::size_t farthestAhead = 1000;
 /// Follows a path's points as a program's motions end in them.
 class Follower {
 public:
-    Follower(const Path& path, const glm::dvec3& zero, double tolerance)
-        : path_(path), zero_(zero), tolerance_(tolerance) {}
+    Follower(const Path& path, const Kinematics& kinematics, double tolerance)
+        : path_(path), kinematics_(kinematics), tolerance_(tolerance) {}
 
     /// The point that a motion ends in; nothing: none ahead.
     std::optional<std::size_t> next(const NcMotion& motion) {
-        if (!motion.toKnown[0] || !motion.toKnown[1] || !motion.toKnown[2]) return std::nullopt;
-        const glm::dvec3 place = motion.to + zero_;
+        if (!motion.endKnown(kinematics_.axes())) return std::nullopt;
+        const glm::dvec3 place = kinematics_.poseOf(motion.to).tip;
         const std::size_t end = std::min(path_.points.size(), at_ + farthestAhead);
         for (std::size_t i = at_; i < end; ++i) {
             if (glm::distance(path_.points[i].pose.tip, place) > tolerance_) continue;
@@ -34,7 +34,7 @@ public:
 
 private:
     const Path& path_;
-    glm::dvec3 zero_;
+    const Kinematics& kinematics_;
     double tolerance_;
     std::size_t at_ = 0;
 };
@@ -42,9 +42,9 @@ private:
 } // namespace
 
 std::vector<std::optional<std::size_t>> pointsBehind(const ParsedProgram& program, const Path& path,
-                                                     const glm::dvec3& zero, double tolerance) {
+                                                     const Kinematics& kinematics, double tolerance) {
     std::vector<std::optional<std::size_t>> points(program.motions.size());
-    Follower follower(path, zero, tolerance);
+    Follower follower(path, kinematics, tolerance);
     std::size_t waiting = 0; // motions from here on belong to the next point that is met
     for (std::size_t i = 0; i < program.motions.size(); ++i) {
         if (program.motions[i].kind == NcMotionKind::dwell) continue;
@@ -57,10 +57,10 @@ std::vector<std::optional<std::size_t>> pointsBehind(const ParsedProgram& progra
     return points;
 }
 
-std::vector<Moment> momentsOf(const ParsedProgram& program, const Path& path, const glm::dvec3& zero,
+std::vector<Moment> momentsOf(const ParsedProgram& program, const Path& path, const Kinematics& kinematics,
                               double tolerance) {
     std::vector<Moment> moments;
-    for (const std::optional<std::size_t> point : pointsBehind(program, path, zero, tolerance))
+    for (const std::optional<std::size_t> point : pointsBehind(program, path, kinematics, tolerance))
         moments.push_back(point ? momentOf(path.points[*point]) : Moment{});
     return moments;
 }

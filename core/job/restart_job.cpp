@@ -68,7 +68,7 @@ public:
         Result<Restart> restart = restartAt(interrupted_, wanted_);
         if (!restart) return std::move(restart).error();
         restart->program.header = header(*restart);
-        descends_ = restart->place.z < wanted_.freeHeight;
+        descends_ = restart->place[Axis::z] < wanted_.freeHeight;
         const Result<std::shared_ptr<const PostProcessor>> dialect = loadDialect(request_.dialect);
         if (!dialect) return dialect.error();
         Result<std::string> text = writeProgram(restart->program, bench_.machine, **dialect, progress);
@@ -79,7 +79,8 @@ public:
         check.before = std::move(done);
         Result<CheckedProgram> checked = checkProgram(bench_, std::move(*text), request_.name, check, progress);
         if (!checked) return std::move(checked).error();
-        return RestartedProgram{std::move(*checked), wanted_.line, restart->cut, restart->lead, restart->place};
+        return RestartedProgram{std::move(*checked), wanted_.line, restart->cut, restart->lead,
+                                restart->place.linear()};
     }
 
     /// The tool of the one made last goes down onto the path at feed.

@@ -39,14 +39,19 @@ struct ArcRules {
     double radiusMismatch = 0.002;  ///< mm, between the radii at start and end
 };
 
+/// How the axes carry the tool (core/machine/kinematics.h).
+enum class MachineKinematics : std::uint8_t {
+    threeAxes ///< X, Y and Z carry an upright tool
+};
+
 /// What a spindle gives at one speed for as long as a cut takes.
 struct SpindlePoint {
     double speed = 0.0;  ///< 1/min
     double torque = 0.0; ///< N m
 };
 
-/// A three-axis machine and its control, plain data. resources/machines/<id>.json; core/machine/README.md says what
-/// each key means.
+/// A machine and its control, plain data. resources/machines/<id>.json; core/machine/README.md says what each key
+/// means.
 struct MachineProfile {
     std::string id;
     std::string name;
@@ -78,6 +83,7 @@ struct MachineProfile {
     /// mm, machine frame: where the spindle parks for a tool change and at the end, first Z, then X and Y; nothing: not
     /// stated, so that it stays where the dialect leaves it.
     std::optional<glm::dvec3> home{};
+    MachineKinematics kinematics = MachineKinematics::threeAxes; ///< the files have no key for it yet
 
     /// Whether the value of a key is somebody's estimate, by what its source says.
     bool isEstimate(const std::string& key) const {

@@ -20,16 +20,15 @@ public:
         if (column_ == 0) column_ = block.word('R').given() ? block.word('R').column : block.firstColumn;
     }
 
-    bool read(const std::array<bool, 3>& known) {
+    bool read(AxisSet known) {
         const int axis = words_.arc.axis;
-        if (control_.arcNeedsAxis && !block_.word(letterOf((axis + 1) % 3)).given() &&
-            !block_.word(letterOf((axis + 2) % 3)).given())
+        if (control_.arcNeedsAxis && !block_.word(linearAxis((axis + 1) % 3)).given() &&
+            !block_.word(linearAxis((axis + 2) % 3)).given())
             return fail(ProgramProblem::axisMissing, column_);
         for (int i = 0; i < 3; ++i) {
             const bool inPlane = i != axis, stays = words_.arc.to[i] == words_.arc.from[i];
-            const auto place = static_cast<std::size_t>(i);
             // A helix needs its start along the axis too, unless it goes nowhere there.
-            if ((inPlane || !stays) && (!state_.frames.known()[place] || !known[place]))
+            if ((inPlane || !stays) && (!state_.frames.known().has(linearAxis(i)) || !known.has(linearAxis(i))))
                 return fail(ProgramProblem::placeUnknown, column_);
         }
         const Word& radius = block_.word('R');
@@ -38,7 +37,6 @@ public:
     }
 
 private:
-    static char letterOf(int axis) noexcept { return static_cast<char>('X' + axis); }
     bool fail(ProgramProblem problem, std::uint32_t column) {
         fault_ = {problem, column, 1};
         return false;
@@ -61,8 +59,8 @@ private:
             const Word& word = block_.word(offsetLetters[static_cast<std::size_t>(axis)]);
             if (!word.given()) continue;
             if (axis == arc.axis) return fail(ProgramProblem::arcOffsetAcross, word.column);
-            arc.centre[axis] =
-                word.value * state_.length + (state_.centresAbsolute ? state_.frames.shift()[axis] : arc.from[axis]);
+            arc.centre[axis] = word.value * state_.length +
+                               (state_.centresAbsolute ? state_.frames.shift().linear()[axis] : arc.from[axis]);
             ++given;
         }
         if (given == 0 || (state_.centresAbsolute && given < 2)) return fail(ProgramProblem::arcCentreMissing, column_);
@@ -102,8 +100,8 @@ private:
 } // namespace
 
 bool readArc(const Block& block, const ModalState& state, const Control& control, const glm::dvec3& target,
-             const std::array<bool, 3>& known, ArcWords& words, BlockFault& fault) {
-    const glm::dvec3& from = state.frames.place();
+             AxisSet known, ArcWords& words, BlockFault& fault) {
+    const glm::dvec3& from = state.frames.place().linear();
     words = {{from, target, from, state.planeAxis, state.motion == gcode::clockwise}, 0};
     return ArcReader(block, state, control, words, fault).read(known);
 }

@@ -17,7 +17,7 @@ std::uint32_t firstOf(const Block& block, std::string_view letters) noexcept {
 } // namespace
 
 std::uint32_t Block::firstAxis() const noexcept {
-    return firstOf(*this, "XYZ");
+    return firstOf(*this, axisLetters);
 }
 
 std::uint32_t Block::firstOffset() const noexcept {

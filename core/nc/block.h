@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/machine/axis.h"
 #include "core/nc/problem.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -70,14 +72,17 @@ struct Block {
     bool percent = false;          ///< the line is the tape mark %
 
     const Word& word(char letter) const noexcept { return words[static_cast<std::size_t>(letter - 'A')]; }
+    const Word& word(Axis axis) const noexcept { return word(letterOf(axis)); }
     const Code& code(GGroup group) const noexcept { return g[static_cast<std::size_t>(group)]; }
     const Code& code(MGroup group) const noexcept { return m[static_cast<std::size_t>(group)]; }
     bool empty() const noexcept { return firstColumn == 0; }
-    /// Any of X Y Z.
-    bool hasAxis() const noexcept { return word('X').given() || word('Y').given() || word('Z').given(); }
+    /// A word of any axis.
+    bool hasAxis() const noexcept {
+        return std::ranges::any_of(axisLetters, [this](char letter) { return word(letter).given(); });
+    }
     /// Any of I J K.
     bool hasOffset() const noexcept { return word('I').given() || word('J').given() || word('K').given(); }
-    std::uint32_t firstAxis() const noexcept;   ///< column of the first of X Y Z; 0: none
+    std::uint32_t firstAxis() const noexcept;   ///< column of the first word of an axis; 0: none
     std::uint32_t firstOffset() const noexcept; ///< column of the first of I J K; 0: none
 };
 

@@ -14,42 +14,34 @@ constexpr double peckClearance = 0.254; // mm: 0.010 in
 constexpr int mostRepeats = 10000;
 constexpr double mostPecks = 1e4; // of one block; more is a slip, not a program
 
-char letterOf(int axis) noexcept {
-    return static_cast<char>('X' + axis);
-}
 bool needsDwell(int cycle) noexcept {
     return cycle == 820 || cycle == 860 || cycle == 880 || cycle == 890;
 }
 
 } // namespace
 
-/// One cycle of a block, worked out: places in mm, in the frame of the work offset.
+/// One cycle of a block, worked out: places in the frame of the work offset, heights in mm.
 struct CannedCycles::Hole {
     int cycle = 0;
     std::uint32_t column = 1;
-    int axis = 2;              ///< of the hole
-    glm::dvec3 place{0.0};     ///< of the next one, but for its height
-    glm::dvec3 increment{0.0}; ///< from one repeat to the next
-    glm::dvec3 offset{0.0};    ///< of a back bore, across the axis
-    double height = 0.0;       ///< R
+    Axis axis = Axis::z;  ///< of the hole
+    AxisValues place;     ///< of the next one, but for its height
+    AxisSet known;        ///< axes that are known there
+    AxisValues increment; ///< from one repeat to the next
+    AxisValues offset;    ///< of a back bore, across the axis
+    double height = 0.0;  ///< R
     double depth = 0.0;
     double clear = 0.0;  ///< where it ends
     double travel = 0.0; ///< height of the way to the hole
     double middle = 0.0; ///< top of a back bore
     int repeats = 1;
 
-    glm::dvec3 with(double along) const noexcept {
-        glm::dvec3 result = place;
-        result[axis] = along;
+    AxisValues with(double along) const {
+        AxisValues result = place;
+        result.set(axis, along);
         return result;
     }
 };
-
-namespace {
-
-constexpr std::array<bool, 3> everywhere{true, true, true};
-
-} // namespace
 
 bool CannedCycles::isCycle(int motion) noexcept {
     return motion == gcode::peckBreaking || (motion > gcode::noMotion && motion <= 890);
@@ -104,21 +96,26 @@ bool CannedCycles::readWords(const Block& block, const Control& control, const M
             return fail(ProgramProblem::cycleRepeats, repeats.column);
         hole.repeats = static_cast<int>(repeats.value);
     }
-    for (int axis = 0; axis < 3; ++axis) {
-        const Word& word = block.word(letterOf(axis));
+    for (const Axis axis : control.axes) {
+        const Word& word = block.word(axis);
         if (axis == hole.axis || !word.given()) continue;
+        const double value = isRotary(axis) ? word.value : word.value * state.length;
         if (state.incremental)
-            hole.increment[axis] = word.value * state.length;
+            hole.increment.set(axis, value);
         else
-            hole.place[axis] = word.value * state.length + state.frames.shift()[axis];
+            hole.place.set(axis, value + state.frames.shift()[axis]);
     }
     if (hole.cycle != 870) return true;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!keep(block, static_cast<char>('I' + axis), offset_[axisIndex(axis)], state.length, true))
+    for (const Axis axis : linearAxes) {
+        const int component = static_cast<int>(axis);
+        if (!keep(block, static_cast<char>('I' + component), offset_[axisIndex(component)], state.length, true))
             return fail(ProgramProblem::cycleWordMissing, hole.column);
-        if (axis != hole.axis) hole.offset[axis] = *offset_[axisIndex(axis)];
+        if (axis == hole.axis)
+            hole.middle =
+                *offset_[axisIndex(component)] + (state.incremental ? hole.depth : state.frames.shift()[axis]);
+        else
+            hole.offset.set(axis, *offset_[axisIndex(component)]);
     }
-    hole.middle = *offset_[axisIndex(hole.axis)] + (state.incremental ? hole.depth : state.frames.shift()[hole.axis]);
     return true;
 }
 
@@ -136,12 +133,14 @@ bool CannedCycles::run(const Block& block, const Control& control, ModalState& s
     Hole hole;
     hole.cycle = state.motion;
     hole.column = block.hasAxis() ? block.firstAxis() : block.firstColumn;
-    hole.axis = state.planeAxis;
+    hole.axis = linearAxis(state.planeAxis);
     hole.place = state.frames.place();
-    for (int axis = 0; axis < 3; ++axis) {
+    hole.known = state.frames.known();
+    for (const Axis axis : control.axes) {
         // Where the hole lies has to be known, and from which height the tool comes.
-        const bool stated = !state.incremental && axis != hole.axis && block.word(letterOf(axis)).given();
-        if (!state.frames.known()[axisIndex(axis)] && !stated) return fail(ProgramProblem::placeUnknown, hole.column);
+        const bool stated = !state.incremental && axis != hole.axis && block.word(axis).given();
+        if (stated) hole.known.set(axis);
+        if (linearAxes.has(axis) && !hole.known.has(axis)) return fail(ProgramProblem::placeUnknown, hole.column);
     }
     if (state.feedMode == FeedMode::inverseTime) return fail(ProgramProblem::cycleFeedMode, hole.column);
     if (!(state.feed > 0.0)) return fail(ProgramProblem::feedMissing, hole.column);
@@ -149,18 +148,18 @@ bool CannedCycles::run(const Block& block, const Control& control, ModalState& s
         return false;
     hole.travel = state.retractToHeight ? state.frames.place()[hole.axis] : *startHeight_;
     if (*startHeight_ < hole.height) {
-        glm::dvec3 up = state.frames.place();
-        up[hole.axis] = hole.height;
+        AxisValues up = state.frames.place();
+        up.set(hole.axis, hole.height);
         writer.move(NcMotionKind::rapid, up, state.frames.known(), hole.column);
         hole.travel = hole.height;
     }
     hole.travel = std::max(hole.travel, hole.height);
     hole.clear = state.retractToHeight ? hole.height : std::max(*startHeight_, hole.height);
     for (int repeat = 0; repeat < hole.repeats; ++repeat) {
-        hole.place += hole.increment;
-        writer.move(NcMotionKind::rapid, hole.with(hole.travel), everywhere, hole.column);
+        hole.place = hole.place + hole.increment;
+        writer.move(NcMotionKind::rapid, hole.with(hole.travel), hole.known, hole.column);
         if (hole.travel != hole.height)
-            writer.move(NcMotionKind::rapid, hole.with(hole.height), everywhere, hole.column);
+            writer.move(NcMotionKind::rapid, hole.with(hole.height), hole.known, hole.column);
         drill(hole, state, writer);
         hole.travel = hole.clear;
     }
@@ -168,9 +167,9 @@ bool CannedCycles::run(const Block& block, const Control& control, ModalState& s
 }
 
 void CannedCycles::drill(const Hole& hole, ModalState& state, MotionWriter& writer) const {
-    const auto feed = [&](double along) { writer.move(NcMotionKind::line, hole.with(along), everywhere, hole.column); };
+    const auto feed = [&](double along) { writer.move(NcMotionKind::line, hole.with(along), hole.known, hole.column); };
     const auto rapid = [&](double along) {
-        writer.move(NcMotionKind::rapid, hole.with(along), everywhere, hole.column);
+        writer.move(NcMotionKind::rapid, hole.with(along), hole.known, hole.column);
     };
     const SpindleState turning = state.spindle;
     switch (hole.cycle) {
@@ -199,7 +198,7 @@ void CannedCycles::drill(const Hole& hole, ModalState& state, MotionWriter& writ
     case 880: // the operator takes the tool out by hand, to where it is clear
         feed(hole.depth);
         writer.dwell(*dwell_, hole.column);
-        state.frames.moveTo(hole.with(hole.clear), everywhere);
+        state.frames.moveTo(hole.with(hole.clear), hole.known);
         break;
     case 890:
         feed(hole.depth);
@@ -216,30 +215,30 @@ void CannedCycles::drill(const Hole& hole, ModalState& state, MotionWriter& writ
 
 void CannedCycles::peck(const Hole& hole, MotionWriter& writer) const {
     const auto rapid = [&](double along) {
-        writer.move(NcMotionKind::rapid, hole.with(along), everywhere, hole.column);
+        writer.move(NcMotionKind::rapid, hole.with(along), hole.known, hole.column);
     };
     for (double depth = hole.height - *step_; depth > hole.depth; depth -= *step_) {
-        writer.move(NcMotionKind::line, hole.with(depth), everywhere, hole.column);
+        writer.move(NcMotionKind::line, hole.with(depth), hole.known, hole.column);
         if (hole.cycle == 830) rapid(hole.height); // chips out
         rapid(depth + peckClearance);
     }
-    writer.move(NcMotionKind::line, hole.with(hole.depth), everywhere, hole.column);
+    writer.move(NcMotionKind::line, hole.with(hole.depth), hole.known, hole.column);
     rapid(hole.clear);
 }
 
 /// In with the spindle clockwise, out anticlockwise.
 void CannedCycles::tap(const Hole& hole, ModalState& state, MotionWriter& writer) const {
-    writer.move(NcMotionKind::line, hole.with(hole.depth), everywhere, hole.column);
+    writer.move(NcMotionKind::line, hole.with(hole.depth), hole.known, hole.column);
     state.spindle = SpindleState::anticlockwise;
     if (dwell_) writer.dwell(*dwell_, hole.column);
-    writer.move(NcMotionKind::line, hole.with(hole.clear), everywhere, hole.column);
+    writer.move(NcMotionKind::line, hole.with(hole.clear), hole.known, hole.column);
     state.spindle = SpindleState::clockwise;
 }
 
 /// Through the hole beside its axis with the spindle oriented, then from below.
 void CannedCycles::boreBack(const Hole& hole, ModalState& state, MotionWriter& writer) const {
-    const auto go = [&](NcMotionKind kind, const glm::dvec3& target) {
-        writer.move(kind, target, everywhere, hole.column);
+    const auto go = [&](NcMotionKind kind, const AxisValues& target) {
+        writer.move(kind, target, hole.known, hole.column);
     };
     const SpindleState turning = state.spindle;
     go(NcMotionKind::rapid, hole.with(hole.height) + hole.offset);

@@ -142,6 +142,7 @@ Control controlOf(std::string_view id, std::string_view letters, std::initialize
     Control control;
     control.id = id;
     control.letters = letters;
+    for (const Axis axis : allAxes) control.axes.set(axis, letters.find(letterOf(axis)) != std::string_view::npos);
     control.gGroups.fill(-1);
     control.mGroups.fill(-1);
     for (const Numbers& numbers : g)

@@ -48,6 +48,7 @@ enum class CycleCancel : std::uint8_t {
 struct Control {
     std::string_view id;                     ///< of the dialects that it reads: "linuxcnc"
     std::string_view letters;                ///< of words, without G, M, N
+    AxisSet axes;                            ///< that words of these letters move
     std::array<std::int8_t, 2000> gGroups{}; ///< by ten times the number: GGroup, or -1
     std::array<std::int8_t, 1000> mGroups{}; ///< by ten times the number: MGroup, or -1
     bool semicolonComments = true;

@@ -15,7 +15,6 @@ namespace burin {
 namespace {
 
 constexpr double largestCoordinate = 1e6; // mm; keeps the rounded integers far from overflow
-constexpr std::array<char, 3> axisLetters{'X', 'Y', 'Z'};
 constexpr std::array<char, 3> offsetLetters{'I', 'J', 'K'};
 constexpr int firstFurtherOffset = 1000; // NcProgram::workOffset
 
@@ -60,6 +59,7 @@ public:
 private:
     /// Where a block goes, mm; nothing: the axis stays.
     using Target = std::array<std::optional<double>, 3>;
+    static Target targetOf(const glm::dvec3& place) { return Target{place.x, place.y, place.z}; }
     static Target height(double z) { return Target{std::nullopt, std::nullopt, z}; }
 
     Result<void> check() const {
@@ -74,6 +74,8 @@ private:
                 return Error{ErrorCode::argumentInvalid, "program", program_.name, "has to begin with a rapid move"};
             if (!dialect_.coolant[indexOf(section.coolant)])
                 return Error{ErrorCode::notSupported, "this coolant for " + dialect_.name, "", ""};
+            if (!std::ranges::all_of(section.moves, [](const NcMove& move) { return move.target.onlyLinear(); }))
+                return Error{ErrorCode::notSupported, "axes besides X, Y and Z", "", ""};
         }
         return {};
     }
@@ -100,13 +102,13 @@ private:
     /// Where the tool stands after its change is not known here: along Z first, unless the change leaves it at the top.
     Result<void> firstMove(const NcMove& move) {
         waiting_ = move.comment;
-        const Target across{move.target.x, move.target.y, std::nullopt};
+        const Target across{move.target[Axis::x], move.target[Axis::y], std::nullopt};
         motion_.reset();
         if (dialect_.planeBeforeHeight) {
             if (Result<void> done = straight(NcMoveKind::rapid, across, 0.0); !done) return done;
         }
         if (Result<void> done = firstHeight(); !done) return done;
-        for (const Target& step : {across, height(move.target.z)})
+        for (const Target& step : {across, height(move.target[Axis::z])})
             if (Result<void> done = straight(NcMoveKind::rapid, step, 0.0); !done) return done;
         return {};
     }
@@ -130,7 +132,7 @@ private:
         if (!move.comment.empty()) waiting_ = move.comment;
         if (move.kind == NcMoveKind::dwell) return dwell(move.seconds);
         if (move.kind == NcMoveKind::arc) return arc(move);
-        return straight(move.kind, Target{move.target.x, move.target.y, move.target.z}, move.feed);
+        return straight(move.kind, targetOf(move.target.linear()), move.feed);
     }
 
     Result<void> dwell(double seconds) {
@@ -183,11 +185,10 @@ private:
     }
 
     Result<void> arc(const NcMove& move) {
-        const Arc arc{reached_, move.target, move.arc.centre, move.arc.axis, move.arc.clockwise};
+        const Arc arc{reached_, move.target.linear(), move.arc.centre, move.arc.axis, move.arc.clockwise};
         StepPlace from{};
         for (std::size_t axis = 0; axis < 3; ++axis) from[axis] = place_[axis].value_or(0);
-        if (const Result<StepPlace> sound = stepsOf({move.target.x, move.target.y, move.target.z}); !sound)
-            return sound.error();
+        if (const Result<StepPlace> sound = stepsOf(targetOf(arc.to)); !sound) return sound.error();
         const double reach = glm::length(arc.centre - arc.from);
         if (!(reach <= largestCoordinate))
             return Error{ErrorCode::programLimit, "arc", "centre is not a valid position", ""};
@@ -196,7 +197,7 @@ private:
                                          : line(NcMoveKind::line, step.to, {true, true, true}, move.feed);
             if (!done) return done;
         }
-        reached_ = move.target;
+        reached_ = arc.to;
         return {};
     }
 

@@ -2,104 +2,97 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nc/frames.h"
 
-#include "core/nc/axis_index.h"
-
 namespace burin {
 namespace {
 
 /// Work offsets in the order in which LinuxCNC's parameters hold them, 5221 on, twenty apart.
 constexpr std::array<int, 9> workOffsetOrder{54, 55, 56, 57, 58, 59, 591, 592, 593};
 
-/// Axis of a parameter that holds X, Y or Z; -1 for the rotary and further ones.
-constexpr int axisOf(int number, int first) noexcept {
-    const int axis = number - first;
-    return axis >= 0 && axis < 3 ? axis : -1;
-}
-
 } // namespace
 
-Frames::Frames(const MachineState& start)
-    : length_(start.lengthOffset)
+Frames::Frames(const MachineState& start, AxisSet axes)
+    : axes_(axes)
+    , length_(start.lengthOffset)
     , offsets_(start.workOffsets)
     , lengths_(start.lengthOffsets)
     , homes_(start.homes)
     , unit_(start.unit) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!start.place[axisIndex(axis)]) continue;
-        const std::optional<double> place = fromMachine(axis, *start.place[axisIndex(axis)]);
-        known_[axisIndex(axis)] = place.has_value();
-        place_[axis] = place.value_or(0.0);
+    for (const Axis axis : axes_) {
+        if (!start.place[axis]) continue;
+        const std::optional<double> place = fromMachine(axis, *start.place[axis]);
+        known_.set(axis, place.has_value());
+        place_.set(axis, place.value_or(0.0));
     }
 }
 
-void Frames::moveTo(const glm::dvec3& place, const std::array<bool, 3>& known) noexcept {
+void Frames::moveTo(const AxisValues& place, AxisSet known) {
     place_ = place;
     known_ = known;
 }
 
-std::optional<double> Frames::offsetOf(int number, int axis) const {
+std::optional<double> Frames::offsetOf(int number, Axis axis) const {
     const auto found = offsets_.find(number);
-    return found == offsets_.end() ? std::nullopt : found->second[axisIndex(axis)];
+    return found == offsets_.end() ? std::nullopt : found->second[axis];
 }
 
-std::optional<double> Frames::fromMachine(int axis, double value) const {
+std::optional<double> Frames::fromMachine(Axis axis, double value) const {
     const std::optional<double> offset = offsetOf(workOffset_, axis);
-    if (!offset || (axis == 2 && !length_)) return std::nullopt;
-    return value - *offset - (axis == 2 ? *length_ : 0.0);
+    if (!offset || (axis == Axis::z && !length_)) return std::nullopt;
+    return value - *offset - (axis == Axis::z ? *length_ : 0.0);
 }
 
-std::optional<double> Frames::inMachine(int axis) const {
+std::optional<double> Frames::inMachine(Axis axis) const {
     const std::optional<double> offset = offsetOf(workOffset_, axis);
-    if (!offset || !known_[axisIndex(axis)] || (axis == 2 && !length_)) return std::nullopt;
-    return place_[axis] + *offset + (axis == 2 ? *length_ : 0.0);
+    if (!offset || !known_.has(axis) || (axis == Axis::z && !length_)) return std::nullopt;
+    return place_[axis] + *offset + (axis == Axis::z ? *length_ : 0.0);
 }
 
 void Frames::setWorkOffset(int number) {
     if (number == workOffset_) return;
-    for (int axis = 0; axis < 3; ++axis) {
+    for (const Axis axis : axes_) {
         const std::optional<double> before = offsetOf(workOffset_, axis), after = offsetOf(number, axis);
         if (before && after)
-            place_[axis] += *before - *after;
+            place_.set(axis, place_[axis] + (*before - *after));
         else
-            known_[axisIndex(axis)] = false;
+            known_.set(axis, false);
     }
     workOffset_ = number;
 }
 
 void Frames::writeWorkOffset(int number, const PartialPlace& zero) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!zero[axisIndex(axis)]) continue;
+    for (const Axis axis : axes_) {
+        if (!zero[axis]) continue;
         if (number == workOffset_) {
             const std::optional<double> before = offsetOf(number, axis);
             if (before)
-                place_[axis] += *before - *zero[axisIndex(axis)];
+                place_.set(axis, place_[axis] + (*before - *zero[axis]));
             else
-                known_[axisIndex(axis)] = false;
+                known_.set(axis, false);
         }
-        offsets_[number][axisIndex(axis)] = zero[axisIndex(axis)];
+        offsets_[number][axis] = zero[axis];
         ownZero_ = true;
     }
 }
 
 void Frames::writeWorkOffsetHere(int number, const PartialPlace& here) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!here[axisIndex(axis)]) continue;
-        const double place = *here[axisIndex(axis)] + shift_[axis];
+    for (const Axis axis : axes_) {
+        if (!here[axis]) continue;
+        const double place = *here[axis] + shift_[axis];
         std::optional<double> zero = inMachine(axis);
-        if (zero) zero = *zero - place - (axis == 2 ? *length_ : 0.0);
-        offsets_[number][axisIndex(axis)] = zero;
+        if (zero) zero = *zero - place - (axis == Axis::z ? *length_ : 0.0);
+        offsets_[number][axis] = zero;
         ownZero_ = true;
         if (number != workOffset_) continue;
-        place_[axis] = place;
-        known_[axisIndex(axis)] = true;
+        place_.set(axis, place);
+        known_.set(axis);
     }
 }
 
 void Frames::setLengthOffset(int number, std::optional<double> length) noexcept {
     if (length_ && length)
-        place_.z += *length_ - *length;
+        place_.set(Axis::z, place_[Axis::z] + (*length_ - *length));
     else
-        known_[2] = false;
+        known_.set(Axis::z, false);
     lengthNumber_ = number;
     length_ = length;
 }
@@ -109,49 +102,57 @@ std::optional<double> Frames::lengthOf(int number) const {
     return found == lengths_.end() ? std::nullopt : std::optional<double>(found->second);
 }
 
-void Frames::shiftSoThatHereIs(const PartialPlace& here) noexcept {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!here[axisIndex(axis)]) continue;
-        if (known_[axisIndex(axis)]) {
-            shift_[axis] = place_[axis] - *here[axisIndex(axis)];
+void Frames::shiftSoThatHereIs(const PartialPlace& here) {
+    for (const Axis axis : axes_) {
+        if (!here[axis]) continue;
+        if (known_.has(axis)) {
+            shift_.set(axis, place_[axis] - *here[axis]);
         } else { // the text never says where this zero lies in the work offset's frame
-            place_[axis] = *here[axisIndex(axis)] + shift_[axis];
-            known_[axisIndex(axis)] = true;
+            place_.set(axis, *here[axis] + shift_[axis]);
+            known_.set(axis);
             ownZero_ = true;
         }
     }
     keptShift_ = shift_;
 }
 
-void Frames::setShift(const PartialPlace& shift) noexcept {
-    for (int axis = 0; axis < 3; ++axis)
-        if (shift[axisIndex(axis)]) shift_[axis] = *shift[axisIndex(axis)];
+void Frames::setShift(const PartialPlace& shift) {
+    for (const Axis axis : axes_)
+        if (shift[axis]) shift_.set(axis, *shift[axis]);
     keptShift_ = shift_;
 }
 
-void Frames::dropShift(bool keep) noexcept {
-    shift_ = glm::dvec3(0.0);
+void Frames::dropShift(bool keep) {
+    shift_ = {};
     if (!keep) keptShift_ = shift_;
 }
 
 void Frames::storeHome(std::size_t which) {
-    for (int axis = 0; axis < 3; ++axis) homes_[which][axisIndex(axis)] = inMachine(axis);
+    for (const Axis axis : axes_) homes_[which][axis] = inMachine(axis);
+}
+
+std::optional<Axis> Frames::axisOf(int number, int first) const noexcept {
+    const int place = number - first;
+    if (place < 0 || place >= static_cast<int>(axisCount) || !axes_.has(static_cast<Axis>(place))) return std::nullopt;
+    return static_cast<Axis>(place);
 }
 
 std::optional<double> Frames::parameter(int number, double length, int tool) const {
-    const auto inUnit = [this](std::optional<double> value) {
-        return value ? std::optional<double>(*value / unit_) : value;
+    const auto inUnit = [this](Axis axis, std::optional<double> value) {
+        return value && !isRotary(axis) ? std::optional<double>(*value / unit_) : value;
     };
     if (number == 5400) return tool;
-    if (const int axis = axisOf(number, 5420); axis >= 0)
-        return known_[axisIndex(axis)] ? std::optional<double>((place_[axis] - shift_[axis]) / length) : std::nullopt;
-    if (const int axis = axisOf(number, 5161); axis >= 0) return inUnit(homes_[0][axisIndex(axis)]);
-    if (const int axis = axisOf(number, 5181); axis >= 0) return inUnit(homes_[1][axisIndex(axis)]);
-    if (const int axis = axisOf(number, 5211); axis >= 0) return inUnit(keptShift_[axis]);
+    if (const auto axis = axisOf(number, 5420)) {
+        if (!known_.has(*axis)) return std::nullopt;
+        return (place_[*axis] - shift_[*axis]) / (isRotary(*axis) ? 1.0 : length);
+    }
+    if (const auto axis = axisOf(number, 5161)) return inUnit(*axis, homes_[0][*axis]);
+    if (const auto axis = axisOf(number, 5181)) return inUnit(*axis, homes_[1][*axis]);
+    if (const auto axis = axisOf(number, 5211)) return inUnit(*axis, keptShift_[*axis]);
     for (std::size_t i = 0; i < workOffsetOrder.size(); ++i) {
         if (number == 5220 && workOffsetOrder[i] == workOffset_) return static_cast<double>(i + 1);
-        if (const int axis = axisOf(number, 5221 + 20 * static_cast<int>(i)); axis >= 0)
-            return inUnit(offsetOf(workOffsetOrder[i], axis));
+        if (const auto axis = axisOf(number, 5221 + 20 * static_cast<int>(i)))
+            return inUnit(*axis, offsetOf(workOffsetOrder[i], *axis));
     }
     return std::nullopt;
 }

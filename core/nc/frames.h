@@ -2,26 +2,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/machine/axis_values.h"
 #include "core/nc/machine_state.h"
 
 namespace burin {
 
-/// Where the tool stands, in the frame of the work offset in force, as far as the text (and the machine) tell, and the
-/// offsets between that frame, the machine's and the program's. Lengths in mm. One thread.
+/// Where the axes stand, in the frame of the work offset in force, as far as the text (and the machine) tell, and the
+/// offsets between that frame, the machine's and the program's. Lengths in mm, angles in degrees. One thread.
 class Frames {
 public:
-    explicit Frames(const MachineState& start);
+    /// @param axes that programs move
+    Frames(const MachineState& start, AxisSet axes);
 
-    const glm::dvec3& place() const noexcept { return place_; }
-    const std::array<bool, 3>& known() const noexcept { return known_; }
-    const glm::dvec3& shift() const noexcept { return shift_; }
+    const AxisValues& place() const noexcept { return place_; }
+    AxisSet known() const noexcept { return known_; } ///< axes whose place is known; of others it has no meaning
+    const AxisValues& shift() const noexcept { return shift_; }
     int workOffset() const noexcept { return workOffset_; }
     int lengthOffsetNumber() const noexcept { return lengthNumber_; }
     bool ownZero() const noexcept { return ownZero_; }
 
-    void moveTo(const glm::dvec3& place, const std::array<bool, 3>& known) noexcept;
+    void moveTo(const AxisValues& place, AxisSet known);
     /// A tool change: where it leaves the machine is the machine's own affair.
-    void forgetPlace() noexcept { known_ = {false, false, false}; }
+    void forgetPlace() noexcept { known_ = {}; }
 
     void setWorkOffset(int number);
     /// G10 L2: zeros of an offset in the machine frame, of the axes given.
@@ -32,14 +34,14 @@ public:
     void setLengthOffset(int number, std::optional<double> length) noexcept;
     std::optional<double> lengthOf(int number) const;
 
-    void shiftSoThatHereIs(const PartialPlace& here) noexcept; ///< G92
-    void setShift(const PartialPlace& shift) noexcept;         ///< G52
-    void dropShift(bool keep) noexcept;                        ///< G92.1, or G92.2 that keeps it for G92.3
-    void restoreShift() noexcept { shift_ = keptShift_; }      ///< G92.3
+    void shiftSoThatHereIs(const PartialPlace& here); ///< G92
+    void setShift(const PartialPlace& shift);         ///< G52
+    void dropShift(bool keep);                        ///< G92.1, or G92.2 that keeps it for G92.3
+    void restoreShift() { shift_ = keptShift_; }      ///< G92.3
 
     /// A place of the machine frame in that of the work offset; nothing where an offset between them is not known.
-    std::optional<double> fromMachine(int axis, double value) const;
-    std::optional<double> inMachine(int axis) const; ///< where the tool stands
+    std::optional<double> fromMachine(Axis axis, double value) const;
+    std::optional<double> inMachine(Axis axis) const; ///< where the axis stands
     const PartialPlace& home(std::size_t which) const noexcept { return homes_[which]; }
     void storeHome(std::size_t which);
 
@@ -47,10 +49,13 @@ public:
     std::optional<double> parameter(int number, double length, int tool) const;
 
 private:
-    std::optional<double> offsetOf(int number, int axis) const;
+    std::optional<double> offsetOf(int number, Axis axis) const;
+    /// The axis of a parameter, of a row that begins with X; nothing: none that programs move.
+    std::optional<Axis> axisOf(int number, int first) const noexcept;
 
-    glm::dvec3 place_{0.0}, shift_{0.0}, keptShift_{0.0};
-    std::array<bool, 3> known_{false, false, false};
+    AxisSet axes_;
+    AxisValues place_, shift_, keptShift_;
+    AxisSet known_;
     int workOffset_ = 54;
     int lengthNumber_ = 0;
     std::optional<double> length_;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nc/interpreter.h"
 
-#include "core/nc/arc_words.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -32,8 +30,8 @@ bool Interpreter::run(const Block& block, std::uint32_t line, BlockFault& fault)
         nameCauses(fault);
         return false;
     }
-    for (int axis = 0; axis < 3; ++axis)
-        if (block.word(static_cast<char>('X' + axis)).given()) setOn_[static_cast<std::size_t>(axis)] = line;
+    for (const Axis axis : control_.axes)
+        if (block.word(axis).given()) setOn_[axis] = line;
     return true;
 }
 
@@ -41,8 +39,7 @@ void Interpreter::nameCauses(BlockFault& fault) const {
     const bool ofArc =
         fault.problem == ProgramProblem::arcRadiusDiffers || fault.problem == ProgramProblem::arcRadiusTooSmall;
     if (ofArc)
-        fault.starts = {setOn_[static_cast<std::size_t>((state_.planeAxis + 1) % 3)],
-                        setOn_[static_cast<std::size_t>((state_.planeAxis + 2) % 3)]};
+        fault.starts = {setOn_[linearAxis((state_.planeAxis + 1) % 3)], setOn_[linearAxis((state_.planeAxis + 2) % 3)]};
     const bool ofMode =
         fault.problem == ProgramProblem::placeUnknown || fault.problem == ProgramProblem::machineFrameMotion;
     if (ofArc || ofMode) fault.incrementalSince = incrementalSince_;
@@ -166,10 +163,8 @@ bool Interpreter::modes(const Block& block) {
 
 PartialPlace Interpreter::axisWords(const Block& block) const {
     PartialPlace words;
-    for (int axis = 0; axis < 3; ++axis) {
-        const Word& word = block.word(static_cast<char>('X' + axis));
-        if (word.given()) words[static_cast<std::size_t>(axis)] = word.value * state_.length;
-    }
+    for (const Axis axis : control_.axes)
+        if (const Word& word = block.word(axis); word.given()) words[axis] = valueOf(word, axis);
     return words;
 }
 
@@ -180,17 +175,16 @@ int Interpreter::motionOf(const Block& block) const noexcept {
     return restores ? state_.motionBesideCycles : code.number;
 }
 
-bool Interpreter::target(const Block& block, glm::dvec3& place, std::array<bool, 3>& known) {
+bool Interpreter::target(const Block& block, AxisValues& place, AxisSet& known) {
     place = state_.frames.place();
     known = state_.frames.known();
-    for (int axis = 0; axis < 3; ++axis) {
-        const Word& word = block.word(static_cast<char>('X' + axis));
+    for (const Axis axis : control_.axes) {
+        const Word& word = block.word(axis);
         if (!word.given()) continue;
-        const auto at = static_cast<std::size_t>(axis);
-        if (state_.incremental && !known[at]) return fail(ProgramProblem::placeUnknown, word);
+        if (state_.incremental && !known.has(axis)) return fail(ProgramProblem::placeUnknown, word);
         const double zero = state_.incremental ? place[axis] : state_.frames.shift()[axis];
-        place[axis] = zero + word.value * state_.length;
-        known[at] = true;
+        place.set(axis, zero + valueOf(word, axis));
+        known.set(axis);
     }
     return true;
 }
@@ -228,8 +222,8 @@ bool Interpreter::feedSuffices(const Block& block, std::uint32_t column) {
 }
 
 bool Interpreter::straight(const Block& block) {
-    glm::dvec3 place;
-    std::array<bool, 3> known{};
+    AxisValues place;
+    AxisSet known;
     if (!target(block, place, known)) return false;
     const std::uint32_t column = block.hasAxis() ? block.firstAxis() : block.firstColumn;
     if (state_.motion != gcode::rapid && !feedSuffices(block, column)) return false;
@@ -238,8 +232,8 @@ bool Interpreter::straight(const Block& block) {
         return true;
     }
     ArcWords words;
-    if (!readArc(block, state_, control_, place, known, words, *fault_)) return false;
-    writer_.arc(words.arc, words.wholeTurns, known, column);
+    if (!readArc(block, state_, control_, place.linear(), known, words, *fault_)) return false;
+    writer_.arc(words, place, known, column);
     return true;
 }
 

@@ -57,7 +57,11 @@ private:
     void nameCauses(BlockFault& fault) const;
     /// Notes what the block sets, for who looks for causes.
     void note(NcSettingKind kind, int value);
-    bool target(const Block& block, glm::dvec3& place, std::array<bool, 3>& known);
+    /// mm, or degrees, that an axis' word states.
+    double valueOf(const Word& word, Axis axis) const noexcept {
+        return isRotary(axis) ? word.value : word.value * state_.length;
+    }
+    bool target(const Block& block, AxisValues& place, AxisSet& known);
     PartialPlace axisWords(const Block& block) const;
     int motionOf(const Block& block) const noexcept;
 
@@ -67,8 +71,8 @@ private:
     CannedCycles cycles_;
     BlockFault* fault_ = nullptr;
     std::uint32_t line_ = 0;
-    std::array<std::uint32_t, 3> setOn_{}; ///< by axis, the line that last moved it
-    std::uint32_t incrementalSince_ = 0;   ///< line of the G91 in force; 0: G90 is
+    ByAxis<std::uint32_t> setOn_;        ///< the line that last moved the axis
+    std::uint32_t incrementalSince_ = 0; ///< line of the G91 in force; 0: G90 is
 };
 
 } // namespace burin

@@ -96,32 +96,28 @@ bool Interpreter::setOffset(const Block& block) {
 /// By way of the place that the axis words name, which only their axes leave; without any, all axes.
 bool Interpreter::home(const Block& block, const Code& code) {
     const std::size_t which = code.number == gcode::home ? 0 : 1;
-    glm::dvec3 place;
-    std::array<bool, 3> known{};
     // Incrementally from nowhere (G28 G91 Z0): the way stays unknown, and so is nothing that matters.
-    place = state_.frames.place();
-    known = state_.frames.known();
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto at = static_cast<std::size_t>(axis);
-        const Word& word = block.word(static_cast<char>('X' + axis));
+    AxisValues place = state_.frames.place();
+    AxisSet known = state_.frames.known();
+    for (const Axis axis : control_.axes) {
+        const Word& word = block.word(axis);
         if (!word.given()) continue;
         if (!state_.incremental) {
-            place[axis] = word.value * state_.length + state_.frames.shift()[axis];
-            known[at] = true;
-        } else if (known[at]) {
-            place[axis] += word.value * state_.length;
+            place.set(axis, valueOf(word, axis) + state_.frames.shift()[axis]);
+            known.set(axis);
+        } else if (known.has(axis)) {
+            place.set(axis, place[axis] + valueOf(word, axis));
         }
     }
     writer_.move(NcMotionKind::rapid, place, known, code.column);
     place = state_.frames.place();
     known = state_.frames.known();
-    for (int axis = 0; axis < 3; ++axis) {
-        if (block.hasAxis() && !block.word(static_cast<char>('X' + axis)).given()) continue;
-        const auto at = static_cast<std::size_t>(axis);
-        const std::optional<double>& home = state_.frames.home(which)[at];
+    for (const Axis axis : control_.axes) {
+        if (block.hasAxis() && !block.word(axis).given()) continue;
+        const std::optional<double>& home = state_.frames.home(which)[axis];
         const std::optional<double> there = home ? state_.frames.fromMachine(axis, *home) : std::nullopt;
-        known[at] = there.has_value();
-        if (there) place[axis] = *there;
+        known.set(axis, there.has_value());
+        if (there) place.set(axis, *there);
     }
     writer_.move(NcMotionKind::rapid, place, known, code.column);
     return true;
@@ -154,14 +150,14 @@ bool Interpreter::machineFrame(const Block& block) {
         return fail(ProgramProblem::machineFrameMotion, code);
     if (state_.incremental && block.hasAxis()) return fail(ProgramProblem::machineFrameMotion, code);
     if (state_.motion == gcode::line && !(state_.feed > 0.0)) return fail(ProgramProblem::feedMissing, code);
-    glm::dvec3 place = state_.frames.place();
-    std::array<bool, 3> known = state_.frames.known();
-    for (int axis = 0; axis < 3; ++axis) {
-        const Word& word = block.word(static_cast<char>('X' + axis));
+    AxisValues place = state_.frames.place();
+    AxisSet known = state_.frames.known();
+    for (const Axis axis : control_.axes) {
+        const Word& word = block.word(axis);
         if (!word.given()) continue;
-        const std::optional<double> there = state_.frames.fromMachine(axis, word.value * state_.length);
-        known[static_cast<std::size_t>(axis)] = there.has_value();
-        if (there) place[axis] = *there;
+        const std::optional<double> there = state_.frames.fromMachine(axis, valueOf(word, axis));
+        known.set(axis, there.has_value());
+        if (there) place.set(axis, *there);
     }
     writer_.move(state_.motion == gcode::rapid ? NcMotionKind::rapid : NcMotionKind::line, place, known, code.column);
     return true;

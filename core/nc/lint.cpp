@@ -119,24 +119,15 @@ private:
             if (motion.kind == NcMotionKind::dwell) continue;
             const auto column = motion.column;
             once(unitsStated_, ProgramProblem::unitsMissing, column, LintSeverity::warning);
-            if (goesSomewhere(motion))
+            if (motion.takesAny())
                 once(workOffsetStated_, ProgramProblem::workOffsetMissing, column, LintSeverity::warning);
             if (motion.kind == NcMotionKind::arc && control_.arcModeIsSetting)
                 once(arcModeStated_, ProgramProblem::arcModeMissing, column, LintSeverity::warning);
-            const bool down = motion.toKnown[2] && (!motion.fromKnown[2] || motion.to.z != motion.from.z);
-            if (down) once(lengthStated_, ProgramProblem::lengthOffsetMissing, column, LintSeverity::warning);
+            if (motion.takes(Axis::z))
+                once(lengthStated_, ProgramProblem::lengthOffsetMissing, column, LintSeverity::warning);
             if (motion.rapid() || marks_.size() > marksBefore) continue; // one mark a block is enough
             judgeFeed(motion);
         }
-    }
-
-    /// To a place of the work offset's frame, rather than of the machine's (G28, G53).
-    static bool goesSomewhere(const NcMotion& motion) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto at = static_cast<std::size_t>(axis);
-            if (motion.toKnown[at] && (!motion.fromKnown[at] || motion.to[axis] != motion.from[axis])) return true;
-        }
-        return false;
     }
 
     void judgeFeed(const NcMotion& motion) {

@@ -13,7 +13,7 @@ namespace burin {
 /// What is in force while a program runs. Plain data, but for its frames.
 struct ModalState {
     ModalState(const Control& control, const MachineState& start)
-        : frames(start), retractToHeight(control.retractsToHeight) {}
+        : frames(start, control.axes), retractToHeight(control.retractsToHeight) {}
 
     Frames frames;
     int motion = gcode::noMotion;

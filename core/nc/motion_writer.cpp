@@ -19,8 +19,7 @@ void MotionWriter::resolveFeed(NcMotion& motion) const noexcept {
     }
 }
 
-NcMotion& MotionWriter::move(NcMotionKind kind, const glm::dvec3& target, const std::array<bool, 3>& known,
-                             std::uint32_t column) {
+NcMotion& MotionWriter::move(NcMotionKind kind, const AxisValues& target, AxisSet known, std::uint32_t column) {
     NcMotion& motion = program_.motions.emplace_back();
     motion.kind = kind;
     motion.spindle = state_.spindle;
@@ -46,13 +45,12 @@ NcMotion& MotionWriter::move(NcMotionKind kind, const glm::dvec3& target, const 
     return motion;
 }
 
-void MotionWriter::arc(const Arc& arc, std::uint32_t wholeTurns, const std::array<bool, 3>& known,
-                       std::uint32_t column) {
-    NcMotion& motion = move(NcMotionKind::arc, arc.to, known, column);
-    motion.centre = arc.centre;
-    motion.arcAxis = static_cast<std::uint8_t>(arc.axis);
-    motion.clockwise = arc.clockwise;
-    motion.wholeTurns = wholeTurns;
+void MotionWriter::arc(const ArcWords& words, const AxisValues& target, AxisSet known, std::uint32_t column) {
+    NcMotion& motion = move(NcMotionKind::arc, target, known, column);
+    motion.centre = words.arc.centre;
+    motion.arcAxis = static_cast<std::uint8_t>(words.arc.axis);
+    motion.clockwise = words.arc.clockwise;
+    motion.wholeTurns = words.wholeTurns;
     resolveFeed(motion);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/nc/arc_words.h"
 #include "core/nc/modal_state.h"
 
 namespace burin {
@@ -14,8 +15,9 @@ public:
     /// Of the block that is carried out now. @param feed its F where G93 is in force, else what is in force
     void beginBlock(std::uint32_t line) noexcept { line_ = line; }
 
-    NcMotion& move(NcMotionKind kind, const glm::dvec3& target, const std::array<bool, 3>& known, std::uint32_t column);
-    void arc(const Arc& arc, std::uint32_t wholeTurns, const std::array<bool, 3>& known, std::uint32_t column);
+    NcMotion& move(NcMotionKind kind, const AxisValues& target, AxisSet known, std::uint32_t column);
+    /// @param target ends where the arc does
+    void arc(const ArcWords& words, const AxisValues& target, AxisSet known, std::uint32_t column);
     void dwell(double seconds, std::uint32_t column);
 
 private:

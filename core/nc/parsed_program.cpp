@@ -10,6 +10,13 @@
 namespace burin {
 namespace {
 
+/// On an arc the other axes go evenly with its sweep.
+AxisValues placeIn(const NcMotion& motion, const ArcTurn& turn, double share) {
+    AxisValues place = between(motion.from, motion.to, share);
+    place.setLinear(placeOn(motion.arc(), turn, share));
+    return place;
+}
+
 void appendChords(const NcMotion& motion, double chordTolerance, std::vector<NcMotion>& moves) {
     const ArcTurn turn = motion.turn();
     const double radius = std::max(turn.startRadius, turn.endRadius);
@@ -18,7 +25,8 @@ void appendChords(const NcMotion& motion, double chordTolerance, std::vector<NcM
     NcMotion chord = motion;
     chord.kind = NcMotionKind::line;
     for (std::size_t i = 1; i <= count; ++i) {
-        chord.to = placeOn(motion.arc(), turn, static_cast<double>(i) / static_cast<double>(count));
+        const double share = static_cast<double>(i) / static_cast<double>(count);
+        chord.to = placeIn(motion, turn, share);
         chord.toKnown = motion.toKnown;
         moves.push_back(chord);
         chord.from = chord.to;
@@ -36,7 +44,12 @@ ArcTurn NcMotion::turn() const noexcept {
 
 double lengthOf(const NcMotion& motion) noexcept {
     return motion.kind == NcMotionKind::arc ? lengthOf(motion.arc(), motion.turn())
-                                            : glm::distance(motion.from, motion.to);
+                                            : glm::distance(motion.from.linear(), motion.to.linear());
+}
+
+AxisValues placeIn(const NcMotion& motion, double share) {
+    return motion.kind == NcMotionKind::arc ? placeIn(motion, motion.turn(), share)
+                                            : between(motion.from, motion.to, share);
 }
 
 std::vector<NcMotion> straightMoves(const ParsedProgram& program, double chordTolerance) {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/geometry/arc.h"
+#include "core/machine/axis_values.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -28,27 +28,27 @@ enum class PathMode : std::uint8_t {
     blend      ///< G64
 };
 
-/// One move, or a dwell, as the control makes it. Places are mm in the frame of the work offset in force (G54 …), with
-/// shifts of G52 and G92 already in them.
+/// One move, or a dwell, as the control makes it. Places are values of the machine's axes in the frame of the work
+/// offset in force (G54 …), with shifts of G52 and G92 already in them; `Kinematics` says where they take the tool.
 struct NcMotion {
     NcMotionKind kind = NcMotionKind::line;
     SpindleState spindle = SpindleState::off;
     FeedMode feedMode = FeedMode::perMinute; ///< in force; `feed` is resolved whatever it is
-    bool mist = false, flood = false;        ///< coolant
-    bool clockwise = false;                  ///< arc: seen against its axis (G2)
-    std::uint8_t arcAxis = 2;                ///< arc: 0 X (G19), 1 Y (G18), 2 Z (G17)
-    /// False for axes that no block has set before, or not since a tool change, another work offset, (Z) another length
-    /// offset or a move in the machine's frame. `from` is then without meaning on that axis.
-    std::array<bool, 3> fromKnown{true, true, true};
-    /// False where the block leaves an unknown axis alone, or moves it in the machine's frame (G28, G30, G53).
-    std::array<bool, 3> toKnown{true, true, true};
-    glm::dvec3 from{0.0}, to{0.0};
-    glm::dvec3 centre{0.0};       ///< arc; its component along the axis has no meaning
-    std::uint32_t wholeTurns = 0; ///< arc: turns made before the last one, which is what `arc` describes
-    double feed = 0.0;            ///< mm/min along the move; 0 for rapids, dwells and where the text does not tell it
-    double seconds = 0.0;         ///< of a dwell
-    double spindleSpeed = 0.0;    ///< 1/min
     PathMode pathMode = PathMode::machine;
+    bool mist = false, flood = false; ///< coolant
+    bool clockwise = false;           ///< arc: seen against its axis (G2)
+    std::uint8_t arcAxis = 2;         ///< arc: 0 X (G19), 1 Y (G18), 2 Z (G17)
+    /// Without axes that no block has set before, or not since a tool change, another work offset, (Z) another length
+    /// offset or a move in the machine's frame. `from` is then without meaning on them.
+    AxisSet fromKnown = linearAxes;
+    /// Without axes that are unknown and that the block leaves alone, or moves in the machine's frame (G28, G30, G53).
+    AxisSet toKnown = linearAxes;
+    std::uint32_t wholeTurns = 0; ///< arc: turns made before the last one, which is what `arc` describes
+    AxisValues from, to;
+    glm::dvec3 centre{0.0};      ///< arc, mm; its component along the axis has no meaning
+    double feed = 0.0;           ///< mm/min along the move; 0 for rapids, dwells and where the text does not tell it
+    double seconds = 0.0;        ///< of a dwell
+    double spindleSpeed = 0.0;   ///< 1/min
     double blendTolerance = 0.0; ///< mm, of PathMode::blend; 0: without limit
     double mergeTolerance = 0.0; ///< mm, of the same: by which lines may be off one that replaces them; 0: none are
     int tool = 0;                ///< loaded
@@ -62,9 +62,22 @@ struct NcMotion {
 
     bool rapid() const noexcept { return kind == NcMotionKind::rapid; }
     bool spindleOn() const noexcept { return spindle != SpindleState::off && spindleSpeed > 0.0; }
-    bool startKnown() const noexcept { return fromKnown[0] && fromKnown[1] && fromKnown[2]; }
-    /// The arc without its whole turns; of an arc alone.
-    Arc arc() const noexcept { return {from, to, centre, arcAxis, clockwise}; }
+    /// Whether the program tells where the move begins. @param axes that have to be known
+    bool startKnown(AxisSet axes = linearAxes) const noexcept { return fromKnown.hasAll(axes); }
+    bool endKnown(AxisSet axes = linearAxes) const noexcept { return toKnown.hasAll(axes); } ///< where it ends
+    /// Takes an axis to a place of the work offset's frame, rather than of the machine's (G28, G53). A dwell takes
+    /// none.
+    bool takes(Axis axis) const noexcept {
+        return kind != NcMotionKind::dwell && toKnown.has(axis) && (!fromKnown.has(axis) || to[axis] != from[axis]);
+    }
+    /// Takes some axis there.
+    bool takesAny() const noexcept {
+        for (const Axis axis : toKnown)
+            if (takes(axis)) return true;
+        return false;
+    }
+    /// The arc without its whole turns, of X, Y and Z; of an arc alone.
+    Arc arc() const noexcept { return {from.linear(), to.linear(), centre, arcAxis, clockwise}; }
     /// The whole sweep of an arc, `wholeTurns` included.
     ArcTurn turn() const noexcept;
 };
@@ -99,9 +112,12 @@ struct ParsedProgram {
     bool ended = false;               ///< M2, M30 or a closing %
 };
 
-/// The length of a move's path, mm: of a straight one, or of an arc with all its turns. Of a spiral, whose radius goes
-/// evenly from one to the other, the chords of a 512th of a turn are added up: less than 1e-4 of it too short.
+/// The length of a move's path in X, Y and Z, mm: of a straight one, or of an arc with all its turns. Of a spiral,
+/// whose radius goes evenly from one to the other, the chords of a 512th of a turn are added up: less than 1e-4 of it
+/// too short.
 double lengthOf(const NcMotion& motion) noexcept;
+/// Where the axes stand at a share of a move's path, whole turns included.
+AxisValues placeIn(const NcMotion& motion, double share);
 
 /// The moves for readers that want straight ones: arcs become lines whose chords leave them by no more than
 /// `chordTolerance` mm, more than 0; dwells are left out. Each keeps what else its motion says.

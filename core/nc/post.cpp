@@ -4,7 +4,8 @@
 
 #include "core/base/numbers.h"
 #include "core/geometry/arc.h"
-#include "core/geometry/box.h"
+#include "core/machine/axis_travel.h"
+#include "core/machine/kinematics.h"
 #include "core/path/path_source.h"
 
 #include <algorithm>
@@ -32,17 +33,6 @@ Result<void> checkFeed(const PathPoint& point, std::size_t index, const MachineP
         return Error{ErrorCode::programLimit, "feed", "missing at point " + std::to_string(index), ""};
     if (point.feed > machine.maximumFeed)
         return limitError("feed", point.feed, formatFixed(machine.maximumFeed, 3), "mm/min");
-    return {};
-}
-
-Result<void> checkTravel(const Box& reach, const MachineProfile& machine) {
-    static constexpr std::array<const char*, 3> names{"X travel", "Y travel", "Z travel"};
-    const glm::dvec3 size = reach.size();
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!(size[axis] <= machine.travel[axis]))
-            return limitError(names[static_cast<std::size_t>(axis)], size[axis], formatFixed(machine.travel[axis], 3),
-                              "mm");
-    }
     return {};
 }
 
@@ -90,48 +80,95 @@ std::string originOf(const PathPoint& point) {
     return nameOf(source) + (source.isTake() ? ", sample " : ", move ") + std::to_string(point.sample);
 }
 
-/// The box of an arc's path, by the quarters that it passes.
-void includeArc(const NcMove& move, const glm::dvec3& from, Box& reach) {
-    const Arc arc{from, move.target, move.arc.centre, move.arc.axis, move.arc.clockwise};
-    constexpr int steps = 64; // outside by at most 0.12 % of the radius, far below what travel is known to
-    const ArcTurn turn = turnOf(arc);
-    for (int i = 1; i < steps; ++i) reach.include(placeOn(arc, turn, static_cast<double>(i) / steps));
-}
+/// Puts paths behind each other as moves of the machine's axes.
+class PathWriter {
+public:
+    PathWriter(NcProgram& program, const PostRequest& request, const MachineProfile& machine)
+        : program_(program)
+        , request_(request)
+        , machine_(machine)
+        , kinematics_(kinematicsOf(machine, request.workOffset))
+        , travel_(machine) {}
 
-Result<void> appendPath(NcProgram& program, const Path& path, const PostRequest& request, const MachineProfile& machine,
-                        Box& reach) {
-    NcSection& section = sectionOf(program, path, request);
-    bool awaitsCut = true;
-    for (std::size_t i = 0; i < path.points.size(); ++i) {
+    Result<void> append(const Path& path) {
+        NcSection& section = sectionOf(program_, path, request_);
+        bool awaitsCut = true;
+        for (std::size_t i = 0; i < path.points.size(); ++i) {
+            const PathPoint& point = path.points[i];
+            Result<NcMove> move = moveTo(path, i);
+            if (!move) return std::move(move).error();
+            if (point.kind == MoveKind::rapid) awaitsCut = true;
+            if (awaitsCut && point.kind == MoveKind::cut && point.sample >= 0) {
+                move->comment = originOf(point);
+                awaitsCut = false;
+            }
+            if (move->kind == NcMoveKind::arc) goAlongArc(*move, section.moves.back().target);
+            travel_.goTo(kinematics_->axes(), move->target);
+            section.moves.push_back(std::move(*move));
+        }
+        return {};
+    }
+
+    /// Whether the axes get everywhere, the heights that the dialect goes to by itself before and after the moves among
+    /// it.
+    Result<void> checkTravel() {
+        travel_.goTo(Axis::z, std::max(request_.safeHeight, machine_.toolChangeHeight));
+        for (const Axis axis : kinematics_->axes())
+            if (const std::optional<double> way = travel_.wayBeyond(axis))
+                return limitError(std::string(1, letterOf(axis)) + " travel", *way,
+                                  formatFixed(travel_.length(axis), 3), isRotary(axis) ? "°" : "mm");
+        return {};
+    }
+
+private:
+    Result<NcMove> moveTo(const Path& path, std::size_t i) const {
         const PathPoint& point = path.points[i];
-        if (!isFinite(point.pose.tip))
-            return Error{ErrorCode::argumentInvalid, "path", path.name,
-                         "point " + std::to_string(i) + " is not finite"};
-        if (Result<void> feed = checkFeed(point, i, machine); !feed) return feed;
+        if (!isFinite(point.pose.tip)) return pointError(path, i, " is not finite");
+        if (Result<void> feed = checkFeed(point, i, machine_); !feed) return feed.error();
+        Result<AxisValues> target = valuesAt(point.pose, i);
+        if (!target) return std::move(target).error();
         NcMove move;
         move.kind = point.kind == MoveKind::rapid ? NcMoveKind::rapid : NcMoveKind::line;
+        move.target = std::move(*target);
         if (point.arc) {
             if (i == 0 || move.kind == NcMoveKind::rapid || !isFinite(point.arc->centre))
-                return Error{ErrorCode::argumentInvalid, "path", path.name,
-                             "point " + std::to_string(i) + " can't be the end of an arc"};
+                return pointError(path, i, " can't be the end of an arc");
+            const Result<AxisValues> centre = valuesAt(ToolPose{point.arc->centre}, i); // as if the tip stood there
+            if (!centre) return centre.error();
             move.kind = NcMoveKind::arc;
-            move.arc = {point.arc->centre - request.workOffset, point.arc->axis, point.arc->clockwise};
+            move.arc = {centre->linear(), point.arc->axis, point.arc->clockwise};
         }
-        move.target = point.pose.tip - request.workOffset;
         move.feed = point.kind == MoveKind::rapid ? 0.0 : point.feed;
-        move.take = point.source;
-        move.sample = point.sample;
-        if (point.kind == MoveKind::rapid) awaitsCut = true;
-        if (awaitsCut && point.kind == MoveKind::cut && point.sample >= 0) {
-            move.comment = originOf(point);
-            awaitsCut = false;
-        }
-        if (move.kind == NcMoveKind::arc) includeArc(move, section.moves.back().target, reach);
-        reach.include(move.target);
-        section.moves.push_back(std::move(move));
+        return move;
     }
-    return {};
-}
+
+    static Error pointError(const Path& path, std::size_t i, const char* what) {
+        return Error{ErrorCode::argumentInvalid, "path", path.name, "point " + std::to_string(i) + what};
+    }
+
+    Result<AxisValues> valuesAt(const ToolPose& pose, std::size_t i) const {
+        Result<AxisValues> values = kinematics_->axesOf(pose);
+        if (values) return values;
+        Error error = std::move(values).error();
+        error.detail = "point " + std::to_string(i);
+        return error;
+    }
+
+    /// The places of an arc's path, by parts of it.
+    void goAlongArc(const NcMove& move, const AxisValues& from) {
+        const Arc arc{from.linear(), move.target.linear(), move.arc.centre, move.arc.axis, move.arc.clockwise};
+        constexpr int steps = 64; // outside by at most 0.12 % of the radius, far below what travel is known to
+        const ArcTurn turn = turnOf(arc);
+        for (int i = 1; i < steps; ++i)
+            travel_.goTo(linearAxes, AxisValues(placeOn(arc, turn, static_cast<double>(i) / steps)));
+    }
+
+    NcProgram& program_;
+    const PostRequest& request_;
+    const MachineProfile& machine_;
+    std::unique_ptr<const Kinematics> kinematics_;
+    AxisTravel travel_;
+};
 
 /// Checks the length of each line and gathers them.
 class TextSink final : public LineSink {
@@ -170,14 +207,10 @@ Result<NcProgram> toProgram(const std::vector<Path>& paths, const PostRequest& r
     program.workOffset = request.workOffsetNumber;
     program.safeHeight = request.safeHeight;
     program.blendTolerance = request.blendTolerance;
-    Box reach;
-    for (const Path& path : paths) {
-        if (Result<void> done = appendPath(program, path, request, machine, reach); !done) return done.error();
-    }
-    // The heights that the dialect goes to by itself, before and after the moves.
-    const double top = std::max(request.safeHeight, machine.toolChangeHeight);
-    reach.include(glm::dvec3(reach.low.x, reach.low.y, top));
-    if (Result<void> travel = checkTravel(reach, machine); !travel) return travel.error();
+    PathWriter writer(program, request, machine);
+    for (const Path& path : paths)
+        if (Result<void> done = writer.append(path); !done) return done.error();
+    if (Result<void> travel = writer.checkTravel(); !travel) return travel.error();
     return program;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/coolant.h"
+#include "core/machine/axis_values.h"
 
 #include <glm/glm.hpp>
 
@@ -28,10 +29,8 @@ struct NcArc {
 /// One move of a program, before a dialect words it.
 struct NcMove {
     NcMoveKind kind = NcMoveKind::line;
-    glm::dvec3 target{0.0}; ///< mm, in the frame of the work offset in force; of a dwell without meaning
-    double feed = 0.0;      ///< mm/min; 0 for rapids and dwells
-    std::int64_t take = 0;  ///< the hand's moment behind it, as in PathPoint
-    std::int64_t sample = -1;
+    AxisValues target;     ///< in the frame of the work offset in force; of a dwell without meaning
+    double feed = 0.0;     ///< mm/min; 0 for rapids and dwells
     std::string comment;  ///< stands before the move; empty: none
     NcArc arc{};          ///< of an arc alone
     double seconds = 0.0; ///< of a dwell alone

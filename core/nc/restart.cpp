@@ -16,10 +16,6 @@ bool isCut(const NcMotion& motion) noexcept {
     return motion.kind == NcMotionKind::line || motion.kind == NcMotionKind::arc;
 }
 
-bool endKnown(const NcMotion& motion) noexcept {
-    return motion.toKnown[0] && motion.toKnown[1] && motion.toKnown[2];
-}
-
 Error lineError(std::uint32_t line, std::string allowed) {
     return {ErrorCode::argumentInvalid, "restart line", std::to_string(line), std::move(allowed)};
 }
@@ -53,17 +49,17 @@ double plungeFeed(std::span<const NcMotion> motions, int tool, double otherwise)
     double feed = otherwise;
     for (const NcMotion& motion : motions) {
         if (motion.kind != NcMotionKind::line || motion.tool != tool || !motion.startKnown()) continue;
-        const double down = motion.from.z - motion.to.z;
-        if (down > 0.0 && down >= glm::length(glm::dvec2(motion.to - motion.from)) && motion.feed > 0.0)
+        const glm::dvec3 way = motion.to.linear() - motion.from.linear();
+        if (way.z < 0.0 && -way.z >= glm::length(glm::dvec2(way)) && motion.feed > 0.0)
             feed = std::min(feed, motion.feed);
     }
     return feed;
 }
 
-NcMove moveTo(NcMoveKind kind, const glm::dvec3& target, double feed = 0.0) {
+NcMove moveTo(NcMoveKind kind, AxisValues target, double feed = 0.0) {
     NcMove move;
     move.kind = kind;
-    move.target = target;
+    move.target = std::move(target);
     move.feed = feed;
     return move;
 }
@@ -80,11 +76,6 @@ struct Begin {
     double share = 0.0; ///< of the motion that is left out
     double lead = 0.0;  ///< mm of path up to the cut that is next
 };
-
-glm::dvec3 placeIn(const NcMotion& motion, double share) {
-    if (motion.kind == NcMotionKind::arc) return placeOn(motion.arc(), motion.turn(), share);
-    return glm::mix(motion.from, motion.to, share);
-}
 
 /// Back along the path from the start of a cut, over cuts of the same tool alone.
 Begin leadBefore(std::span<const NcMotion> motions, std::size_t cut, double lead) {
@@ -111,9 +102,9 @@ Begin retractBefore(std::span<const NcMotion> motions, std::size_t cut, double f
     std::size_t first = cut;
     for (std::size_t i = cut; i-- > 0;) {
         const NcMotion& motion = motions[i];
-        if (motion.tool != motions[cut].tool || !endKnown(motion)) break;
+        if (motion.tool != motions[cut].tool || !motion.endKnown()) break;
         first = i;
-        if (motion.rapid() && motion.to.z >= freeHeight) break;
+        if (motion.rapid() && motion.to[Axis::z] >= freeHeight) break;
     }
     double lead = 0.0;
     for (std::size_t i = first; i < cut; ++i)
@@ -151,7 +142,7 @@ private:
 
     Result<void> add(std::size_t i, double share) {
         const NcMotion& motion = motions_[i];
-        if (!endKnown(motion) || nextCut_[i] == none) return {}; // the dialect's own blocks, which it writes again
+        if (!motion.endKnown() || nextCut_[i] == none) return {}; // the dialect's own blocks, which it writes again
         const NcMotion& asCut = motions_[nextCut_[i]];
         if (isCut(motion)) return addCut(motion, share);
         if (motion.kind == NcMotionKind::dwell) {
@@ -213,21 +204,21 @@ private:
     }
 
     /// Over a place of the path, then straight down onto it: an upright tool that was there has room above.
-    void enter(const glm::dvec3& place, const NcMotion& cut) {
-        push(moveTo(NcMoveKind::rapid, {place.x, place.y, std::max(place.z, request_.freeHeight)}));
-        if (place.z < request_.freeHeight)
+    void enter(const AxisValues& place, const NcMotion& cut) {
+        AxisValues above = place;
+        above.set(Axis::z, std::max(place[Axis::z], request_.freeHeight));
+        push(moveTo(NcMoveKind::rapid, std::move(above)));
+        if (place[Axis::z] < request_.freeHeight)
             push(moveTo(NcMoveKind::line, place, plungeFeed(motions_, cut.tool, cut.feed)));
     }
 
     /// In as many pieces as it has turns: a block makes one at most.
     void addArc(const NcMotion& motion, double share) {
-        const Arc arc = motion.arc();
-        const ArcTurn turn = motion.turn();
-        const double turns = std::abs(turn.sweep) * (1.0 - share) / (2.0 * pi);
+        const double turns = std::abs(motion.turn().sweep) * (1.0 - share) / (2.0 * pi);
         const int pieces = std::max(1, static_cast<int>(std::ceil(turns - 1e-9)));
         for (int i = 1; i <= pieces; ++i) {
             const double end = i == pieces ? 1.0 : share + (1.0 - share) * i / pieces;
-            NcMove move = moveTo(NcMoveKind::arc, placeOn(arc, turn, end), motion.feed);
+            NcMove move = moveTo(NcMoveKind::arc, placeIn(motion, end), motion.feed);
             move.arc = {motion.centre, motion.arcAxis, motion.clockwise};
             push(std::move(move));
         }
@@ -276,8 +267,8 @@ Result<Restart> restartAt(const ParsedProgram& program, const RestartRequest& re
                         : cut == first                         ? leadBefore(motions, next, request.lead)
                                                                : Begin{next, 0.0, 0.0};
     restart.lead = begin.lead;
-    restart.place =
-        isCut(motions[begin.motion]) ? placeIn(motions[begin.motion], begin.share) : motions[begin.motion].to;
+    const NcMotion& entered = motions[begin.motion];
+    restart.place = isCut(entered) ? placeIn(entered, begin.share) : entered.to;
     if (Result<void> written = RestWriter(program, request, rest).write(begin, next); !written) return written.error();
     return restart;
 }

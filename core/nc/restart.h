@@ -34,7 +34,7 @@ struct Restart {
     std::size_t done = 0;  ///< motions of the interrupted program that are not made again, but for the lead
     std::uint32_t cut = 0; ///< line of the cut that is next
     double lead = 0.0;     ///< mm of the path before it that are made again
-    glm::dvec3 place{0.0}; ///< mm, program coordinates: where the tool comes back to the path
+    AxisValues place;      ///< program coordinates: where the tool comes back to the path
 };
 
 /// The rest of a program, with a beginning of its own: the dialect's first blocks, tool, spindle and coolant as they

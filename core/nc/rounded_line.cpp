@@ -44,7 +44,7 @@ private:
     }
 
     void take(std::size_t number) {
-        const glm::dvec3& target = run_[number].target;
+        const glm::dvec3& target = run_[number].target.linear();
         const Point point{
             number, {numbers_.stepsOf(target.x), numbers_.stepsOf(target.y), numbers_.stepsOf(target.z)}, false};
         if (!points_.empty() && points_.back().steps == point.steps) {
@@ -103,7 +103,7 @@ private:
         if (to.number - from.number > longestLeftOut) return false;
         const double most = farthestInSteps * numbers_.step();
         for (std::size_t i = from.number + 1; i < to.number; ++i)
-            if (distanceToSegment(run_[i].target, placeOf(from.steps), placeOf(to.steps)) > most) return false;
+            if (distanceToSegment(run_[i].target.linear(), placeOf(from.steps), placeOf(to.steps)) > most) return false;
         return true;
     }
 
@@ -112,7 +112,7 @@ private:
     template <class Accept>
     void atEachPosition(std::size_t index, double farthest, const Accept& accept) {
         const Point before = points_[index];
-        const glm::dvec3& exact = run_[before.number].target;
+        const glm::dvec3& exact = run_[before.number].target.linear();
         for (int choice = 0; choice < 125; ++choice) {
             const std::array<int, 3> by{choice % 5 - 2, choice / 5 % 5 - 2, choice / 25 - 2};
             for (std::size_t axis = 0; axis < 3; ++axis) points_[index].steps[axis] = before.steps[axis] + by[axis];
@@ -191,8 +191,8 @@ void append(std::vector<NcMove>& moves, std::span<const NcMove> run, const Numbe
         for (; next < point.number && move.comment.empty(); ++next) move.comment = run[next].comment;
         next = point.number + 1;
         if (point.moved)
-            for (int axis = 0; axis < 3; ++axis)
-                move.target[axis] = numbers.millimetresOf(point.steps[static_cast<std::size_t>(axis)]);
+            for (const Axis axis : linearAxes)
+                move.target.set(axis, numbers.millimetresOf(point.steps[static_cast<std::size_t>(axis)]));
         moves.push_back(std::move(move));
     }
 }

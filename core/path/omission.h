@@ -30,7 +30,7 @@ TextId remedyOf(OmissionReason reason);
 /// A part of a path that an edit left out: the tool retracts before it, and goes on behind it.
 struct Omission {
     OmissionReason reason = OmissionReason::part;
-    std::int64_t take = 0;            ///< TakeInfo::id
+    std::int64_t source = 0;          ///< PathSource::id
     std::int64_t first = 0, last = 0; ///< ticks of the take
     std::vector<glm::dvec3> line;     ///< mm, setup frame: polyline of the path as it was before the edit, not empty
     double length = 0.0;              ///< mm

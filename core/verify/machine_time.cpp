@@ -92,7 +92,7 @@ private:
             ++time_.toolChanges;
             atRest_ = true;
         }
-        const bool known = motion.startKnown() && motion.toKnown[0] && motion.toKnown[1] && motion.toKnown[2];
+        const bool known = motion.startKnown() && motion.endKnown();
         if (motion.kind == NcMotionKind::dwell) {
             alone_[i] = motion.seconds;
             atRest_ = true;
@@ -112,7 +112,7 @@ private:
         const NcMotion& motion = program_.motions[i];
         double longest = 0.0, atRates = 0.0;
         for (int axis = 0; axis < 3; ++axis) {
-            const double way = std::abs(motion.to[axis] - motion.from[axis]);
+            const double way = std::abs(motion.to[linearAxis(axis)] - motion.from[linearAxis(axis)]);
             if (!(way > 0.0) || !std::isfinite(rateOf(machine_, axis))) continue;
             const RampTime ramp =
                 sCurve(way, 0.0, 0.0, rateOf(machine_, axis), accelerationOf(machine_, axis), jerkOf(machine_, axis));
@@ -152,7 +152,7 @@ private:
     }
 
     void limitStraight(const NcMotion& motion, Block& block) const {
-        block.first = block.last = (motion.to - motion.from) / block.length;
+        block.first = block.last = (motion.to.linear() - motion.from.linear()) / block.length;
         block.speed = along(block.first, [&](int axis) { return rateOf(machine_, axis); });
         block.acceleration = along(block.first, [&](int axis) { return accelerationOf(machine_, axis); });
         block.jerk = along(block.first, [&](int axis) { return jerkOf(machine_, axis); });
@@ -162,7 +162,7 @@ private:
     void limitArc(const NcMotion& motion, Block& block) const {
         const ArcTurn turn = motion.turn();
         const int axis = motion.arcAxis, u = (axis + 1) % 3, v = (axis + 2) % 3;
-        const double rise = (motion.to[axis] - motion.from[axis]) / block.length;
+        const double rise = (motion.to[linearAxis(axis)] - motion.from[linearAxis(axis)]) / block.length;
         const double inPlane = std::sqrt(std::max(0.0, 1.0 - rise * rise));
         const auto tangent = [&](double angle) {
             glm::dvec3 direction(0.0);

@@ -14,22 +14,6 @@ bool feeds(const NcMotion& motion) noexcept {
     return motion.kind == NcMotionKind::line || motion.kind == NcMotionKind::arc;
 }
 
-/// Goes along Z to a place of the work offset's frame, rather than of the machine's.
-bool goesAlongZ(const NcMotion& motion) noexcept {
-    return motion.kind != NcMotionKind::dwell && motion.toKnown[2] &&
-           (!motion.fromKnown[2] || motion.to.z != motion.from.z);
-}
-
-/// Goes somewhere in the frame of the work offset in force.
-bool goesInFrame(const NcMotion& motion) noexcept {
-    if (motion.kind == NcMotionKind::dwell) return false;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto at = static_cast<std::size_t>(axis);
-        if (motion.toKnown[at] && (!motion.fromKnown[at] || motion.to[axis] != motion.from[axis])) return true;
-    }
-    return false;
-}
-
 /// Follows the program, setting by setting and move by move.
 class SettingsJudge {
 public:
@@ -82,21 +66,22 @@ private:
             std::ranges::find(request_.tools, setting.value, &Tool::number) != request_.tools.end())
             return;
         const std::vector<NcMotion>& motions = request_.program->motions;
-        const glm::dvec3 place = setting.motions < motions.size() ? motions[setting.motions].to : glm::dvec3(0.0);
+        const glm::dvec3 place =
+            setting.motions < motions.size() ? motions[setting.motions].to.linear() : glm::dvec3(0.0);
         findings_.add(FindingKind::toolUnknown, setting.line, place, setting.value);
     }
 
     void look(const NcMotion& motion) {
-        if (goesInFrame(motion) && motion.workOffset != request_.workOffset)
-            findings_.add(FindingKind::workOffsetOther, offsetLine_, motion.to, motion.workOffset);
-        if (lengths_ && goesAlongZ(motion)) judgeLength(motion);
+        if (motion.takesAny() && motion.workOffset != request_.workOffset)
+            findings_.add(FindingKind::workOffsetOther, offsetLine_, motion.to.linear(), motion.workOffset);
+        if (lengths_ && motion.takes(Axis::z)) judgeLength(motion);
         if (!feeds(motion)) return;
         if (changes_ && motion.tool == 0 && named_ && !loadTold_) {
             loadTold_ = true;
-            findings_.add(FindingKind::toolNotLoaded, motion.line, motion.to, 0.0);
+            findings_.add(FindingKind::toolNotLoaded, motion.line, motion.to.linear(), 0.0);
         }
         if (motion.spindle == SpindleState::anticlockwise && motion.spindleOn())
-            findings_.add(FindingKind::spindleReversed, spindleLine_, motion.to, motion.spindleSpeed);
+            findings_.add(FindingKind::spindleReversed, spindleLine_, motion.to.linear(), motion.spindleSpeed);
     }
 
     /// A length that the program states itself (G43.1) is taken as it is.
@@ -104,9 +89,9 @@ private:
         if (lengthTold_ || motion.tool == 0 || motion.lengthOffset < 0 || motion.lengthOffset == motion.tool) return;
         lengthTold_ = true;
         if (motion.lengthOffset > 0 && lengthLine_ >= toolLine_)
-            findings_.add(FindingKind::lengthOffsetOfOther, lengthLine_, motion.to, motion.lengthOffset);
+            findings_.add(FindingKind::lengthOffsetOfOther, lengthLine_, motion.to.linear(), motion.lengthOffset);
         else
-            findings_.add(FindingKind::lengthOffsetMissing, motion.line, motion.to, motion.tool);
+            findings_.add(FindingKind::lengthOffsetMissing, motion.line, motion.to.linear(), motion.tool);
     }
 
     const VerifyRequest& request_;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/tool_moves.h"
 
+#include "core/machine/kinematics.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,10 +13,6 @@ namespace burin {
 namespace {
 
 constexpr double sameTime = 1e-12; // min: axes that arrive so close together arrive at once
-
-bool allKnown(const std::array<bool, 3>& known) {
-    return known[0] && known[1] && known[2];
-}
 
 void appendRapid(const ToolMove& rapid, const MachineProfile& machine, std::vector<ToolMove>& moves) {
     if (!rapid.startKnown || !rapid.endKnown) {
@@ -61,21 +59,23 @@ std::vector<ToolMove> toolMoves(const ParsedProgram& program, const glm::dvec3& 
     std::vector<ToolMove> moves;
     moves.reserve(program.motions.size());
     std::vector<NcMotion> straight;
+    const std::unique_ptr<const Kinematics> kinematics = kinematicsOf(machine, workOffset);
+    const AxisSet axes = kinematics->axes();
     for (std::size_t i = 0; i < program.motions.size(); ++i) {
         straight.clear();
         appendStraightMoves(program.motions[i], arcChord, straight);
         for (const NcMotion& motion : straight) {
             ToolMove move;
-            move.from.tip = motion.from + workOffset;
-            move.to.tip = motion.to + workOffset;
+            move.from = kinematics->poseOf(motion.from);
+            move.to = kinematics->poseOf(motion.to);
             move.feed = motion.feed;
             move.line = motion.line;
             move.motion = static_cast<std::uint32_t>(i);
             move.tool = toolOf.empty() ? std::uint16_t{0} : toolOf[i];
             move.rapid = motion.rapid();
             move.spindleOn = motion.spindleOn();
-            move.startKnown = motion.startKnown();
-            move.endKnown = allKnown(motion.toKnown);
+            move.startKnown = motion.startKnown(axes);
+            move.endKnown = motion.endKnown(axes);
             if (move.rapid)
                 appendRapid(move, machine, moves);
             else

@@ -167,7 +167,10 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     Findings findings;
     VerifyReport report;
     judgeSettings(request, findings);
-    judgeLimits(moves, request.program->maximumSpindleSpeed, request.machine, request.travel, findings);
+    if (Result<void> judged =
+            judgeLimits(moves, request.program->maximumSpindleSpeed, request.machine, request.travel, findings);
+        !judged)
+        return std::move(judged).error();
     if (Result<void> judged = judgeObstacles(moves, tools->tools, request, findings, progress); !judged)
         return std::move(judged).error();
     if (Result<void> judged = judgeCorners(moves, tools->tools, request, findings, progress); !judged)

@@ -18,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
         const auto program = parseProgram(text, "fuzz", control);
         if (program)
             for (const NcMotion& motion : program->motions)
-                if (!(glm::length(motion.to) < 1e15)) std::abort();
+                if (!(glm::length(motion.to.linear()) < 1e15)) std::abort();
         for (const LintMark& mark : lint(text, {&control, &machine}))
             if (mark.line == 0 || mark.column == 0 || mark.length == 0 || mark.text.empty()) std::abort();
     }

@@ -55,8 +55,9 @@ const NcMotion* longestCut(const ParsedProgram& program) {
     const NcMotion* longest = nullptr;
     for (const NcMotion& motion : program.motions)
         if (const bool cuts = motion.kind == NcMotionKind::line || motion.kind == NcMotionKind::arc;
-            cuts && motion.from.z == motion.to.z &&
-            (longest == nullptr || glm::distance(motion.from, motion.to) > glm::distance(longest->from, longest->to)))
+            cuts && motion.from[Axis::z] == motion.to[Axis::z] &&
+            (longest == nullptr || glm::distance(motion.from.linear(), motion.to.linear()) >
+                                       glm::distance(longest->from.linear(), longest->to.linear())))
             longest = &motion;
     return longest;
 }
@@ -516,7 +517,8 @@ void TestWindowProgram::aNewTextToolAndValuesStandOnOneLine() {
     const glm::dvec3 zero = driver.window().workbench().bench.bench()->setup.workOffset;
     const NcMotion* cut = longestCut(program.program()->parsed);
     QVERIFY(cut != nullptr);
-    QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(zero + 0.5 * (cut->from + cut->to)).toPoint());
+    QTest::mouseClick(viewport, Qt::LeftButton, {},
+                      viewport->project(zero + 0.5 * (cut->from.linear() + cut->to.linear())).toPoint());
     QCOMPARE(text->textCursor().blockNumber() + 1, static_cast<int>(cut->line));
     QVERIFY(driver.visible<QLabel>("programState") != nullptr);
 
@@ -528,7 +530,7 @@ void TestWindowProgram::aNewTextToolAndValuesStandOnOneLine() {
     if (now == nullptr)
         QVERIFY2(state == nullptr, qPrintable(state != nullptr ? state->text() : QString()));
     else
-        QVERIFY(state != nullptr && state->text().contains(QLocale().toString(now->to.x, 'f', 3)));
+        QVERIFY(state != nullptr && state->text().contains(QLocale().toString(now->to[Axis::x], 'f', 3)));
     driver.shoot("45-posted-anew");
 }
 
@@ -644,19 +646,21 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     // A click on a move in the viewport leads to its line.
     const NcMotion* cut = longestCut(program);
     QVERIFY(cut != nullptr);
-    QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(zero + 0.5 * (cut->from + cut->to)).toPoint());
+    QTest::mouseClick(viewport, Qt::LeftButton, {},
+                      viewport->project(zero + 0.5 * (cut->from.linear() + cut->to.linear())).toPoint());
     QCOMPARE(text->textCursor().blockNumber() + 1, static_cast<int>(cut->line));
     const auto* state = driver.visible<QLabel>("programState");
     QVERIFY(state != nullptr);
     const auto told = [&](double value) { return state->text().contains(QLocale().toString(value, 'f', 3)); };
-    QVERIFY2(told(cut->to.x) && told(cut->to.z) && state->text().contains("spindle "), qPrintable(state->text()));
+    QVERIFY2(told(cut->to[Axis::x]) && told(cut->to[Axis::z]) && state->text().contains("spindle "),
+             qPrintable(state->text()));
     driver.shoot("20-move-and-line");
     // And back: the cursor keys lead through the moves, the tool stands at their ends.
     text->setFocus();
     QTest::keyClick(text, Qt::Key_Down);
     const NcMotion* next = lastMotion(program.motions, cut->line + 1);
     QVERIFY(next != nullptr && next->to != cut->to);
-    QVERIFY2(told(next->to.x), qPrintable(state->text()));
+    QVERIFY2(told(next->to[Axis::x]), qPrintable(state->text()));
     // A click beside every move is the camera's.
     const int line = text->textCursor().blockNumber();
     QTest::mouseClick(viewport, Qt::LeftButton, {}, QPoint(40, viewport->height() - 80));

@@ -198,7 +198,8 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     const auto postedOver = [&](double x) { // mm/min, of the ball's cut there in the program's own text
         for (const NcMotion& motion : bench.program.program()->parsed.motions)
             if ((motion.kind == NcMotionKind::line || motion.kind == NcMotionKind::arc) && motion.tool == 3 &&
-                motion.from.z < -0.5 && motion.to.z < -0.5 && (motion.from.x - x) * (motion.to.x - x) <= 0)
+                motion.from[Axis::z] < -0.5 && motion.to[Axis::z] < -0.5 &&
+                (motion.from[Axis::x] - x) * (motion.to[Axis::x] - x) <= 0)
                 return motion.feed;
         return 0.0;
     };

@@ -53,11 +53,13 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "X travel"),
     BURIN_TEXT("Subject", "Y travel"),
     BURIN_TEXT("Subject", "Z travel"),
+    BURIN_TEXT("Subject", "tilt of the tool axis"),
     BURIN_TEXT("Subject", "dwell"),
     BURIN_TEXT("Subject", "arc"),
     // what this version can't do
     BURIN_TEXT("Subject", "the virtual operator with this kind of tool"),
     BURIN_TEXT("Subject", "tilted tool axis"),
+    BURIN_TEXT("Subject", "axes besides X, Y and Z"),
     BURIN_TEXT("Subject", "a program with a tool change"),
     BURIN_TEXT("Subject", "a restart of a program that sets its own zero"),
     BURIN_TEXT("Subject", "a restart over a change of the path mode (G61, G64)"),

@@ -57,7 +57,7 @@ void ProgramScenePresenter::present() {
     const auto& bench = workbench_.bench.bench();
     const bool active =
         shown_ && bench && workbench_.program.program() && !workbench_.program.edited() && !workbench_.mill.active();
-    if (active) zero_ = bench->setup.workOffset;
+    if (active) kinematics_ = kinematicsOf(bench->machine, bench->setup.workOffset);
     take(active ? workbench_.program.program() : nullptr);
     if (active != active_) {
         active_ = active;
@@ -80,7 +80,7 @@ void ProgramScenePresenter::take(std::shared_ptr<const CheckedProgram> program) 
     std::vector<PathPicker::Move> moves;
     moves.reserve(moves_.size());
     for (const NcMotion& move : moves_) // where the first ones come from is not known
-        moves.emplace_back((move.startKnown() ? move.from : move.to) + zero_, move.to + zero_);
+        moves.emplace_back(tipAt(move.startKnown() ? move.from : move.to), tipAt(move.to));
     picker_.setMoves(std::move(moves));
 }
 
@@ -108,12 +108,12 @@ void ProgramScenePresenter::showLine() {
     std::vector<glm::dvec3> places;
     if (motion != nullptr)
         for (const NcMotion& move : motionsOf(moves_, line)) {
-            if (places.empty() && move.startKnown()) places.push_back(move.from + zero_);
-            places.push_back(move.to + zero_);
+            if (places.empty() && move.startKnown()) places.push_back(tipAt(move.from));
+            places.push_back(tipAt(move.to));
         }
     viewport_.setMoveMark({places});
     if (motion != nullptr)
-        scene_.showToolAt(motion->to + zero_, program_->toolNumbered(motion->tool));
+        scene_.showToolAt(tipAt(motion->to), program_->toolNumbered(motion->tool));
     else
         scene_.parkTool();
     panel_.showMachineState(motion != nullptr ? stateText(*motion) : QString(),
@@ -123,8 +123,8 @@ void ProgramScenePresenter::showLine() {
 QString ProgramScenePresenter::stateText(const NcMotion& motion) const {
     const bool inches = unit() == LengthUnit::inch;
     QString text = QStringLiteral("X %1  Y %2  Z %3 ")
-                       .arg(lengthNumber(motion.to.x, unit()), lengthNumber(motion.to.y, unit()),
-                            lengthNumber(motion.to.z, unit())) +
+                       .arg(lengthNumber(motion.to[Axis::x], unit()), lengthNumber(motion.to[Axis::y], unit()),
+                            lengthNumber(motion.to[Axis::z], unit())) +
                    unitText(unit());
     const QString separator = QStringLiteral(" · ");
     if (motion.rapid())

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/machine/kinematics.h"
 #include "ui/input/path_picker.h"
 #include "ui/panels/job_states.h"
 #include "ui/panels/program_panel.h"
@@ -31,6 +32,8 @@ private:
     void take(std::shared_ptr<const CheckedProgram> program);
     void followText();
     void chooseSelection();
+    /// mm, setup frame.
+    glm::dvec3 tipAt(const AxisValues& values) const { return kinematics_->poseOf(values).tip; }
     QString stateText(const NcMotion& motion) const;
     std::optional<double> endOf(const NcMotion& motion) const; ///< s from the program's beginning
     QString loadText(std::size_t motion) const;
@@ -42,7 +45,7 @@ private:
     PathPicker picker_;
     std::shared_ptr<const CheckedProgram> program_;
     std::vector<NcMotion> moves_; ///< its moves as they are drawn and picked: straight ones
-    glm::dvec3 zero_{0.0};        ///< mm, program zero in the setup frame
+    std::unique_ptr<const Kinematics> kinematics_ = std::make_unique<ThreeAxes>(); ///< of the program's setup
     bool shown_ = false, active_ = false;
     int line_ = 0;             ///< from 1; 0: none is looked at
     std::uint64_t lineOf_ = 0; ///< checksum of the text that it is a line of

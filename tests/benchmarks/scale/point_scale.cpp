@@ -75,13 +75,15 @@ private:
         std::vector<Sample> samples;
         for (const NcMotion& motion : program.motions) {
             if (motion.kind != NcMotionKind::line) continue;
-            const auto count = static_cast<int>(std::ceil(glm::distance(motion.from, motion.to) / step));
+            const auto count =
+                static_cast<int>(std::ceil(glm::distance(motion.from.linear(), motion.to.linear()) / step));
             for (int i = 0; i < count && samples.size() < points(2); ++i) {
                 const auto t = static_cast<double>(samples.size());
                 Sample sample;
                 sample.tick = samples.size();
                 sample.time = 0.001 * t;
-                sample.proxy.tip = zero + glm::mix(motion.from, motion.to, static_cast<double>(i) / count) +
+                sample.proxy.tip = zero +
+                                   glm::mix(motion.from.linear(), motion.to.linear(), static_cast<double>(i) / count) +
                                    0.02 * glm::dvec3(std::sin(0.06 * t), std::sin(0.05 * t + 1.0), 1.0);
                 sample.removed[0] = {100, 2};
                 samples.push_back(sample);

@@ -120,13 +120,13 @@ private slots:
         motion(30, 5);
         motion(40, 5);
         std::vector<Path> paths{held, free};
-        QCOMPARE(lowerFeeds(paths, program, {{2, 600.0}, {4, 100.0}, {6, 500.0}}, glm::dvec3(0.0)), std::size_t(2));
+        QCOMPARE(lowerFeeds(paths, program, {{2, 600.0}, {4, 100.0}, {6, 500.0}}, ThreeAxes()), std::size_t(2));
         const auto feed = [&](std::size_t path, std::size_t point) { return paths[path].points[point].feed; };
         QCOMPARE(feed(0, 1), 1000.0);
         QVERIFY(feed(0, 2) <= 600.0 && feed(0, 2) > 580.0);
         QCOMPARE(feed(0, 3), 300.0);  // no chip is thinner than the edit lets it be
         QCOMPARE(feed(1, 1), 1000.0); // its list has no such edit
-        QCOMPARE(lowerFeeds(paths, program, {{1, 2000.0}}, glm::dvec3(0.0)), std::size_t(0));
+        QCOMPARE(lowerFeeds(paths, program, {{1, 2000.0}}, ThreeAxes()), std::size_t(0));
     }
 };
 

@@ -91,7 +91,7 @@ void TestProgramMoments::everyBlockLeadsToItsMoment() {
         const Path path = wanderingPath();
         const Result<ParsedProgram> program = postedAndRead(path, dialect.toStdString());
         RC_ASSERT(program.hasValue());
-        const std::vector<Moment> moments = momentsOf(*program, path, zero);
+        const std::vector<Moment> moments = momentsOf(*program, path, ThreeAxes(zero));
         RC_ASSERT(moments.size() == program->motions.size());
         std::size_t ofSources = 0;
         for (const PathPoint& point : path.points) {
@@ -101,7 +101,7 @@ void TestProgramMoments::everyBlockLeadsToItsMoment() {
             bool reached = false;
             for (std::size_t i = 0; i < moments.size(); ++i)
                 if (moments[i] == Moment{point.source, point.sample})
-                    reached = glm::distance(program->motions[i].to + zero, point.pose.tip) <= 0.002;
+                    reached = glm::distance(program->motions[i].to.linear() + zero, point.pose.tip) <= 0.002;
             RC_ASSERT(reached);
         }
         RC_ASSERT(ofSources > 0);

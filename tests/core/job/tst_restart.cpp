@@ -405,16 +405,16 @@ private slots:
         QVERIFY(cut != motions.end());
         // 5 mm of the half circle about (14, -10) lie before (14, -6).
         const double angle = 0.5 * pi - 5.0 / 4.0;
-        QVERIFY(glm::distance(cut->from,
+        QVERIFY(glm::distance(cut->from.linear(),
                               glm::dvec3(14.0 + 4.0 * std::cos(angle), -10.0 + 4.0 * std::sin(angle), -1.0)) < 0.002);
-        QCOMPARE(cut->to, glm::dvec3(14.0, -6.0, -1.0));
+        QVERIFY(cut->to == AxisValues(14.0, -6.0, -1.0));
         QVERIFY(cut->spindle == SpindleState::clockwise && cut->flood);
         QCOMPARE(cut->spindleSpeed, 8000.0);
         QCOMPARE(cut->tool, 1);
         QCOMPARE(cut->workOffset, 54);
         QCOMPARE(cut->lengthOffset, 1);
         QCOMPARE((cut - 1)->feed, 120.0); // down, as slowly as the program plunges with this tool anywhere
-        QVERIFY((cut - 2)->rapid() && (cut - 2)->to.z == 2.0);
+        QVERIFY((cut - 2)->rapid() && (cut - 2)->to[Axis::z] == 2.0);
     }
 
     /// What is cut is the rest alone: on a fresh workpiece the same text would cut through full stock.

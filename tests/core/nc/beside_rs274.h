@@ -55,8 +55,8 @@ inline QString difference(const CanonicalProgram& truth, const ParsedProgram& pr
         const NcMotion& ours = program.motions[i];
         const QString where = QString("move %1, line %2: ").arg(i).arg(ours.line);
         if (theirs.kind != kindOf(ours.kind)) return where + "kind";
-        if (theirs.kind != CanonicalKind::dwell && !near(theirs.to, ours.to / theirs.unit, theirs.doubt))
-            return where + describe(theirs.to) + " against " + describe(ours.to / theirs.unit);
+        if (theirs.kind != CanonicalKind::dwell && !near(theirs.to, ours.to.linear() / theirs.unit, theirs.doubt))
+            return where + describe(theirs.to) + " against " + describe(ours.to.linear() / theirs.unit);
         if (theirs.kind == CanonicalKind::dwell && std::abs(theirs.seconds - ours.seconds) > printed)
             return where + "seconds";
         if ((theirs.kind == CanonicalKind::line || theirs.kind == CanonicalKind::arc) &&

@@ -28,7 +28,7 @@ inline NcMove lineTo(double x, double y, double z, double feed, std::string comm
     return {NcMoveKind::line, {x, y, z}, feed, 1, 1, std::move(comment)};
 }
 inline NcMove arcTo(const glm::dvec3& to, const glm::dvec3& centre, int axis, bool clockwise, double feed) {
-    NcMove move{NcMoveKind::arc, to, feed, 1, 1, ""};
+    NcMove move{NcMoveKind::arc, AxisValues(to), feed, 1, 1, ""};
     move.arc = {centre, axis, clockwise};
     return move;
 }

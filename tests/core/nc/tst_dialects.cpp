@@ -48,7 +48,7 @@ NcProgram randomJob(NcUnits units) {
     moves = {rapidTo(coordinate(), coordinate(), 10)};
     const int count = *rc::gen::inRange(1, 40);
     for (int i = 0; i < count; ++i) {
-        const glm::dvec3 from = moves.back().target;
+        const glm::dvec3 from = moves.back().target.linear();
         const double feed = *rc::gen::inRange(10, 90000) / 10.0;
         switch (*rc::gen::inRange(0, 6)) {
         case 0:
@@ -208,7 +208,7 @@ private slots:
         for (const int number : {0, 3, 12}) known.lengthOffsets[number] = 0.0;
         const auto read = parseProgram(*with, "job", control, known);
         QVERIFY(read && read->ended);
-        QVERIFY(glm::distance(read->motions.back().to, glm::dvec3(-354.0, -187.3, 297.46)) < 1e-6);
+        QVERIFY(glm::distance(read->motions.back().to.linear(), glm::dvec3(-354.0, -187.3, 297.46)) < 1e-6);
     }
 
     void roundingTurnsNothingBack_data() { addDialects(); }
@@ -245,7 +245,8 @@ private slots:
             const std::vector<glm::dvec3> places = placesIn(*text, inch);
             RC_ASSERT(backStepsAmong(places) == 0U);
             for (const NcMove& move : moves)
-                if (move.kind == NcMoveKind::line) RC_ASSERT(distanceToLine(move.target, places) < 2.5 * digit);
+                if (move.kind == NcMoveKind::line)
+                    RC_ASSERT(distanceToLine(move.target.linear(), places) < 2.5 * digit);
         }));
     }
 
@@ -272,7 +273,7 @@ private slots:
                 lineTo(figure(centre.x + radius * std::cos(end)), figure(centre.y + radius * std::sin(end)), -1, 300);
             move.kind = NcMoveKind::arc;
             move.arc = {{figure(centre.x), figure(centre.y), -1.0}, 2, false};
-            at = move.target;
+            at = move.target.linear();
             moves.push_back(move);
         }
         const auto text = posted(dialect.toStdString(), program);
@@ -301,27 +302,28 @@ private slots:
             const auto& moves = program.sections.front().moves;
             const auto& motions = parsed->motions;
             std::size_t at = 0;
-            while (at < motions.size() && (motions[at].kind == NcMotionKind::dwell || !motions[at].toKnown[0] ||
-                                           !motions[at].toKnown[2] || std::abs(motions[at].to.z - 60.0) > half))
+            while (at < motions.size() &&
+                   (motions[at].kind == NcMotionKind::dwell || !motions[at].toKnown.has(Axis::x) ||
+                    !motions[at].toKnown.has(Axis::z) || std::abs(motions[at].to[Axis::z] - 60.0) > half))
                 ++at; // up and across
             RC_ASSERT(at < motions.size());
-            glm::dvec3 from = moves.front().target;
+            glm::dvec3 from = moves.front().target.linear();
             for (const NcMove& move : moves) {
                 const auto reached = [&](const glm::dvec3& place) {
-                    return glm::all(glm::lessThanEqual(glm::abs(place - move.target), glm::dvec3(half)));
+                    return glm::all(glm::lessThanEqual(glm::abs(place - move.target.linear()), glm::dvec3(half)));
                 };
-                const Arc arc{from, move.target, move.arc.centre, move.arc.axis, move.arc.clockwise};
+                const Arc arc{from, move.target.linear(), move.arc.centre, move.arc.axis, move.arc.clockwise};
                 NcMotion wanted;
                 wanted.kind = NcMotionKind::arc;
-                wanted.from = arc.from;
-                wanted.to = arc.to;
+                wanted.from = AxisValues(arc.from);
+                wanted.to = AxisValues(arc.to);
                 wanted.centre = arc.centre;
                 wanted.arcAxis = static_cast<std::uint8_t>(arc.axis);
                 wanted.clockwise = arc.clockwise;
                 const double trueWay = move.kind == NcMoveKind::arc ? lengthOf(wanted) : 0.0;
                 const bool full = trueWay > 8.0 * half;
                 // A move that rounds to nothing has no block; an arc has at least one.
-                bool arrived = reached(motions[at].to) && !full;
+                bool arrived = reached(motions[at].to.linear()) && !full;
                 double way = 0.0;
                 while (!arrived) {
                     RC_ASSERT(++at < motions.size());
@@ -332,7 +334,7 @@ private slots:
                         RC_ASSERT(std::abs(motion.feed - move.feed) <= 0.5 * step + 1e-9);
                     }
                     if (move.kind == NcMoveKind::arc) {
-                        RC_ASSERT(distanceToArc(motion.to, arc) <= 2.0 * half + lineDoubt);
+                        RC_ASSERT(distanceToArc(motion.to.linear(), arc) <= 2.0 * half + lineDoubt);
                         if (motion.kind == NcMotionKind::arc) {
                             const ArcTurn turn = motion.turn();
                             RC_ASSERT(std::abs(turn.startRadius - turn.endRadius) <= 0.002);
@@ -342,11 +344,11 @@ private slots:
                         }
                     }
                     way += lengthOf(motion);
-                    arrived = reached(motion.to) && (!full || way >= 0.5 * trueWay);
+                    arrived = reached(motion.to.linear()) && (!full || way >= 0.5 * trueWay);
                 }
                 // No turn is lost or added; each end and each centre is rounded.
                 if (full) RC_ASSERT(std::abs(way - trueWay) <= 0.02 * trueWay + 16.0 * half);
-                from = move.target;
+                from = move.target.linear();
             }
         }));
     }

@@ -95,7 +95,7 @@ void compare(const CanonicalProgram& truth, const ParsedProgram& parsed) {
     std::erase_if(motions, [](const NcMotion& motion) { return motion.kind == NcMotionKind::dwell; });
     QCOMPARE(moves.size(), motions.size());
     for (std::size_t i = 0; i < moves.size(); ++i) {
-        const glm::dvec3 difference = glm::abs(moves[i].to * moves[i].unit - motions[i].to);
+        const glm::dvec3 difference = glm::abs(moves[i].to * moves[i].unit - motions[i].to.linear());
         const double doubt = moves[i].doubt * moves[i].unit;
         QVERIFY2((moves[i].kind == CanonicalKind::rapid) == motions[i].rapid(), qPrintable(QString("move %1").arg(i)));
         QVERIFY2(difference.x <= doubt && difference.y <= doubt && difference.z <= doubt,
@@ -141,16 +141,17 @@ private slots:
             RC_ASSERT(parsed->ended && parsed->maximumSpindleSpeed == 12000.0);
             std::size_t at = 3; // behind the spindle's start, the way up and across
             for (const NcMove& move : program.sections.front().moves) {
-                const glm::dvec3 rounded = glm::round(move.target * 1000.0) / 1000.0;
-                if (glm::distance(parsed->motions[at - 1].to, rounded) < 1e-9) continue; // no way left: no block
-                RC_ASSERT(glm::distance(parsed->motions[at].to, rounded) < 1e-9);
+                const glm::dvec3 rounded = glm::round(move.target.linear() * 1000.0) / 1000.0;
+                if (glm::distance(parsed->motions[at - 1].to.linear(), rounded) < 1e-9)
+                    continue; // no way left: no block
+                RC_ASSERT(glm::distance(parsed->motions[at].to.linear(), rounded) < 1e-9);
                 RC_ASSERT(parsed->motions[at].rapid() == (move.kind == NcMoveKind::rapid));
                 if (!parsed->motions[at].rapid())
                     RC_ASSERT(std::abs(parsed->motions[at].feed - move.feed) <= 0.05 + 1e-9);
                 RC_ASSERT(parsed->motions[at].spindleOn() && parsed->motions[at].tool == 3);
                 ++at;
             }
-            RC_ASSERT(parsed->motions.back().to.z == 60.0);
+            RC_ASSERT(parsed->motions.back().to[Axis::z] == 60.0);
         }));
     }
 
@@ -184,7 +185,7 @@ private slots:
                                                feedFirst.sections.front().moves.begin() + 2);
         QVERIFY(!posted(feedFirst));
         NcProgram nowhere = referenceJob();
-        nowhere.sections.front().moves[3].target.x = std::nan("");
+        nowhere.sections.front().moves[3].target.set(Axis::x, std::nan(""));
         QVERIFY(!posted(nowhere));
     }
 

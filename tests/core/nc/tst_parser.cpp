@@ -36,14 +36,14 @@ private slots:
         QCOMPARE(program->maximumSpindleSpeed, 9000.0);
         const std::vector<NcMotion>& m = program->motions;
         QCOMPARE(m.size(), std::size_t{5});
-        QVERIFY(m[0].rapid() && !m[0].fromKnown[0] && !m[0].fromKnown[1] && !m[0].fromKnown[2]);
-        QVERIFY(m[1].rapid() && m[1].fromKnown[0] && m[1].fromKnown[1] && !m[1].fromKnown[2]);
-        QVERIFY(m[1].to == glm::dvec3(1, -2, 5.5));
-        QVERIFY(!m[2].rapid() && m[2].fromKnown[2]);
-        QVERIFY(m[2].from == m[1].to && m[2].to == glm::dvec3(1.5, -2, 5.5));
+        QVERIFY(m[0].rapid() && m[0].fromKnown.empty());
+        QVERIFY(m[1].rapid() && m[1].fromKnown == AxisSet(Axis::x, Axis::y));
+        QVERIFY(m[1].to == AxisValues(1, -2, 5.5));
+        QVERIFY(!m[2].rapid() && m[2].fromKnown.has(Axis::z));
+        QVERIFY(m[2].from == m[1].to && m[2].to == AxisValues(1.5, -2, 5.5));
         QCOMPARE(m[2].feed, 200.0);
-        QVERIFY(m[3].to == glm::dvec3(1.75, -2, 5.0));
-        QVERIFY(m[4].to == glm::dvec3(25.4, -2, 5.0));
+        QVERIFY(m[3].to == AxisValues(1.75, -2, 5.0));
+        QVERIFY(m[4].to == AxisValues(25.4, -2, 5.0));
         for (const NcMotion& motion : m) QVERIFY(motion.spindleOn() && motion.tool == 3);
         QCOMPARE(m[2].line, 7u);
         QCOMPARE(m[4].line, 10u);
@@ -72,7 +72,7 @@ private slots:
         QVERIFY(program);
         QString found;
         for (int axis = 0; axis < 3; ++axis) {
-            if (program->motions[1].fromKnown[static_cast<std::size_t>(axis)]) found += QChar('x' + axis);
+            if (program->motions[1].fromKnown.has(linearAxis(axis))) found += QChar('x' + axis);
         }
         QCOMPARE(found, known);
     }
@@ -114,10 +114,11 @@ private slots:
         for (std::size_t i = 1; i < moves.size(); ++i) {
             const NcMotion& m = moves[i];
             QVERIFY(!m.rapid() && m.line == 2);
-            QVERIFY(std::abs(std::hypot(m.to[u], m.to[v]) - 10.0) < 1e-9);
-            const glm::dvec3 middle = 0.5 * (m.from + m.to);
+            const glm::dvec3 from = m.from.linear(), to = m.to.linear();
+            QVERIFY(std::abs(std::hypot(to[u], to[v]) - 10.0) < 1e-9);
+            const glm::dvec3 middle = 0.5 * (from + to);
             QVERIFY(10.0 - std::hypot(middle[u], middle[v]) <= 0.001 + 1e-12); // the stated chord
-            turned += std::atan2(m.from[u] * m.to[v] - m.from[v] * m.to[u], m.from[u] * m.to[u] + m.from[v] * m.to[v]);
+            turned += std::atan2(from[u] * to[v] - from[v] * to[u], from[u] * to[u] + from[v] * to[v]);
         }
         QVERIFY(std::abs(turned - turn) < 1e-9);
     }
@@ -162,18 +163,18 @@ private slots:
         std::size_t onCircle = 0;
         for (const NcMotion& m : straightMoves(*program, 0.001)) {
             if (m.feed != 2.5 * 25.4) continue;
-            QVERIFY(std::abs(std::hypot(m.to.x, m.to.y) - 12.7) < 1e-9);
+            QVERIFY(std::abs(std::hypot(m.to[Axis::x], m.to[Axis::y]) - 12.7) < 1e-9);
             ++onCircle;
         }
         QVERIFY(onCircle > 4 * 20);
-        QVERIFY(program->motions.back().to == glm::dvec3(0, 0, 0.25 * 25.4));
+        QVERIFY(program->motions.back().to == AxisValues(0, 0, 0.25 * 25.4));
     }
 
     void theZxArcEndsWhereItSays() {
         const auto program = parseFixture("arc-zx-plane.nc");
         QVERIFY(program);
-        QVERIFY(glm::distance(program->motions.back().to, glm::dvec3(20, 0, 0)) < 1e-9);
-        QVERIFY(!program->motions.back().fromKnown[1]); // no block ever set Y
+        QVERIFY(glm::distance(program->motions.back().to.linear(), glm::dvec3(20, 0, 0)) < 1e-9);
+        QVERIFY(!program->motions.back().fromKnown.has(Axis::y)); // no block ever set Y
     }
 
     void feedsAreResolved() {
@@ -213,9 +214,9 @@ private slots:
         const auto moves = straightMoves(*program, 0.001);
         QVERIFY(moves.back().to == arc.to);
         for (std::size_t i = 1; i < moves.size(); ++i) {
-            QVERIFY(std::abs(std::hypot(moves[i].to.x, moves[i].to.y) - 10.0) < 1e-9);
-            QVERIFY(moves[i].to.z < moves[i].from.z); // evenly down through all turns
-            const glm::dvec3 middle = 0.5 * (moves[i].from + moves[i].to);
+            QVERIFY(std::abs(std::hypot(moves[i].to[Axis::x], moves[i].to[Axis::y]) - 10.0) < 1e-9);
+            QVERIFY(moves[i].to[Axis::z] < moves[i].from[Axis::z]); // evenly down through all turns
+            const glm::dvec3 middle = 0.5 * (moves[i].from.linear() + moves[i].to.linear());
             QVERIFY(10.0 - std::hypot(middle.x, middle.y) <= 0.001 + 1e-12);
         }
     }
@@ -225,7 +226,7 @@ private slots:
         const auto nowhere = parseProgram("G92 X0\nG0 X2\n", "job");
         QVERIFY(nowhere->motions[0].ownZero);
         QVERIFY(parseProgram("G10 L2 P1 X5\nG0 X2\n", "job")->motions[0].ownZero);
-        QCOMPARE(parseProgram("G0 X1\nG92 X0\nG0 X2\n", "job")->motions[1].to.x, 3.0);
+        QCOMPARE(parseProgram("G0 X1\nG92 X0\nG0 X2\n", "job")->motions[1].to[Axis::x], 3.0);
     }
 
     void nothingIsIgnored_data() {
@@ -307,7 +308,7 @@ private slots:
             const std::string text = formatFixed(value, decimals);
             const auto program = parseProgram("G0 X" + text, "job");
             RC_ASSERT(static_cast<bool>(program));
-            RC_ASSERT(program->motions.front().to.x == *parseNumber(text));
+            RC_ASSERT(program->motions.front().to[Axis::x] == *parseNumber(text));
         }));
     }
 
@@ -325,7 +326,8 @@ private slots:
             for (const std::string& word : words) text += word;
             const auto program = parseProgram(text, "job");
             if (!program) return;
-            for (const NcMotion& m : program->motions) RC_ASSERT(std::isfinite(m.to.x + m.to.y + m.to.z));
+            for (const NcMotion& m : program->motions)
+                RC_ASSERT(std::isfinite(m.to[Axis::x] + m.to[Axis::y] + m.to[Axis::z]));
         }));
     }
 };

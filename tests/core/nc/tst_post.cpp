@@ -61,9 +61,9 @@ private slots:
         QVERIFY(program);
         QCOMPARE(program->sections.front().moves.size(), std::size_t{5});
         QVERIFY(program->sections.front().moves[0].kind == NcMoveKind::rapid &&
-                program->sections.front().moves[0].target == glm::dvec3(0, 0, 10));
+                program->sections.front().moves[0].target == AxisValues(0, 0, 10));
         QVERIFY(program->sections.front().moves[2].kind == NcMoveKind::line &&
-                program->sections.front().moves[2].target == glm::dvec3(5, 0, 0));
+                program->sections.front().moves[2].target == AxisValues(5, 0, 0));
         QCOMPARE(program->sections.front().moves[2].feed, 900.0);
         QCOMPARE(program->sections.front().moves[2].take, 7);
         QCOMPARE(program->sections.front().moves[2].sample, 123);
@@ -159,7 +159,7 @@ private slots:
         const auto program = toProgram({turning}, request(), machine());
         QVERIFY(program);
         const NcMove& move = program->sections.front().moves[2];
-        QVERIFY(move.kind == NcMoveKind::arc && move.target == glm::dvec3(5, 0, 0));
+        QVERIFY(move.kind == NcMoveKind::arc && move.target == AxisValues(5, 0, 0));
         QVERIFY(move.arc.centre.x == 2.5 && move.arc.centre.y == 0.0 && move.arc.axis == 2 && move.arc.clockwise);
     }
 

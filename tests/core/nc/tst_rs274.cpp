@@ -91,7 +91,8 @@ private slots:
         const QStringList lines = QString::fromStdString(text).split('\n');
         for (std::size_t i = 0; i < truth.moves.size(); ++i) {
             const QString& line = lines[static_cast<qsizetype>(program->motions[i].line) - 1];
-            if (line.contains("g84") && !line.contains("x6")) truth.moves[i].to = program->motions[i].to / 25.4;
+            if (line.contains("g84") && !line.contains("x6"))
+                truth.moves[i].to = program->motions[i].to.linear() / 25.4;
         }
         const QString fault = difference(truth, *program);
         QVERIFY2(fault.isEmpty(), qPrintable(fault));
@@ -108,7 +109,7 @@ private slots:
             const auto match = stated.match(lines[static_cast<qsizetype>(motion.line) - 1]);
             if (!match.hasMatch()) continue;
             ++values;
-            QVERIFY2(std::abs(motion.to.x - match.captured(1).toDouble()) <=
+            QVERIFY2(std::abs(motion.to[Axis::x] - match.captured(1).toDouble()) <=
                          1e-3, // stated to three or four decimals of rounded operands
 
                      qPrintable(lines[static_cast<qsizetype>(motion.line) - 1]));

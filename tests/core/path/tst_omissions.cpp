@@ -91,7 +91,7 @@ private slots:
         QCOMPARE(link.omissions.size(), std::size_t{1});
         const Omission& part = link.omissions.front();
         QVERIFY(part.reason == OmissionReason::shank);
-        QCOMPARE(part.take, std::int64_t{1});
+        QCOMPARE(part.source, std::int64_t{1});
         QCOMPARE(part.line.front(), glm::dvec3(farthest, 0, -8));
         QCOMPARE(part.line.back(), glm::dvec3(9, 0, -8));
         QVERIFY(std::abs(part.length - (9.0 - farthest)) < 1e-9);

@@ -96,11 +96,11 @@ public:
         for (const NcMotion& move : straightMoves(*read, 0.001)) {
             if (!move.startKnown()) continue;
             const double radius = move.tool == 2 ? 1.5 : 3.0;
-            const int steps = 1 + static_cast<int>(glm::distance(move.from, move.to) / 0.05);
+            const int steps = 1 + static_cast<int>(glm::distance(move.from.linear(), move.to.linear()) / 0.05);
             for (int i = 0; i <= steps; ++i)
-                deepest = std::max(
-                    deepest,
-                    TrayJob::depthInPart(zero + glm::mix(move.from, move.to, static_cast<double>(i) / steps), radius));
+                deepest = std::max(deepest, TrayJob::depthInPart(zero + glm::mix(move.from.linear(), move.to.linear(),
+                                                                                 static_cast<double>(i) / steps),
+                                                                 radius));
         }
         return deepest;
     }
@@ -211,9 +211,9 @@ std::vector<NcMotion> travelling(const Program& program) {
     std::vector<NcMotion> found;
     const std::vector<NcMotion>& motions = program.motions();
     for (std::size_t i = 0; i + 1 < motions.size(); ++i)
-        if (motions[i].rapid() && motions[i].startKnown() && motions[i].toKnown[2] && motions[i].to.z > 3.0 &&
-            motions[i + 1].line != motions[i].line && motions[i + 1].rapid() && motions[i + 1].toKnown[2] &&
-            motions[i + 1].workOffset == 54)
+        if (motions[i].rapid() && motions[i].startKnown() && motions[i].toKnown.has(Axis::z) &&
+            motions[i].to[Axis::z] > 3.0 && motions[i + 1].line != motions[i].line && motions[i + 1].rapid() &&
+            motions[i + 1].toKnown.has(Axis::z) && motions[i + 1].workOffset == 54)
             found.push_back(motions[i]);
     return found;
 }
@@ -228,7 +228,7 @@ Damaged shifted(const std::string& text, const std::string& dialect, std::uint32
         Program program = sound;
         const NcMotion& place = places.at((n * 3 + i) % places.size());
         const std::string line =
-            sideways ? "G92 X" + number(place.to.x - amount) : "G92 Z" + number(place.to.z - amount);
+            sideways ? "G92 X" + number(place.to[Axis::x] - amount) : "G92 Z" + number(place.to[Axis::z] - amount);
         program.insert(place.line + 1, line);
         const std::optional<double> depth = sound.depth(program.text());
         if ((sideways || amount < 0.0) && depth && *depth < 0.05) continue; // harms nothing from here on
@@ -264,11 +264,12 @@ Damaged grazingRapid(const std::string& text, const std::string& dialect, std::u
         const std::uint32_t line = program.feeding(1).front();
         const double by = 0.05 + 0.02 * n;
         const NcMotion start = *std::ranges::find(program.motions(), line, &NcMotion::line);
-        const std::array<std::string, 6> added{"G0 Z6.000", "X-33.000 Y" + number(-3.0 - 3.0 + by - zero.y),
-                                               "Z-4.000",   "X33.000",
-                                               "Z6.000",    "X" + number(start.from.x) + " Y" + number(start.from.y)};
+        const std::array<std::string, 6> added{
+            "G0 Z6.000", "X-33.000 Y" + number(-3.0 - 3.0 + by - zero.y),
+            "Z-4.000",   "X33.000",
+            "Z6.000",    "X" + number(start.from[Axis::x]) + " Y" + number(start.from[Axis::y])};
         for (std::uint32_t i = 0; i < added.size(); ++i) program.insert(line + i, added.at(i));
-        program.insert(line + 6, "Z" + number(start.from.z));
+        program.insert(line + 6, "Z" + number(start.from[Axis::z]));
         return program.damaged(line + 3, line + 3, "grazes by " + number(by));
     }
     const std::uint32_t line = program.feeding(2).front();

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.h"
+#include "core/geometry/pose.h"
+#include "core/machine/axis_values.h"
+#include "core/machine/machine_profile.h"
+
+#include <memory>
+
+namespace burin {
+
+/// How the axes of a machine carry a tool about a setup: the only way from poses to values of axes and back. Values are
+/// those that a program states, counted from the zero that the kinematics were made for. Immutable; any thread.
+class Kinematics {
+public:
+    virtual ~Kinematics() = default;
+
+    /// Those that a pose depends on.
+    virtual AxisSet axes() const noexcept = 0;
+    /// Where the axes stand with the tool at a pose.
+    /// @param pose setup frame; finite, its axis of unit length
+    /// Errors: programLimit (the machine can't hold the tool that way). Where the axes end is AxisTravel's affair.
+    virtual Result<AxisValues> axesOf(const ToolPose& pose) const = 0;
+    /// The tool's pose, setup frame. Axes that the machine doesn't have don't count.
+    virtual ToolPose poseOf(const AxisValues& values) const noexcept = 0;
+};
+
+/// X, Y and Z carry an upright tool: the values are the tip's place, counted from the program's zero.
+class ThreeAxes final : public Kinematics {
+public:
+    /// @param zero the program's, mm, setup frame
+    explicit ThreeAxes(const glm::dvec3& zero = glm::dvec3(0.0)) noexcept : zero_(zero) {}
+
+    AxisSet axes() const noexcept override { return linearAxes; }
+    Result<AxisValues> axesOf(const ToolPose& pose) const override;
+    ToolPose poseOf(const AxisValues& values) const noexcept override {
+        return {values.linear() + zero_, glm::dvec3(0.0, 0.0, 1.0)};
+    }
+
+private:
+    glm::dvec3 zero_;
+};
+
+/// The kinematics of a machine for programs of one setup; the caller owns them.
+/// @param zero the program's, mm, setup frame
+std::unique_ptr<const Kinematics> kinematicsOf(const MachineProfile& machine, const glm::dvec3& zero);
+
+} // namespace burin
