@@ -5,6 +5,7 @@
 #include "core/volume/surface/surface_simplification.h"
 #include "tests/core/volume/surfaces.h"
 #include "tests/core/volume/volumes.h"
+#include "tests/random_cases.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -217,7 +218,7 @@ void SurfaceTest::enclosesWhatTheRunsHold() {
 }
 
 void SurfaceTest::hasNoGaps() {
-    QVERIFY(rc::check("random runs: every edge is met as often from one side as from the other", [] {
+    QVERIFY(testing::holdsInShare("random runs: every edge is met as often from one side as from the other", [] {
         const auto axis = static_cast<RunAxis>(*rc::gen::inRange(0, 3));
         const Grid grid = gridOf({70, 70, 70}, axis);
         RunVolume volume = emptyVolume(grid);
@@ -250,7 +251,7 @@ void SurfaceTest::solidInsideCostsNothing() {
 }
 
 void SurfaceTest::changedTilesAreAllThatChanged() {
-    QVERIFY(rc::check("what changedSurface does not name is meshed alike", [] {
+    QVERIFY(testing::holdsInShare("what changedSurface does not name is meshed alike", [] {
         const Grid grid = gridOf({200, 140, 40});
         RunVolume volume = filled(grid, aluminium);
         const int level = *rc::gen::inRange(0, 4);
