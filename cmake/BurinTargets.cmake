@@ -123,12 +123,23 @@ function(burin_plugin kind name)
     set_property(GLOBAL APPEND PROPERTY BURIN_PLUGINS ${target})
 endfunction()
 
-# burin_test(PLACE NAME [GUI] [USES ...] [LABELS ...] [TIMEOUT SECONDS] [AFTER ...])
+# burin_test_entry(TEST SECONDS ENVIRONMENT COMMAND ...): makes it known to ctest.
+function(burin_test_entry test seconds environment)
+    if(BURIN_SANITIZE) # up to twenty times slower
+        math(EXPR seconds "${seconds} * 10")
+    endif()
+    add_test(NAME ${test} COMMAND ${ARGN})
+    set_tests_properties(${test} PROPERTIES TIMEOUT ${seconds} PROCESSORS 2
+        ENVIRONMENT "QTEST_FUNCTION_TIMEOUT=${seconds}000;${environment}")
+endfunction()
+
+# burin_test(PLACE NAME [GUI] [USES ...] [TIMEOUT SECONDS] [LONG SECONDS] [AFTER ...])
 # tst_NAME.cpp, a QtTest program, known to ctest as PLACE.NAME. AFTER names programs that it starts. With GUI it gets an
-# X display of its own.
+# X display of its own. LONG: it has more cases than the usual run takes (tests/long_run.h); all of them, within that
+# time, are the test PLACE.NAME.long of `tests/run --long`.
 find_program(XVFB_RUN xvfb-run)
 function(burin_test place name)
-    cmake_parse_arguments(PARSE_ARGV 2 arg "GUI" "TIMEOUT" "USES;LABELS;AFTER")
+    cmake_parse_arguments(PARSE_ARGV 2 arg "GUI" "TIMEOUT;LONG" "USES;AFTER")
     set(platform offscreen)
     set(launcher)
     set(precompiled test)
@@ -149,22 +160,31 @@ function(burin_test place name)
     if(arg_AFTER)
         add_dependencies(${target} ${arg_AFTER})
     endif()
-    add_test(NAME ${place}.${name} COMMAND ${launcher} $<TARGET_FILE:${target}>)
     if(NOT arg_TIMEOUT)
         set(arg_TIMEOUT 300)
     endif()
-    if(BURIN_SANITIZE) # up to twenty times slower
-        math(EXPR arg_TIMEOUT "${arg_TIMEOUT} * 10")
+    set(environment "QT_QPA_PLATFORM=${platform};LC_ALL=C.UTF-8;${BURIN_SANITIZER_ENVIRONMENT}")
+    burin_test_entry(${place}.${name} ${arg_TIMEOUT} "${environment}" ${launcher} $<TARGET_FILE:${target}>)
+    if(arg_GUI) # a window waits for hands, clocks and paint about as long as it works
+        set_tests_properties(${place}.${name} PROPERTIES PROCESSORS 1)
     endif()
-    set_tests_properties(${place}.${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}" PROCESSORS 2
-        ENVIRONMENT "QTEST_FUNCTION_TIMEOUT=${arg_TIMEOUT}000;QT_QPA_PLATFORM=${platform};LC_ALL=C.UTF-8;${BURIN_SANITIZER_ENVIRONMENT}")
+    if(arg_LONG)
+        burin_test_entry(${place}.${name}.long ${arg_LONG} "BURIN_LONG_RUN=1;${environment}"
+            ${launcher} $<TARGET_FILE:${target}> -maxwarnings 0)
+        set_tests_properties(${place}.${name}.long PROPERTIES LABELS long)
+    endif()
 endfunction()
 
 # burin_test_load(WAITING|DISTURBED TEST ...)
 # tests/run shares four slots out, for two cores. A test keeps a core busy and has two of them; WAITING ones, which let
-# time pass, have one; DISTURBED ones, which measure time or run the haptic loop by the clock for long, have three, so
-# that they only run beside a waiting one. Both begin first, as they go together.
+# time pass, have one, and so have those with a window; DISTURBED ones, which measure time or run the haptic loop by the
+# clock for long, have three, so that they only run beside one of these. Both begin first, as they go together.
 function(burin_test_load load)
+    foreach(test IN LISTS ARGN)
+        if(TEST ${test}.long)
+            list(APPEND ARGN ${test}.long)
+        endif()
+    endforeach()
     if(load STREQUAL WAITING)
         set_tests_properties(${ARGN} PROPERTIES PROCESSORS 1 COST 1000)
     elseif(load STREQUAL DISTURBED)

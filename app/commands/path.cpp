@@ -11,6 +11,7 @@
 #include "core/job/job_paths.h"
 #include "core/path/milling_side.h"
 #include "core/recording/take_csv.h"
+#include "core/setup/material_change.h"
 
 #include <algorithm>
 #include <array>
@@ -228,6 +229,16 @@ int show(const PathArguments& arguments, CommandContext& context) {
     return 0;
 }
 
+/// Of the property list of the project's workpiece; none where that can't be made any more.
+MaterialIds materialIdsOf(const Project& project) {
+    const Result<Model> model = project.model();
+    const Result<Setup> setup = project.setup();
+    const Result<std::vector<Property>> materials = project.materials();
+    if (!model || !setup || !materials) return {};
+    const Result<PropertyList> list = propertyListOf(*model, *setup, *materials);
+    return list ? idsOf(*list) : MaterialIds{};
+}
+
 /// Writes a take as CSV: all that was recorded, or the stylus alone as a trace that `burin mill` plays.
 int exportTake(const PathArguments& arguments, bool asTrace, CommandContext& context) {
     if (const Result<void> free = checkPlace(arguments); !free) return context.fail(free.error());
@@ -238,8 +249,8 @@ int exportTake(const PathArguments& arguments, bool asTrace, CommandContext& con
     const SampleSource source = [&](const SampleVisitor& visit) {
         return project->visitSamples(arguments.take, visit);
     };
-    const Result<void> written =
-        asTrace ? writeTakeTrace(arguments.output, source) : writeTakeCsv(arguments.output, source);
+    const Result<void> written = asTrace ? writeTakeTrace(arguments.output, source)
+                                         : writeTakeCsv(arguments.output, source, materialIdsOf(*project));
     if (!written) return context.fail(written.error());
     const std::uint64_t samples = take->info.sampleCount;
     context.answer(

@@ -40,8 +40,8 @@ struct Model {
     std::vector<ImportNote> notes;
     std::string brep; ///< healed B-rep, OpenCASCADE binary form; empty for a mesh file
 
-    Box box() const;
-    double volume() const;
+    Box box() const;       ///< of all bodies, mm, frame of the model; empty without any
+    double volume() const; ///< of all bodies, mm³
 };
 
 } // namespace burin

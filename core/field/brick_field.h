@@ -47,6 +47,8 @@ struct BrickField {
                samples.capacity() * sizeof(std::int16_t);
     }
 
+    /// Trilinear clearance and its gradient. A tip outside the box of tips gets those of the box's nearest point, and
+    /// is not fine; a coordinate that is no number counts as the lowest. Any thread; no allocation.
     FieldSample sample(const glm::dvec3& tip) const noexcept;
     /// The same for a tip that lies in the box but for rounding.
     FieldSample sampleInside(const glm::dvec3& tip) const noexcept {

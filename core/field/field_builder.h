@@ -18,6 +18,7 @@ struct FieldResolution {
     double errorBound() const noexcept { return 2.0 * interpolationBound + quantum; }
 };
 
+/// @param request valid, see checkFieldRequest
 FieldResolution fieldResolution(const ToolFieldRequest& request) noexcept;
 
 /// The bricks' corners alone, each brick a coarse one, however near the part it lies.

@@ -69,6 +69,7 @@ public:
     const TileLayout& layout() const noexcept { return layout_; }
     /// Where no tile is there. @param tip in the box. Any thread; no allocation, never waits.
     FieldSample outline(const glm::dvec3& tip) const noexcept;
+    /// Of the outline and of the tiles that are there now. Any thread; waits for whoever holds the lock.
     std::size_t memoryBytes() const;
 
     FieldSample at(const glm::dvec3& tip) const noexcept override;

@@ -22,6 +22,8 @@ public:
     /// The same with the flutes, for a tool that can't cut: it must not move into stock that would stay.
     ShankContact onTheWayWithFlutes(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& from,
                                     const ToolPose& to) noexcept;
+    /// What shank and holder touch where the tool stands.
+    /// @param owed pending cuts that the workpiece does not show yet; nullptr: none
     ShankContact at(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& pose) noexcept;
     /// The workpiece changed otherwise than by cutting.
     void workpieceChanged() noexcept { check_.forget(); }

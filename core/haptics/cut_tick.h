@@ -37,6 +37,7 @@ public:
     void settle() noexcept;
     bool memoryFull() const noexcept { return memoryFull_; }
     void resume() noexcept { memoryFull_ = false; }
+    /// It changed otherwise than by `cut`, between two ticks.
     void workpieceChanged() noexcept;
     const RunVolume& workpiece() const noexcept { return *workpiece_; }
     /// What the workpiece is owed: gone, though it may show it still.

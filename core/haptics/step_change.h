@@ -39,6 +39,7 @@ static_assert(std::is_trivially_copyable_v<StepChange>);
 class StepChangeListener {
 public:
     virtual ~StepChangeListener() = default;
+    /// @param change about to take effect between two ticks
     virtual void changed(const StepChange& change) noexcept = 0;
 };
 

@@ -4,6 +4,7 @@
 
 #include "core/base/wall_clock.h"
 #include "core/job/session_settings.h"
+#include "core/setup/material_change.h"
 
 #include <algorithm>
 #include <array>
@@ -42,7 +43,8 @@ MillingSession::MillingSession(Project& project, Bench& bench, const ToolBounds&
     , step_(bench.embedded.workpiece, bounds.boundaryLayers(), bench.tool,
             hapticSettings(bench, bounds.axis(), stylus, request))
     , loop_(step_, bench.embedded.workpiece, request.undoable, stop_)
-    , faults_(stylus.device(), servo_.period, flightFolder(project, request), loop_) {}
+    , faults_(stylus.device(), servo_.period, flightFolder(project, request),
+              idsOf(bench.embedded.workpiece.properties()), loop_) {}
 
 MillingSession::~MillingSession() {
     static_cast<void>(end());

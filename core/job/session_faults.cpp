@@ -14,13 +14,15 @@ constexpr std::chrono::milliseconds recordPatience{200};
 
 } // namespace
 
-SessionFaults::SessionFaults(StylusDevice& device, double period, const std::filesystem::path& flights, TickSink& loop)
+SessionFaults::SessionFaults(StylusDevice& device, double period, const std::filesystem::path& flights,
+                             std::vector<std::string> materials, TickSink& loop)
     : device_(device), name_(device.description().name), loop_(loop) {
     if (flights.empty() || device.description().simulated) return;
     FlightSettings settings;
     settings.folder = flights;
     settings.device = name_;
     settings.period = period;
+    settings.materials = std::move(materials);
     recorder_ = std::make_unique<FlightRecorder>(std::move(settings), loop);
 }
 

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace burin {
 
@@ -19,7 +20,9 @@ namespace burin {
 class SessionFaults {
 public:
     /// @param flights folder; empty: nothing is recorded, as for a simulated stylus, whose user no force can hurt
-    SessionFaults(StylusDevice& device, double period, const std::filesystem::path& flights, TickSink& loop);
+    /// @param materials ids of the workpiece's property list, each at its index
+    SessionFaults(StylusDevice& device, double period, const std::filesystem::path& flights,
+                  std::vector<std::string> materials, TickSink& loop);
     /// Where records of a project's sessions stand: "part.flights" beside "part.burin".
     static std::filesystem::path folderBeside(const std::filesystem::path& project);
 

@@ -21,6 +21,7 @@ struct FitArcs {
     double largestRadius = 1000.0;             ///< mm
     double radiusMismatch = 0.002;             ///< mm
 };
+EditResult apply(const FitArcs& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// Rounds corners between straight moves, so that the path passes each by exactly `tolerance`, or nearer where a leg
 /// would need more than half of a move: an arc with R = e / (1 / sin(phi / 2) - 1) where both moves lie in one of the
@@ -31,6 +32,7 @@ struct RoundCorners {
     double tolerance = 0.05;    ///< e, mm from the corner
     double smallestTurn = 0.05; ///< rad
 };
+EditResult apply(const RoundCorners& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// What leads go by. By the recording: the hand's own motion where the stroke begins, which no edit changes, chooses
 /// the side, and a first move that is turned far from it by chance does not turn the lead. By the first move: whatever
@@ -49,6 +51,7 @@ struct LeadIn {
     double angle = 0.05; ///< rad, of a helix: no steeper
     LeadDirection direction = LeadDirection::recording;
 };
+EditResult apply(const LeadIn& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// A way out of strokes, tangent to their last move, as LeadIn has it.
 struct LeadOut {
@@ -58,5 +61,9 @@ struct LeadOut {
     double size = 3.0; ///< mm
     LeadDirection direction = LeadDirection::recording;
 };
+EditResult apply(const LeadOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+
+/// In the order in which they may follow each other.
+using CurveEdits = EditKinds<RoundCorners, FitArcs, LeadIn, LeadOut>;
 
 } // namespace burin

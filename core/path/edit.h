@@ -18,11 +18,8 @@
 
 namespace burin {
 
-/// All kinds of edits. What is known of each stands in one row of edit_rows.h.
-using EditParameters = std::variant<DropAirCuts, DropDwells, CutOut, Trim, Split, Join, Reorder, Reverse, Mirror,
-                                    Rotate, Array, MovePoints, ReplaceStretch, RemoveArea, LiftArea, SmoothShape,
-                                    Smooth, SmoothSpline, LayOnPart, Offset, StepOverRows, HoldOut, Simplify,
-                                    RoundCorners, FitArcs, LeadIn, LeadOut, Link, SetFeed, LevelFeed, AreaFeed>;
+/// All kinds of edits, a std::variant. What is known of each stands in one row of edit_rows.h.
+using EditParameters = VariantOf<RecordingEdits, SurfaceEdits, CurveEdits, MachineEdits>::Type;
 
 /// One entry of a path's history.
 struct Edit {

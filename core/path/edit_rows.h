@@ -9,5 +9,5 @@
 
 /// The table of all kinds of edits, a row each: id, title, step, what it does to the path's guarantees, and its
 /// parameters with their ranges and the words that the user reads. Files, validation, the order and the user interface
-/// read it here. A new kind: its parameters in one of the ..._edits.h, its row beside, its name in `EditParameters`,
-/// and what it does.
+/// read it here. A new kind: its parameters, its `apply` and its name in the list in one of the ..._edits.h, its row in
+/// the file beside, and what it does in a source of its own.

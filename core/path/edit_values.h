@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/result.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
 #include <limits>
+#include <variant>
 #include <vector>
 
 namespace burin {
@@ -39,5 +42,31 @@ struct Area {
 
     friend bool operator==(const Area&, const Area&) = default;
 };
+
+class Progress;
+struct Deviation;
+struct PathContext;
+struct PathUnderEdit;
+
+/// What `apply` says of an edit: how far the path went from what it was. Each kind has such a function, in the file of
+/// its name. It changes the path's state in place. Strokes stay in their order; each edit treats a stroke by itself, so
+/// they run in parallel and give the same result with any number of threads. Errors: argumentInvalid, cancelled, and
+/// what each one states.
+using EditResult = Result<Deviation>;
+
+/// A group of kinds of edits.
+template <class... Kinds>
+struct EditKinds {};
+
+/// Type: a std::variant of the kinds of all groups, in their order.
+template <class... Groups>
+struct VariantOf;
+template <class... Kinds>
+struct VariantOf<EditKinds<Kinds...>> {
+    using Type = std::variant<Kinds...>;
+};
+template <class... Kinds, class... Others, class... Groups>
+struct VariantOf<EditKinds<Kinds...>, EditKinds<Others...>, Groups...>
+    : VariantOf<EditKinds<Kinds..., Others...>, Groups...> {};
 
 } // namespace burin

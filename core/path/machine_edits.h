@@ -32,6 +32,8 @@ struct Link {
     Entry entry = Entry::plunge;
     double rampAngle = 0.0; ///< rad, of ramps and helices, at most; 0: by material and tool
 };
+/// Errors: those of PathContext::lendStock.
+EditResult apply(const Link& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// Feed, plunge feed, spindle speed and coolant from tool, material and machine. Plunges, and moves that go down by
 /// more than 45°, get the plunge feed; ramps half of the feed, but go down no faster than a plunge. Another spindle
@@ -43,6 +45,7 @@ struct SetFeed {
     double feedFactor = 1.0;  ///< of the tables' chip load
     Cooling cooling = Cooling::advised;
 };
+EditResult apply(const SetFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// Feeds by what the tool meets: the path is cut again out of the stock as the paths before it leave it, and each
 /// stretch of a straight cutting move gets the feed at which the tangential force, or the removal rate, is what is
@@ -60,11 +63,17 @@ struct LevelFeed {
     double leastChange = 0.1;                       ///< of the feed
     double sampling = 0.5;                          ///< mm of a move between looks
 };
+/// Errors: argumentInvalid (no stock, no feeds yet), those of PathContext::lendStock.
+EditResult apply(const LevelFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// Feeds in an area are multiplied by a factor; the machine's limit holds. Lines are split at its border; an arc counts
 /// where its middle lies.
 struct AreaFeed : Area {
     double factor = 0.5;
 };
+EditResult apply(const AreaFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+
+/// In the order in which they may follow each other.
+using MachineEdits = EditKinds<Link, SetFeed, LevelFeed, AreaFeed>;
 
 } // namespace burin

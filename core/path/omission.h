@@ -31,7 +31,7 @@ TextId remedyOf(OmissionReason reason);
 struct Omission {
     OmissionReason reason = OmissionReason::part;
     std::int64_t source = 0;          ///< PathSource::id
-    std::int64_t first = 0, last = 0; ///< ticks of the take
+    std::int64_t first = 0, last = 0; ///< Moment::tick
     std::vector<glm::dvec3> line;     ///< mm, setup frame: polyline of the path as it was before the edit, not empty
     double length = 0.0;              ///< mm
 };

@@ -26,7 +26,7 @@ constexpr const char* idOf(EntryForm form) noexcept {
 struct StrokeEntry {
     EntryForm form = EntryForm::plunge;
     std::int64_t source = 0;  ///< PathSource::id
-    std::int64_t sample = -1; ///< tick of the take
+    std::int64_t sample = -1; ///< Moment::tick
     glm::dvec3 tip{0.0};      ///< mm, setup frame, where it ends
     double depth = 0.0;       ///< mm of material above that
 };

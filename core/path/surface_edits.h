@@ -16,12 +16,14 @@ struct HoldOut {
     double clearance = 0.005; ///< mm
     double sampling = 0.1;    ///< mm
 };
+EditResult apply(const HoldOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// Fewest points such that no dropped one is farther than `tolerance` from the result (Douglas & Peucker, distance to
 /// segments). Never lets a segment enter the part: a shortcut that would is not taken.
 struct Simplify {
     double tolerance = 0.01; ///< mm
 };
+EditResult apply(const Simplify& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// Lays strokes on the part, grown by `allowance`: the tool comes down along its axis from above the part, or goes
 /// along the way that the distance changes fastest, until it touches; exact on the mesh, at points `sampling` apart at
@@ -35,6 +37,7 @@ struct LayOnPart {
     double sampling = 0.1;  ///< mm
     Along along = Along::axis;
 };
+EditResult apply(const LayOnPart& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// The curve beside each stroke, in plan, at the same height as the place beside it: every place of it has its distance
 /// from the stroke (within 0.002 mm), and none is nearer to any of its places; loops go.
@@ -42,6 +45,7 @@ struct Offset {
     SourceStretch stretch;
     double distance = 1.0; ///< mm, to the left of the motion; negative: to the right
 };
+EditResult apply(const Offset& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// Rows with the same step in plan beside a guide that was drawn, the guide's own among them, each laid on the part as
 /// LayOnPart does it. The strokes of the stretch are the guide and give way to the rows; a guide of places needs none.
@@ -53,5 +57,10 @@ struct StepOverRows {
     double left = 10.0, right = 0.0; ///< rows beside the guide
     double allowance = 0.0;          ///< mm of stock left on the part
 };
+/// Errors: argumentInvalid, where the path has no such guide.
+EditResult apply(const StepOverRows& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+
+/// In the order in which they may follow each other.
+using SurfaceEdits = EditKinds<LayOnPart, Offset, StepOverRows, HoldOut, Simplify>;
 
 } // namespace burin

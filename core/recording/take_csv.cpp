@@ -29,6 +29,14 @@ void append(std::string& text, const glm::dvec3& vector) {
     for (int axis = 0; axis < 3; ++axis) append(text, vector[axis]);
 }
 
+/// RFC 4180: a material of the user's own may be called anything.
+std::string quotedForCsv(const std::string& field) {
+    if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
+    std::string quoted = "\"";
+    for (const char letter : field) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+    return quoted + '"';
+}
+
 std::uint64_t removedUnits(const Sample& sample, std::uint8_t property) {
     std::uint64_t units = 0;
     for (const RemovedMaterial& entry : sample.removed)
@@ -57,9 +65,12 @@ std::vector<std::uint8_t> removedProperties(std::span<const Sample> samples) {
     return removed.properties();
 }
 
-std::string takeCsvHeader(std::span<const std::uint8_t> properties) {
+std::string takeCsvHeader(std::span<const std::uint8_t> properties, const MaterialIds& materials) {
     std::string text(fixedColumns);
-    for (const std::uint8_t property : properties) text += ",removed_units_property_" + std::to_string(property);
+    for (const std::uint8_t property : properties)
+        text += "," +
+                quotedForCsv("removed_units_" + (property < materials.size() ? materials[property]
+                                                                             : "property_" + std::to_string(property)));
     return text;
 }
 
@@ -102,7 +113,7 @@ Result<void> writeSamples(const std::filesystem::path& file, std::string text, c
 
 } // namespace
 
-Result<void> writeTakeCsv(const std::filesystem::path& file, const SampleSource& take) {
+Result<void> writeTakeCsv(const std::filesystem::path& file, const SampleSource& take, const MaterialIds& materials) {
     RemovedProperties removed; // known once all samples were seen
     Result<void> seen = take([&removed](std::span<const Sample> samples) -> Result<void> {
         removed.add(samples);
@@ -111,7 +122,7 @@ Result<void> writeTakeCsv(const std::filesystem::path& file, const SampleSource&
     if (!seen) return seen;
     const std::vector<std::uint8_t> properties = removed.properties();
     return writeSamples(
-        file, takeCsvHeader(properties) + '\n', take,
+        file, takeCsvHeader(properties, materials) + '\n', take,
         [&properties](std::string& text, const Sample& sample) { appendTakeCsvRow(text, sample, properties); });
 }
 

@@ -26,16 +26,20 @@ private:
 /// Those of all samples.
 std::vector<std::uint8_t> removedProperties(std::span<const Sample> samples);
 
+/// Ids of the materials of a property list, each at its index; 0 is air.
+using MaterialIds = std::vector<std::string>;
+
 /// The column names of a take as comma-separated values: every field of Sample with its unit, and one column of removed
-/// run units for each of `properties`. No line end.
-std::string takeCsvHeader(std::span<const std::uint8_t> properties);
+/// run units for each of `properties`, `removed_units_<id of the material>`, or `removed_units_property_<index>` of one
+/// that `materials` doesn't have. No line end.
+std::string takeCsvHeader(std::span<const std::uint8_t> properties, const MaterialIds& materials);
 
 /// One tick in those columns, appended to `text` with a line end. Numbers in their shortest form, decimal points.
 void appendTakeCsvRow(std::string& text, const Sample& sample, std::span<const std::uint8_t> properties);
 
 /// Header and all ticks. Written in pieces, so that hours of a recording need no memory; the file stands whole or not
 /// at all. Errors: fileNotWritable, diskFull, those of `take`.
-Result<void> writeTakeCsv(const std::filesystem::path& file, const SampleSource& take);
+Result<void> writeTakeCsv(const std::filesystem::path& file, const SampleSource& take, const MaterialIds& materials);
 /// The stylus alone, as a trace (trace_file.h) that can be played again. Errors: as writeTakeCsv.
 Result<void> writeTakeTrace(const std::filesystem::path& file, const SampleSource& take);
 

@@ -157,6 +157,18 @@ Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, const std::v
     return embedded;
 }
 
+Result<PropertyList> propertyListOf(const Model& model, const Setup& setup, const std::vector<Property>& materials) {
+    Result<Materials> gathered = gatherMaterials(model, setup, materials);
+    if (!gathered) return gathered.error();
+    return std::move(gathered->list);
+}
+
+std::vector<std::string> idsOf(const PropertyList& list) {
+    std::vector<std::string> ids;
+    for (int i = 0; i < list.size(); ++i) ids.push_back(list[static_cast<PropertyIndex>(i)].id);
+    return ids;
+}
+
 Result<EmbeddedSetup> withMaterials(const EmbeddedSetup& embedded, const Model& model, const Setup& setup,
                                     const std::vector<Property>& materials) {
     Result<Materials> gathered = gatherMaterials(model, setup, materials);

@@ -6,6 +6,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QMultiHash>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QSet>
@@ -183,8 +184,9 @@ private slots:
             librariesOf(unpacked + QStringLiteral("/usr/bin")) + librariesOf(unpacked + QStringLiteral("/usr/lib"));
         QVERIFY(libraries.size() > 20);
         const QStringList depended = dependenciesOf(package);
+        const QMultiHash<QString, QString> owned = packagesWith(libraries);
         for (const QString& library : libraries) {
-            const QStringList owners = packagesWith(library);
+            const QStringList owners = owned.values(library);
             QVERIFY2(std::ranges::any_of(owners, [&](const QString& owner) { return depended.contains(owner); }),
                      qPrintable(library + QStringLiteral(": ") + owners.join(QLatin1Char(' '))));
         }
@@ -219,13 +221,14 @@ private:
         return names;
     }
 
-    /// Of those installed here.
-    static QStringList packagesWith(const QString& library) {
-        QStringList names;
-        const QByteArray lines =
-            run(QStringLiteral("dpkg-query"), {QStringLiteral("-S"), QStringLiteral("*/") + library}).out;
-        for (const QString& line : QString::fromUtf8(lines).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
-            names.append(line.section(QLatin1Char(':'), 0, 0));
+    /// Of those installed here, by library.
+    static QMultiHash<QString, QString> packagesWith(const QSet<QString>& libraries) {
+        QStringList query{QStringLiteral("-S")};
+        for (const QString& library : libraries) query.append(QStringLiteral("*/") + library);
+        QMultiHash<QString, QString> names;
+        for (const QString& line : QString::fromUtf8(run(QStringLiteral("dpkg-query"), query).out)
+                                       .split(QLatin1Char('\n'), Qt::SkipEmptyParts))
+            names.insert(line.section(QLatin1Char('/'), -1), line.section(QLatin1Char(':'), 0, 0));
         return names;
     }
 

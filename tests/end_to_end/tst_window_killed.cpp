@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program_run.h"
 
+#include "tests/long_run.h"
 #include "tests/places.h"
 
 #include <QDirIterator>
@@ -107,7 +108,7 @@ Q_DECLARE_METATYPE(End)
 void WindowKilledTest::costsAtMost100Milliseconds_data() {
     QTest::addColumn<End>("end");
     QTest::addColumn<int>("milliseconds"); // of recording before it
-    QTest::newRow("kill -9, early") << End::programKilled << 900;
+    if (burin::testing::longRun()) QTest::newRow("kill -9, early") << End::programKilled << 900;
     QTest::newRow("kill -9 in a stroke") << End::programKilled << 2600;
     QTest::newRow("the X server dies") << End::displayKilled << 2300;
     QTest::newRow("kill") << End::programTerminated << 1700;

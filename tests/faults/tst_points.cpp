@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/faults/fault_run.h"
+#include "tests/long_run.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -27,7 +28,7 @@ private:
 namespace {
 
 constexpr std::array kinds{"EIO", "ENOSPC", "SHORT", "EINTR", "KILL"};
-constexpr std::uint64_t pointsOfKind = 4; // in the suite
+constexpr std::uint64_t pointsOfKind = 2; // of a command, in the usual run
 
 struct Point {
     std::uint64_t at;
@@ -37,7 +38,7 @@ struct Point {
 /// Every call for every kind of fault, or of each kind some that are spread evenly, between those of the other kinds.
 std::vector<Point> pointsOf(std::uint64_t calls) {
     const std::uint64_t share = std::max<std::uint64_t>(calls / pointsOfKind, 1);
-    const std::uint64_t step = qEnvironmentVariable("BURIN_FAULTS") == "all" ? 1 : share;
+    const std::uint64_t step = burin::testing::inLongRun<std::uint64_t>(1, share);
     std::vector<Point> points;
     for (std::size_t kind = 0; kind < kinds.size(); ++kind)
         for (std::uint64_t at = 1 + kind * step / kinds.size(); at <= calls; at += step)

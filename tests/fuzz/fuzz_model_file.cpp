@@ -15,9 +15,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     const std::string content(reinterpret_cast<const char*>(bytes), count);
     const auto format = detectFormat(content);
     if (stepProtocol(content).empty()) std::abort();
-    if (!format || *format == FileFormat::stlBinary) return 0;
+    if (!format || format->name == StlFormat::name) return 0;
     const auto padded = detectFormat(content + "\r\n \r\n");
     // Bytes more or less may turn one into an STL file, whose length tells what it is.
-    if (!padded || (*padded != *format && *padded != FileFormat::stlBinary)) std::abort();
+    if (!padded || (padded->name != format->name && padded->name != StlFormat::name)) std::abort();
     return 0;
 }

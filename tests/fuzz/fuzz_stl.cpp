@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/reader/file_format.h"
-#include "core/cad/reader/stl_file.h"
-#include "core/cad/reader/stl_model.h"
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <string_view>
 
 namespace {
@@ -30,8 +29,12 @@ bool isSound(const TriangleMesh& mesh) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const std::string_view content(reinterpret_cast<const char*>(bytes), count);
     const auto format = detectFormat(content);
-    if (!format || (*format != FileFormat::stlText && *format != FileFormat::stlBinary)) return 0;
-    const auto model = readStlModel(content, *format == FileFormat::stlBinary, 1.0);
+    if (!format || format->name != StlFormat::name) return 0;
+    std::string file(content);
+    const ReadRequest request;
+    const ReaderReports report;
+    ModelSource source{request, report, file};
+    const auto model = format->read(source);
     if (!model) return 0;
     std::size_t triangles = 0;
     for (const Body& body : model->bodies) {

@@ -6,6 +6,7 @@
 
 #include "tests/core/geometry/random_shapes.h"
 #include "tests/core/geometry/shapes.h"
+#include "tests/random_cases.h"
 
 #include <QtTest>
 
@@ -185,7 +186,7 @@ void PartFieldTest::sharpEdgesKeepTheirBound() {
 }
 
 void PartFieldTest::randomTetrahedraAgreeWithBruteForce() {
-    const bool held = rc::check("acute edges, slivers, corners", [] {
+    const bool held = testing::holdsInShare("acute edges, slivers, corners", [] {
         TriangleMesh mesh;
         for (const glm::dvec3& corner : {glm::dvec3(1, 1, 1), {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}})
             mesh.vertices.push_back(4.0 * corner + random::point(4.0));

@@ -3,6 +3,7 @@
 #include "core/geometry/mesh_distance.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/imported_mesh.h"
+#include "tests/long_run.h"
 #include "tests/part_field/part_field.h"
 
 #include <QtTest>
@@ -90,7 +91,7 @@ private slots:
         QFETCH(const double, width);
         QFETCH(const bool, slot);
         Random random;
-        for (int part = 0; part < 5; ++part) {
+        for (int part = 0; part < testing::inLongRun(5, 1); ++part) {
             const double low = random.number(4.0, 12.0), rise = random.number(1.0, 8.0);
             const Bar bar = barWith(low, width * voxel, slot ? -rise : rise);
             const PartField field = built(bar.mesh, voxel, random.number(2.0, 6.0));
@@ -124,7 +125,7 @@ private slots:
         const Bar bar = barWith(low, width * voxel, rise);
         const PartField field = built(bar.mesh, voxel, reach);
         Random random;
-        for (int i = 0; i < 20000; ++i) {
+        for (int i = 0; i < testing::inLongRun(20000, 5000); ++i) {
             const glm::dvec3 p(random.number(8.0, length - 8.0), low + width * voxel * random.number(0.0, 1.0),
                                10.0 + std::max(rise, 0.0) + random.number(-8.0, 8.0));
             const QString wrong = breach(field, p, barDistance(bar.outline, {p.y, p.z}), 1e-6);
@@ -136,7 +137,8 @@ private slots:
     /// oracle.
     void aMouldedPartKeepsTheStatedBound_data() {
         QTest::addColumn<double>("voxels"); // along its longest side
-        for (const double voxels : {64.0, 200.0}) QTest::addRow("%g voxels", voxels) << voxels;
+        for (const double voxels : {64.0, 200.0})
+            if (voxels < 100.0 || testing::longRun()) QTest::addRow("%g voxels", voxels) << voxels;
     }
     void aMouldedPartKeepsTheStatedBound() {
         QFETCH(const double, voxels);
@@ -148,7 +150,7 @@ private slots:
         const double edge = std::max({size.x, size.y, size.z}) / voxels;
         const PartField field = built(mesh, edge, 8.0 * edge);
         Random random;
-        for (int i = 0; i < 60000; ++i) {
+        for (int i = 0; i < testing::inLongRun(60000, 20000); ++i) {
             const auto triangle = std::size_t(random.number(0.0, double(mesh.triangles.size())));
             const auto& [a, b, c] = mesh.triangles[std::min(triangle, mesh.triangles.size() - 1)];
             const double away = i % 2 == 0 ? 4.0 : 12.0; // in the band, and beyond it

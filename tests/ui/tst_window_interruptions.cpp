@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // What comes in between while a stroke is drawn or cut: Esc, undo, another step, a dialog, another program.
+#include "tests/long_run.h"
 #include "tests/ui/window_steps.h"
 
 #include <QLabel>
@@ -49,8 +50,8 @@ private slots:
 
     /// Esc ends or cancels just that, then the tool is free for the next stroke.
     void escapeEndsWhatIsUnderWay_data() {
-        addMiddles(
-            {Middle::stroke, Middle::line, Middle::rectangle, Middle::rows, Middle::repetition, Middle::spindle});
+        addMiddles({Middle::stroke, Middle::line, Middle::rows},
+                   {Middle::rectangle, Middle::repetition, Middle::spindle});
     }
     void escapeEndsWhatIsUnderWay() {
         QFETCH(Middle, middle);
@@ -72,7 +73,7 @@ private slots:
     }
 
     /// While the tool cuts, undo waits its turn; what is not yet cut is cancelled with the stroke that it began at.
-    void undoNeverTakesBackSomethingElse_data() { addMiddles({Middle::line, Middle::rows}); }
+    void undoNeverTakesBackSomethingElse_data() { addMiddles({Middle::line, Middle::rows}, {}); }
     void undoNeverTakesBackSomethingElse() {
         QFETCH(Middle, middle);
         begin(middle);
@@ -100,7 +101,7 @@ private slots:
     }
 
     /// By its key, the left button still down: the tool is put away, what was cut is kept.
-    void anotherStepEndsMilling_data() { addMiddles({Middle::stroke, Middle::rows}); }
+    void anotherStepEndsMilling_data() { addMiddles({Middle::rows}, {Middle::stroke}); }
     void anotherStepEndsMilling() {
         QFETCH(Middle, middle);
         begin(middle);
@@ -118,7 +119,7 @@ private slots:
     }
 
     /// A dialog opens, and has the release: nothing goes on with the pointer when it is closed.
-    void aDialogEndsWhatThePointerDraws_data() { addMiddles({Middle::stroke, Middle::rectangle, Middle::spindle}); }
+    void aDialogEndsWhatThePointerDraws_data() { addMiddles({Middle::rectangle}, {Middle::stroke, Middle::spindle}); }
     void aDialogEndsWhatThePointerDraws() {
         QFETCH(Middle, middle);
         begin(middle);
@@ -144,9 +145,12 @@ private slots:
     }
 
 private:
-    static void addMiddles(std::initializer_list<Middle> middles) {
+    /// @param rest  in the long run
+    static void addMiddles(std::initializer_list<Middle> usual, std::initializer_list<Middle> rest) {
         QTest::addColumn<Middle>("middle");
-        for (const Middle middle : middles) QTest::newRow(nameOf(middle)) << middle;
+        for (const Middle middle : usual) QTest::newRow(nameOf(middle)) << middle;
+        for (const Middle middle : rest)
+            if (longRun()) QTest::newRow(nameOf(middle)) << middle;
     }
     static const char* nameOf(Middle middle) {
         switch (middle) {

@@ -3,6 +3,7 @@
 #include "core/machine/machine_library.h"
 #include "core/nc/parser.h"
 #include "core/nc/program_lines.h"
+#include "tests/long_run.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/quantity_field.h"
@@ -472,8 +473,9 @@ void TestWindowProgram::lettersInTheTextAreNoShortcuts_data() {
     QTest::addColumn<bool>("editable");
     for (const bool docked : {false, true})
         for (const bool editable : {false, true})
-            QTest::addRow("%s, %s", docked ? "in the dock" : "in the panel", editable ? "editable" : "locked")
-                << docked << editable;
+            if (longRun() || docked != editable)
+                QTest::addRow("%s, %s", docked ? "in the dock" : "in the panel", editable ? "editable" : "locked")
+                    << docked << editable;
 }
 
 /// "G", "M", "S", "P", "I", "F", "1" and "4" are keys of the view elsewhere.

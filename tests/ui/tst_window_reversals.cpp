@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mouse strokes as hands make them, to a program without back-steps; read from its text without our parser.
 #include "core/document/project.h"
+#include "tests/long_run.h"
 #include "tests/ui/window_steps.h"
 
 #include <QComboBox>
@@ -17,7 +18,7 @@ using namespace burin::testing;
 
 namespace {
 
-constexpr std::size_t strokeCount = 20;
+const std::size_t strokeCount = inLongRun<std::size_t>(20, 6);
 
 /// The seed of the random properties, so that one commit's verdict is the same wherever it is tested.
 std::uint64_t seedOfTheRun() {

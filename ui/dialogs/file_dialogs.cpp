@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/file_dialogs.h"
 
+#include "core/cad/import_formats.h"
+
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QStringList>
 
 namespace burin {
 
@@ -16,7 +19,12 @@ struct FileDialogs {
 };
 
 QString models() {
-    return FileDialogs::tr("Parts (*.step *.stp *.STEP *.STP *.iges *.igs *.IGS *.brep *.stl *.STL);;All files (*)");
+    QStringList globs;
+    for (const std::string_view suffix : importSuffixes()) {
+        const QString glob = QStringLiteral("*.") + QString::fromUtf8(suffix.data(), qsizetype(suffix.size()));
+        globs << glob << glob.toUpper(); // names are looked at letter by letter
+    }
+    return FileDialogs::tr("Parts (%1);;All files (*)").arg(globs.join(QLatin1Char(' ')));
 }
 
 QString ask(QFileDialog& dialog, const QString& folder) {

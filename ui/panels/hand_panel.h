@@ -18,8 +18,8 @@ public:
 signals:
     void clutchToggled(bool on);
     void recentreRequested();
-    void alignmentRequested(); ///< with the view
-    void scaleEdited(double scale);
+    void alignmentRequested();      ///< with the view
+    void scaleEdited(double scale); ///< mm of the setup per mm of the device
     void rateToggled(bool on);
     // A button's number, from 1; 0: none.
     void clutchButtonChosen(int button);

@@ -10,7 +10,9 @@
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <Precision.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
 #include <algorithm>
@@ -121,6 +123,12 @@ Box exactBox(const TopoDS_Shape& shape) {
     bounds.SetGap(0.0);
     bounds.Get(box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z);
     return box;
+}
+
+std::size_t countFaces(const TopoDS_Shape& shape) {
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(shape, TopAbs_FACE, faces);
+    return static_cast<std::size_t>(faces.Extent());
 }
 
 } // namespace burin

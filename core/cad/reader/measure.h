@@ -14,6 +14,8 @@ double exactVolume(const TopoDS_Shape& solid);
 /// Area of a shape's faces, mm², to 1e-6 relative.
 double exactArea(const TopoDS_Shape& shape);
 
+std::size_t countFaces(const TopoDS_Shape& shape);
+
 /// Tight box of the geometry itself, mm: no tolerances, no control points, no triangulation.
 Box exactBox(const TopoDS_Shape& shape);
 

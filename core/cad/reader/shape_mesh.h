@@ -43,6 +43,7 @@ public:
     /// Brings every face within the chord of its surface.
     void refine();
 
+    /// All faces in one mesh, mm, without points that no triangle has.
     TriangleMesh mesh() const;
 
 private:

@@ -57,6 +57,7 @@ public:
     /// One that gains no clearance any more (a pocket too narrow for the allowance) stays.
     ToolPose retreat(const ToolPose& from, double maximumTravel) const noexcept;
 
+    /// Its clearance is not below 0, but for rounding (1e-9 mm).
     bool feasible(const ToolPose& pose) const noexcept;
 
     /// mm below 0 that the clearance may have on the way between two ticks.

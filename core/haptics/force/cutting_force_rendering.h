@@ -41,7 +41,10 @@ public:
     };
     /// @return N, axes of the setup frame, at most `maximum`
     glm::dvec3 render(const CuttingForce& cut, const Tick& tick) noexcept;
+    /// As before the first tick; the workspace's scale stays.
     void reset() noexcept;
+    /// From the next tick on; the anchor gets the stiffness that belongs to it.
+    /// @param scale mm of setup per mm of device
     void setWorkspaceScale(double scale) noexcept;
 
     /// Rendered over 1000 K A; 0 where nothing has a K.

@@ -35,6 +35,7 @@ public:
     glm::dvec3 dampen(const glm::dvec3& force, const Motion& hand, double period) noexcept;
     /// What really went to the device until the next tick.
     void sent(const glm::dvec3& force) noexcept;
+    /// As before the first tick: the hand's energy counts from 0, and nothing was sent.
     void reset() noexcept;
     /// mJ that the hand put in so far; negative: it was given some.
     double energy() const noexcept { return energy_; }

@@ -23,6 +23,7 @@ public:
     glm::dvec3 torque(const glm::dvec3& turnBehind, const glm::dquat& hand, double period) noexcept;
     /// What really went to the device until the next tick, N·mm.
     void sent(const glm::dvec3& torque) noexcept { passivity_.sent(torque); }
+    /// As before the first tick; `setShare` stays.
     void reset() noexcept;
     /// @param share of the maximum that the device may be asked for, 0 … 1
     void setShare(double share) noexcept { share_ = share; }

@@ -15,6 +15,7 @@ class GuideAxis {
 public:
     static constexpr double feedLength = 0.5; ///< mm, over which the direction of motion is seen
 
+    /// As before the first tick: no direction of motion is known.
     void forget() noexcept;
     /// @param guide nullptr: none holds, the axis goes back to the hand's. @param goal of the tool's tip, mm
     /// @return unit

@@ -41,6 +41,7 @@ public:
     void forget() noexcept;
 
     const GuideSettings& settings() const noexcept { return settings_; }
+    /// @param guide its number in the settings, not checked
     GuideNews news(std::size_t guide) const noexcept;
     double stiffness() const noexcept { return stiffness_; } ///< N/m, device space
 

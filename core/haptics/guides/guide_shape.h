@@ -43,6 +43,7 @@ struct GuideRows {
 /// The geometry of one guide, with what it remembers from tick to tick: its level, its side, its foot. Tick code.
 class GuideShape {
 public:
+    /// Another guide, at its level 0: nothing is remembered of the one before.
     void set(const Guide& guide) noexcept;
     const Guide& guide() const noexcept { return guide_; }
     bool curved() const noexcept {

@@ -21,6 +21,7 @@ public:
                 double period) noexcept;
     /// It may be captured now; whether it is depends on the others.
     bool offers() const noexcept { return offers_; }
+    /// Holds the hand from now on; its pull grows from 0.
     void capture() noexcept;
     /// The others do not let it: a level that was asked for is given up.
     void refuse() noexcept { offers_ = stepping_ = false; }

@@ -27,6 +27,7 @@ public:
     void add(const glm::dvec3& tip) noexcept;
     /// The pass that was under way is over, and the last one from now on.
     void finish() noexcept;
+    /// Neither a last pass nor one under way.
     void forget() noexcept;
 
     /// Of the last pass; empty: there is none.

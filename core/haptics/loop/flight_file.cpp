@@ -63,7 +63,7 @@ std::string formatFlight(const FlightSettings& settings, TickFault fault, double
     std::string text = "# Burin flight record 1\n";
     text += "# fault: " + std::string(nameOf(fault)) + "\n# unix_time_s: " + formatFixed(unixTime, 3) +
             "\n# period_s: " + formatShortest(settings.period) + "\n# device: " + oneLine(settings.device) + "\n";
-    text += std::string(loopColumns) + takeCsvHeader(properties) + "\n";
+    text += std::string(loopColumns) + takeCsvHeader(properties, settings.materials) + "\n";
     for (const FlightRecorder::Entry& entry : entries) appendRow(text, entry, properties);
     return text;
 }

@@ -20,10 +20,11 @@ namespace burin {
 
 /// Where flight records go, and whose they are.
 struct FlightSettings {
-    std::filesystem::path folder; ///< is made when the first record is written
-    std::string device;           ///< name of the stylus
-    double period = 0.001;        ///< s, of the loop
-    int keep = 8;                 ///< records in the folder; the oldest go
+    std::filesystem::path folder;       ///< is made when the first record is written
+    std::string device;                 ///< name of the stylus
+    double period = 0.001;              ///< s, of the loop
+    int keep = 8;                       ///< records in the folder; the oldest go
+    std::vector<std::string> materials; ///< ids of the workpiece's property list, each at its index
 };
 
 /// A fault, and the file that tells of it.

@@ -53,6 +53,7 @@ public:
     void advance(const glm::dvec3& force, double seconds) noexcept;
     /// A mechanical stop: moves the deviation and takes away the velocity along `outward` (unit length).
     void stopAt(const glm::dvec3& deviation, const glm::dvec3& outward) noexcept;
+    /// At rest where the hand means to be, leaning on nothing.
     void reset() noexcept;
 
     glm::dvec3 deviation() const noexcept { return deviation_; } ///< mm

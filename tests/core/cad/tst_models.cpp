@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "cad_test.h"
+#include "core/cad/import_formats.h"
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 using namespace burin;
 using namespace burin::test;
@@ -100,6 +103,24 @@ class Models : public QObject {
     Q_OBJECT
 
 private slots:
+    /// What the file dialog offers and what can be read are the same.
+    void everyFormatIsOfferedAndRead() {
+        const std::vector<std::string_view> offered = importSuffixes();
+        for (const Expected& expected : table) {
+            const std::string_view file(expected.file);
+            const std::string_view suffix = file.substr(file.rfind('.') + 1);
+            QVERIFY2(std::ranges::find(offered, suffix) != offered.end(), expected.file);
+        }
+        std::apply(
+            [](auto... formats) {
+                const auto isRead = [](std::string_view name) {
+                    return std::ranges::any_of(
+                        table, [&](const Expected& one) { return std::string_view(one.format).starts_with(name); });
+                };
+                QVERIFY((isRead(formats.name) && ...));
+            },
+            ImportFormats());
+    }
     void figuresAreThoseOfTheTable_data() {
         QTest::addColumn<int>("row");
         for (std::size_t row = 0; row < table.size(); ++row) QTest::newRow(table[row].file) << static_cast<int>(row);

@@ -72,7 +72,7 @@ class PolygonFill : public QObject {
 
 private slots:
     void fillsExactlyThePolygonWithHoles() {
-        rc::check("triangles cover the polygon once and end at its loops", [] {
+        QVERIFY(rc::check("triangles cover the polygon once and end at its loops", [] {
             const int count = *rc::gen::inRange(3, 60), holes = *rc::gen::inRange(0, 5);
             const double roughness = *rc::gen::inRange(0, 30) / 100.0;
             std::vector<Loop> loops{ring(0, std::max(count, 12), {0.0, 0.0}, 10.0, roughness, false)};
@@ -86,10 +86,10 @@ private slots:
             const auto triangles = fillPolygon(loops);
             RC_ASSERT(boundsTheLoops(triangles, loops));
             RC_ASSERT(std::abs(areaOf(triangles, loops, true) - expected) < 1e-9 * expected);
-        });
+        }));
     }
     void closesWhereTheLoopCrossesItself() {
-        rc::check("whatever the shape, each edge of the loop is used once", [] {
+        QVERIFY(rc::check("whatever the shape, each edge of the loop is used once", [] {
             Loop loop;
             const auto count = *rc::gen::inRange<std::uint32_t>(3, 40);
             for (std::uint32_t i = 0; i < count; ++i)
@@ -98,7 +98,7 @@ private slots:
             RC_ASSERT(triangles.size() == loop.size() - 2);
             RC_ASSERT(boundsTheLoops(triangles, {loop}));
             RC_ASSERT(std::abs(areaOf(triangles, {loop}, false) - area(loop)) < 1e-9);
-        });
+        }));
     }
 };
 

@@ -6,14 +6,13 @@
 #include "core/tool/span_rows.h"
 #include "core/volume/runs/run_volume.h"
 #include "tests/core/cutting/workpieces.h"
+#include "tests/random_cases.h"
 
 #include <rapidcheck.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iostream>
-#include <string>
 #include <utility>
 
 namespace burin::tests {
@@ -22,18 +21,7 @@ inline double real(double low, double high) {
     return low + (high - low) * *rc::gen::inRange(0, 1000001) / 1e6;
 }
 
-/// A property that is dear to check: of the cases that are asked for, so many in a hundred.
-template <class Testable>
-bool holds(const std::string& description, int percent, Testable&& testable) {
-    rc::detail::TestParams params = rc::detail::configuration().testParams;
-    params.maxSuccess = std::max(1, params.maxSuccess * percent / 100);
-    rc::detail::TestMetadata metadata;
-    metadata.id = metadata.description = description;
-    const auto result = rc::detail::checkTestable(std::forward<Testable>(testable), metadata, params);
-    rc::detail::printResultMessage(result, std::cerr);
-    std::cerr << std::endl;
-    return result.template is<rc::detail::SuccessResult>();
-}
+using testing::holds;
 
 /// Oblique layers of both stocks, a protected block with stock behind it, and caves. False: it does not fit.
 inline bool fillMotley(RunVolume& volume) {

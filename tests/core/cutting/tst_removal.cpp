@@ -5,6 +5,7 @@
 #include "tests/core/cutting/workpieces.h"
 #include "tests/oracles/allocation_count.h"
 #include "tests/oracles/moved_piece.h"
+#include "tests/random_cases.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -72,7 +73,7 @@ class RemovalTest : public QObject {
 private slots:
     /// Every scanline loses what the sampled sweep covers of it, to one run unit at each end, protected runs apart.
     void eachScanlineLosesWhatTheSweepCovers() {
-        const bool held = rc::check("lines after a cut", [] {
+        const bool held = testing::holdsInShare("lines after a cut", [] {
             const Grid small = grid({-3.0, -2.5, -2.0}, 0.5, {13, 11, 10});
             RunVolume workpiece = layeredWorkpiece(small);
             const VolumeSnapshot before = workpiece.snapshot();
@@ -104,7 +105,7 @@ private slots:
     /// The paper's way, eqs. 6–10: the union of the tool at interpolated poses, voxel by voxel. The swept cut takes all
     /// of it and, as the poses come closer, nothing else.
     void equalsTheUnionOfInterpolatedPoses() {
-        const bool held = rc::check("poses", [] {
+        const bool held = testing::holdsInShare("poses", [] {
             const Grid small = grid({-5.0, -5.0, -5.0}, 0.5, {20, 20, 20});
             RunVolume workpiece = block(small);
             const Cutter cutter = randomCutter();
@@ -140,7 +141,7 @@ private slots:
 
     /// What the cuts report as removed is the drop of the volume's amounts, exactly, over a whole walk.
     void removedUnitsAreTheDropOfTheAmounts() {
-        const bool held = rc::check("amounts", [] {
+        const bool held = testing::holdsInShare("amounts", [] {
             const Grid small = grid({-3.0, -2.5, -2.0}, 0.25, {26, 22, 20});
             RunVolume workpiece = layeredWorkpiece(small);
             const RunAmounts before = workpiece.amounts();
@@ -170,7 +171,7 @@ private slots:
     }
 
     void standingStillRemovesNothing() {
-        const bool held = rc::check("standing still", [] {
+        const bool held = testing::holdsInShare("standing still", [] {
             const Grid small = grid({-3.0, -2.5, -2.0}, 0.25, {26, 22, 20});
             RunVolume workpiece = block(small);
             MaterialRemoval removal(randomCutter(), small);

@@ -4,6 +4,7 @@
 #include "tests/core/geometry/shapes.h"
 #include "tests/oracles/allocation_count.h"
 #include "tests/oracles/random_number.h"
+#include "tests/random_cases.h"
 
 #include <QtTest>
 
@@ -93,7 +94,7 @@ private slots:
 void GrowingFieldTest::noAnswerIsAboveItsBoundWhateverHasCome() {
     const std::shared_ptr<const MeshDistance> part = pocketPart();
     int fine = 0; // in all of them
-    const bool held = rc::check("ball, bull nose and flat end", [&] {
+    const bool held = testing::holdsInShare("ball, bull nose and flat end", [&] {
         const double corner = *rc::gen::element(0.0, 0.7, 2.0);
         const ToolFieldRequest request = requestFor(corner);
         const auto field = laid(part, request);
@@ -113,7 +114,7 @@ void GrowingFieldTest::noAnswerIsAboveItsBoundWhateverHasCome() {
         }
         RC_ASSERT(outlined > 100);
     });
-    QVERIFY(held && fine > 2000);
+    QVERIFY(held && fine > testing::inLongRun(2000, 400));
 }
 
 /// A tool that the outline held, or let be, is not inside the boundary when the tile comes, whatever the allowance: it

@@ -5,6 +5,7 @@
 #include "tests/core/geometry/random_shapes.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/places.h"
+#include "tests/random_cases.h"
 
 #include <QFile>
 #include <QtTest>
@@ -158,7 +159,7 @@ void MeshDistanceTest::boxByFormula() {
 }
 
 void MeshDistanceTest::signOfSharpTetrahedra() {
-    QVERIFY(rc::check("inside exactly where all four faces say so", [] {
+    QVERIFY(testing::holdsInShare("inside exactly where all four faces say so", [] {
         TriangleMesh mesh;
         for (int i = 0; i < 4; ++i) mesh.vertices.push_back(random::point(4.0));
         mesh.vertices[3] =

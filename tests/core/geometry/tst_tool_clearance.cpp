@@ -5,6 +5,7 @@
 
 #include "tests/core/geometry/random_shapes.h"
 #include "tests/core/geometry/shapes.h"
+#include "tests/random_cases.h"
 
 #include <QtTest>
 
@@ -95,7 +96,7 @@ private slots:
 };
 
 void ToolClearanceTest::triangleAgainstThirds() {
-    QVERIFY(rc::check("minimum over a triangle", [] {
+    QVERIFY(testing::holdsInShare("minimum over a triangle", [] {
         const RevolvedPiece piece = random::piece();
         const ToolPose pose{random::point(2.0), random::direction()};
         const glm::dvec3 at = random::point(8.0) + 4.0 * pose.axis;
@@ -113,7 +114,7 @@ void ToolClearanceTest::triangleAgainstThirds() {
 }
 
 void ToolClearanceTest::triangleAgainstSampling() {
-    QVERIFY(rc::check("no sample of a triangle is nearer", [] {
+    QVERIFY(testing::holdsInShare("no sample of a triangle is nearer", [] {
         const RevolvedPiece piece = random::piece();
         const ToolPose pose{random::point(2.0), random::direction()};
         const Triangle triangle{random::point(6.0), random::point(6.0), random::point(6.0)};
@@ -126,7 +127,7 @@ void ToolClearanceTest::triangleAgainstSampling() {
 }
 
 void ToolClearanceTest::tangentsStayBelow() {
-    QVERIFY(rc::check("no tangent is above the signed distance, on the axis as elsewhere", [] {
+    QVERIFY(testing::holdsInShare("no tangent is above the signed distance, on the axis as elsewhere", [] {
         const RevolvedPiece piece = random::piece();
         const ToolPose pose{random::point(30.0), random::direction()};
         const double beside = *rc::gen::element(0.0, 0.0, 1e-15, 1e-12, 1e-6, 1.0);
@@ -244,7 +245,7 @@ void ToolClearanceTest::shankAndHolderCount() {
 
 void ToolClearanceTest::awayGainsClearance() {
     const MeshDistance distance(shapes::torus(12.0, 4.0, 120, 60));
-    QVERIFY(rc::check("a small step along `away` is a gain of its length", [&] {
+    QVERIFY(testing::holdsInShare("a small step along `away` is a gain of its length", [&] {
         const RevolvedPiece piece = *rc::gen::inRange(0, 2) == 0 ? ball(2.0) : bull(2.0, 0.5);
         const ToolPose pose{random::point(18.0), random::direction()};
         const auto found = distance.clearance(std::array{piece}, pose);
@@ -258,7 +259,7 @@ void ToolClearanceTest::changesNoFasterThanTheToolMoves() {
     const TriangleMesh mesh = shapes::starShaped(
         26, 14, [](double u, double v) { return 30.0 + 4.0 * std::sin(3.0 * u) * std::cos(v) * std::cos(v); });
     const MeshDistance distance(mesh); // wide enough to swallow the tool
-    QVERIFY(rc::check("two tips near each other", [&] {
+    QVERIFY(testing::holdsInShare("two tips near each other", [&] {
         const double flutes = random::number(0.5, 6.0);
         const std::vector<RevolvedPiece> tool{{0.0, 8.0, 2.0, 2.0, random::number(0.0, 2.0)},
                                               {8.0, 8.0 + flutes, 1.5, 1.5, 0.0},
@@ -277,7 +278,7 @@ void ToolClearanceTest::askingOneAfterTheOtherIsTheSame() {
         shapes::pocket(20.0, 15.0, 8.0, 6.0)};
     for (const TriangleMesh& mesh : meshes) {
         const MeshDistance distance(mesh);
-        QVERIFY(rc::check("a walk with jumps", [&] {
+        QVERIFY(testing::holdsInShare("a walk with jumps", [&] {
             const std::vector<RevolvedPiece> tool =
                 *rc::gen::inRange(0, 2) == 0 ? wholeTool(ball(3.0)) : random::stack();
             glm::dvec3 axis = random::direction();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/passes/scripted_intents.h"
 #include "tests/core/passes/plan_stage.h"
+#include "tests/long_run.h"
 
 #include <QtTest>
 
@@ -25,7 +26,7 @@ private slots:
 
 void OperatorPlanTest::whatIsRoughedInAShortTimeIsFinished_data() {
     QTest::addColumn<double>("limit");
-    QTest::newRow("80 s") << 80.0;
+    if (burin::testing::longRun()) QTest::newRow("80 s") << 80.0;
     QTest::newRow("20 s") << 20.0;
 }
 
@@ -62,7 +63,7 @@ void OperatorPlanTest::roughingIsShortBesideFinishing_data() {
     QTest::addColumn<double>("finishingDepth");
     QTest::addColumn<double>("share");
     QTest::newRow("every level cleared up to the part") << 0.0 << 0.09;
-    QTest::newRow("finishing takes 10 mm") << 10.0 << 0.09;
+    if (burin::testing::longRun()) QTest::newRow("finishing takes 10 mm") << 10.0 << 0.09;
     QTest::newRow("finishing takes 12 mm") << 12.0 << 0.06;
 }
 
@@ -87,8 +88,8 @@ void OperatorPlanTest::timeLimitIsKept_data() {
     QTest::addColumn<bool>("truncated");
     QTest::newRow("faster hand") << 240.0 << false;
     QTest::newRow("wider passes") << 150.0 << false;
-    QTest::newRow("the upper part") << 60.0 << true;
-    QTest::newRow("too short") << 20.0 << true;
+    if (burin::testing::longRun()) QTest::newRow("the upper part") << 60.0 << true;
+    if (burin::testing::longRun()) QTest::newRow("too short") << 20.0 << true;
     QTest::newRow("hopeless") << 1.0 << true;
 }
 

@@ -4,6 +4,7 @@
 #include "part_oracle.h"
 #include "random_edits.h"
 #include "tests/places.h"
+#include "tests/random_cases.h"
 
 #include <QTest>
 
@@ -109,10 +110,10 @@ private slots:
         const PartOracle oracle(mesh, toolRadius, 5.0);
         const PathContext context = contextOf(part, ballTool(), {{-55, -55, -2}, {55, 55, 18}});
         int judged = 0;
-        QVERIFY(rc::check("with what holds out of the part last", [&] {
+        QVERIFY(testing::holdsInShare("with what holds out of the part last", [&] {
             judged += expectNoGouge(context, oracle, {2.5, 2.5, 1.6}) ? 1 : 0;
         }));
-        QVERIFY2(judged > 60, qPrintable(QString::number(judged))); // of a hundred
+        QVERIFY2(judged > testing::inLongRun(60, 18), qPrintable(QString::number(judged))); // of a hundred, or 30
     }
 
     /// The part as the CAD file has it, its curved faces within 0.002 mm.
@@ -125,10 +126,10 @@ private slots:
         QVERIFY(std::abs(oracle.clearance({0.0, 0.0, 30.0}, 100.0) - (30.0 - boundingBox(mesh).high.z)) < 20.0);
         const PathContext context = contextOf(part, ballTool(2.0 * radius), {{-36, -12, -2}, {36, 12, 15}});
         int judged = 0;
-        QVERIFY(rc::check("on fillets, tori and freeform faces", [&] {
+        QVERIFY(testing::holdsInShare("on fillets, tori and freeform faces", [&] {
             judged += expectNoGouge(context, oracle, {1.8, 0.5, 1.1}) ? 1 : 0;
         }));
-        QVERIFY2(judged > 60, qPrintable(QString::number(judged)));
+        QVERIFY2(judged > testing::inLongRun(60, 18), qPrintable(QString::number(judged)));
     }
 };
 

@@ -3,6 +3,7 @@
 #include "core/base/units.h"
 #include "hands.h"
 #include "path_fixture.h"
+#include "tests/random_cases.h"
 
 #include <rapidcheck.h>
 
@@ -68,7 +69,7 @@ private slots:
 
     void tremorComesDownTwentyTimes() {
         constexpr double tube = 0.2;
-        for (unsigned seed = 1; seed <= 5; ++seed) {
+        for (unsigned seed = 1; seed <= testing::inLongRun(5U, 2U); ++seed) {
             std::vector<Tick> ticks = circle(20.0, 15.0, 3.0);
             tremble(ticks, 0.05, seed);
             const auto path = run({takeOf(ticks)}, {{SmoothShape{3.0, tube}}}, context());
@@ -219,7 +220,7 @@ private slots:
         const bool inTime = edits.front() == 5 || edits.front() == 6;
         const std::vector<Edit> kinds{{SmoothShape{}},  {Simplify{}}, {HoldOut{}},      {FitArcs{}},
                                       {RoundCorners{}}, {Smooth{}},   {SmoothSpline{}}, {Link{}}};
-        QVERIFY(rc::check("no back-step that the hand has not made", [&] {
+        QVERIFY(testing::holdsInShare("no back-step that the hand has not made", [&] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             const bool corners = !inTime && *rc::gen::arbitrary<bool>(); // those that look at time swing around them
             const std::vector<Tick> ticks = corners ? corneredHand(random) : steadyHand(random);
@@ -233,7 +234,7 @@ private slots:
     }
 
     void tremblingHandsLoseTheirBackSteps() {
-        QVERIFY(rc::check("fewer than before", [&] {
+        QVERIFY(testing::holdsInShare("fewer than before", [&] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             std::vector<Tick> ticks = steadyHand(random);
             tremble(ticks, 0.02, static_cast<unsigned>(random()));
@@ -254,7 +255,7 @@ private slots:
     }
 
     void randomStrokesStayInTheTube() {
-        QVERIFY(rc::check("both ways, whatever the cut-off", [&] {
+        QVERIFY(testing::holdsInShare("both ways, whatever the cut-off", [&] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             const int count = *rc::gen::inRange(1, 600);
             const double tube = *rc::gen::element(0.0, 0.01, 0.1), wavelength = *rc::gen::element(0.2, 3.0, 50.0);

@@ -67,7 +67,7 @@ private slots:
 void TakeTest::valuesStandUnderTheirNames() {
     const QTemporaryDir folder;
     const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "take.csv";
-    QVERIFY(writeTakeCsv(file, sourceOf(samples())));
+    QVERIFY(writeTakeCsv(file, sourceOf(samples()), {"air", "wax", "aluminium-6061"}));
     const QList<QByteArray> text = lines(*readFile(file));
     QCOMPARE(text.size(), 5);
     const QList<QByteArray> names = text[0].split(',');
@@ -83,9 +83,9 @@ void TakeTest::valuesStandUnderTheirNames() {
     QCOMPARE(value(3, "cutting_force_y_n"), QByteArray("40"));
     QCOMPARE(value(3, "reported_removal_mm3"), QByteArray("0.25"));
     QCOMPARE(value(4, "flags"), QByteArray("6"));
-    QCOMPARE(value(2, "removed_units_property_2"), QByteArray("7"));
-    QCOMPARE(value(2, "removed_units_property_3"), QByteArray("100"));
-    QCOMPARE(value(3, "removed_units_property_2"), QByteArray("0"));
+    QCOMPARE(value(2, "removed_units_aluminium-6061"), QByteArray("7"));
+    QCOMPARE(value(2, "removed_units_property_3"), QByteArray("100")); // a material that nobody named
+    QCOMPARE(value(3, "removed_units_aluminium-6061"), QByteArray("0"));
 }
 
 void TakeTest::longTakesAreWrittenWhole() {
@@ -93,7 +93,7 @@ void TakeTest::longTakesAreWrittenWhole() {
     for (std::size_t i = 0; i < list.size(); ++i) list[i].tick = i;
     const QTemporaryDir folder;
     const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "take.csv";
-    QVERIFY(writeTakeCsv(file, sourceOf(list)));
+    QVERIFY(writeTakeCsv(file, sourceOf(list), {}));
     const QList<QByteArray> text = lines(*readFile(file));
     QCOMPARE(text.size(), 30001);
     for (int i = 1; i < text.size(); ++i) QVERIFY(text[i].startsWith(QByteArray::number(i - 1) + ","));
@@ -102,9 +102,9 @@ void TakeTest::longTakesAreWrittenWhole() {
 void TakeTest::aMaterialThatIsRemovedLateHasItsColumnFromTheStart() {
     const QTemporaryDir folder;
     const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "take.csv";
-    QVERIFY(writeTakeCsv(file, sourceOf(samples(), 1)));
+    QVERIFY(writeTakeCsv(file, sourceOf(samples(), 1), {"air", "wax", "foam, \"soft\"", "steel-c45"}));
     const QList<QByteArray> text = lines(*readFile(file));
-    QVERIFY(text[0].endsWith(",removed_units_property_2,removed_units_property_3"));
+    QVERIFY(text[0].endsWith(R"(,"removed_units_foam, ""soft""",removed_units_steel-c45)"));
     QVERIFY(text[1].endsWith(",0,0"));
     QVERIFY(text[2].endsWith(",7,100"));
     QVERIFY(text[3].endsWith(",0,23"));
@@ -131,7 +131,7 @@ void TakeTest::whatEndsTheSamplesLeavesNoFile() {
         if (Result<void> visited = visit(samples()); !visited) return visited;
         return Error{ErrorCode::fileDamaged, "p.burin", "take 1, sample 4", ""};
     };
-    for (const auto& written : {writeTakeCsv(file, breaksOff), writeTakeTrace(file, breaksOff)}) {
+    for (const auto& written : {writeTakeCsv(file, breaksOff, {}), writeTakeTrace(file, breaksOff)}) {
         QVERIFY(!written);
         QCOMPARE(written.error().place, std::string("take 1, sample 4"));
     }
@@ -139,7 +139,7 @@ void TakeTest::whatEndsTheSamplesLeavesNoFile() {
 }
 
 void TakeTest::aFolderThatIsMissingIsNamed() {
-    const auto written = writeTakeCsv("/nowhere/at/all/take.csv", sourceOf(samples()));
+    const auto written = writeTakeCsv("/nowhere/at/all/take.csv", sourceOf(samples()), {});
     QVERIFY(!written);
     QCOMPARE(written.error().code, ErrorCode::fileNotWritable);
     QCOMPARE(written.error().subject, std::string("/nowhere/at/all/take.csv"));

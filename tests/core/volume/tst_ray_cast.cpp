@@ -86,7 +86,7 @@ private slots:
 };
 
 void RayCastTest::meetsWhatMarchingMeets() {
-    rc::check("a ray meets what small steps along it meet", [] {
+    QVERIFY(rc::check("a ray meets what small steps along it meet", [] {
         Pile pile = anyPile();
         const glm::dvec3 origin = pile.grid.box().centre() + anyPlace(-1500, 1500) / 100.0;
         // Off the middle by odd amounts: marching skips corners thinner than its step.
@@ -111,7 +111,7 @@ void RayCastTest::meetsWhatMarchingMeets() {
             const PropertyIndex property = pile.at(origin + way * before);
             RC_ASSERT(property == airProperty || (target == RayTarget::protectedOnly && property != part));
         }
-    });
+    }));
 }
 
 void RayCastTest::meetsRunEndsExactly() {
@@ -204,7 +204,7 @@ void RayCastTest::findsThePartBehindStock() {
 }
 
 void RayCastTest::highestIsWhatADenseGridShows() {
-    rc::check("the highest run end near a place", [] {
+    QVERIFY(rc::check("the highest run end near a place", [] {
         Pile pile = anyPile();
         const Grid& grid = pile.grid;
         const glm::dvec2 low(grid.low()[grid.axisOfU()], grid.low()[grid.axisOfV()]);
@@ -220,12 +220,12 @@ void RayCastTest::highestIsWhatADenseGridShows() {
                     if (pile.dense.at(line, unit) != airProperty) expected = std::max(expected, unit + 1);
             }
         RC_ASSERT(highestWithin(pile.volume.snapshot(), place, radius) == grid.toMillimetres(expected));
-    });
+    }));
 }
 
 /// Each place of the plane lies in one patch of its property, or in none where there is air.
 void RayCastTest::aSectionIsWhatThePlaneMeets() {
-    rc::check("a section shows what the dense grid holds", [] {
+    QVERIFY(rc::check("a section shows what the dense grid holds", [] {
         Pile pile = anyPile();
         const Box box = pile.grid.box();
         const int axis = *rc::gen::inRange(0, 3);
@@ -248,7 +248,7 @@ void RayCastTest::aSectionIsWhatThePlaneMeets() {
         }
         RC_ASSERT(sectionOf(pile.volume.snapshot(), axis, box.high[axis] + 0.1).empty());
         RC_ASSERT(sectionOf(pile.volume.snapshot(), axis, box.low[axis] - 0.1).empty());
-    });
+    }));
 }
 
 QTEST_APPLESS_MAIN(RayCastTest)

@@ -5,6 +5,7 @@
 #include "core/volume/surface/surface_simplification.h"
 #include "tests/core/volume/surfaces.h"
 #include "tests/core/volume/volumes.h"
+#include "tests/random_cases.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -217,7 +218,7 @@ void SurfaceTest::enclosesWhatTheRunsHold() {
 }
 
 void SurfaceTest::hasNoGaps() {
-    rc::check("random runs: every edge is met as often from one side as from the other", [] {
+    QVERIFY(testing::holdsInShare("random runs: every edge is met as often from one side as from the other", [] {
         const auto axis = static_cast<RunAxis>(*rc::gen::inRange(0, 3));
         const Grid grid = gridOf({70, 70, 70}, axis);
         RunVolume volume = emptyVolume(grid);
@@ -237,7 +238,7 @@ void SurfaceTest::hasNoGaps() {
         const SurfaceDetail detail{*rc::gen::inRange(0, 4), voxel * *rc::gen::element(0.0, 0.1, 0.5)};
         const TriangleMesh mesh = triangleMesh(wholeSurface(volume.snapshot(), detail));
         RC_ASSERT(countGaps(mesh) == std::size_t{0});
-    });
+    }));
 }
 
 void SurfaceTest::solidInsideCostsNothing() {
@@ -250,7 +251,7 @@ void SurfaceTest::solidInsideCostsNothing() {
 }
 
 void SurfaceTest::changedTilesAreAllThatChanged() {
-    rc::check("what changedSurface does not name is meshed alike", [] {
+    QVERIFY(testing::holdsInShare("what changedSurface does not name is meshed alike", [] {
         const Grid grid = gridOf({200, 140, 40});
         RunVolume volume = filled(grid, aluminium);
         const int level = *rc::gen::inRange(0, 4);
@@ -285,7 +286,7 @@ void SurfaceTest::changedTilesAreAllThatChanged() {
                 RC_ASSERT(old.properties == fresh.properties);
                 RC_ASSERT(old.triangles == fresh.triangles);
             }
-    });
+    }));
 }
 
 void SurfaceTest::everythingChangesWithAnotherVolume() {

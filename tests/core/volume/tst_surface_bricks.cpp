@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/surface/surface.h"
 #include "tests/core/volume/random_surfaces.h"
+#include "tests/random_cases.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -40,32 +41,33 @@ private slots:
 };
 
 void TestSurfaceBricks::bricksAreTheTile() {
-    QVERIFY(rc::check("bricks together: the points, normals, materials and triangles of their tile, bit for bit", [] {
-        const Grid grid = randomlyTurnedGrid({70, 66, 97});
-        RunVolume volume = emptyVolume(grid);
-        fillAtRandom(volume);
-        const VolumeSnapshot workpiece = volume.snapshot();
-        SurfaceExtractor extractor;
-        SurfaceMesh piece;
-        std::vector<Face> whole, together;
-        const glm::ivec2 tiles = surfaceTiles(grid);
-        for (int v = 0; v < tiles.y; ++v)
-            for (int u = 0; u < tiles.x; ++u) {
-                extractor.extract(workpiece, {u, v}, {}, piece);
-                addFaces(piece, whole);
-            }
-        eachBrick(grid, [&](SurfaceBrick brick) {
-            extractor.extractBrick(workpiece, brick, piece);
-            addFaces(piece, together);
-        });
-        std::ranges::sort(whole);
-        std::ranges::sort(together);
-        RC_ASSERT(whole == together);
-    }));
+    QVERIFY(testing::holdsInShare(
+        "bricks together: the points, normals, materials and triangles of their tile, bit for bit", [] {
+            const Grid grid = randomlyTurnedGrid({70, 66, 97});
+            RunVolume volume = emptyVolume(grid);
+            fillAtRandom(volume);
+            const VolumeSnapshot workpiece = volume.snapshot();
+            SurfaceExtractor extractor;
+            SurfaceMesh piece;
+            std::vector<Face> whole, together;
+            const glm::ivec2 tiles = surfaceTiles(grid);
+            for (int v = 0; v < tiles.y; ++v)
+                for (int u = 0; u < tiles.x; ++u) {
+                    extractor.extract(workpiece, {u, v}, {}, piece);
+                    addFaces(piece, whole);
+                }
+            eachBrick(grid, [&](SurfaceBrick brick) {
+                extractor.extractBrick(workpiece, brick, piece);
+                addFaces(piece, together);
+            });
+            std::ranges::sort(whole);
+            std::ranges::sort(together);
+            RC_ASSERT(whole == together);
+        }));
 }
 
 void TestSurfaceBricks::changedBricksAreAllThatChanged() {
-    QVERIFY(rc::check("what changedSurfaceBricks does not name is meshed alike", [] {
+    QVERIFY(testing::holdsInShare("what changedSurfaceBricks does not name is meshed alike", [] {
         const Grid grid = randomlyTurnedGrid({80, 70, 130});
         RunVolume volume = emptyVolume(grid);
         fillAtRandom(volume);

@@ -3,6 +3,7 @@
 #include "core/volume/surface/surface.h"
 #include "tests/core/volume/random_surfaces.h"
 #include "tests/oracles/surface_net.h"
+#include "tests/random_cases.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -33,7 +34,7 @@ private slots:
 };
 
 void TestSurfaceNet::bricksAreTheDenseNet() {
-    QVERIFY(rc::check("the faces and points of a dense net of doubles, closed and turned outwards", [] {
+    QVERIFY(testing::holdsInShare("the faces and points of a dense net of doubles, closed and turned outwards", [] {
         // Two tiles either way; or three bricks along the runs, of which the middle one sees neither end.
         const Grid grid =
             randomlyTurnedGrid(*rc::gen::element(glm::ivec3(34, 33, 41), glm::ivec3(34, 9, 75), glm::ivec3(9, 33, 75)));

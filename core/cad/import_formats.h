@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace burin {
+
+struct Model;
+struct ModelSource;
+
+/// What a format says of a file's content.
+struct FormatMatch {
+    bool known = false;  ///< it is of this format
+    std::string missing; ///< what the file lacks or where it ends too early; empty: it is complete
+};
+
+// The table of formats that can be imported, a row each. The window uses the suffixes alone; what knows a format's
+// content and what reads it exist in the import program (core/cad/reader), each in the file of its format.
+
+struct StepFormat {
+    static constexpr std::string_view name = "STEP";
+    static constexpr std::array<std::string_view, 2> suffixes{"step", "stp"};
+};
+FormatMatch matchFormat(StepFormat format, std::string_view content);
+Result<Model> readFormat(StepFormat format, ModelSource& source);
+
+struct BrepFormat {
+    static constexpr std::string_view name = "BREP";
+    static constexpr std::array<std::string_view, 2> suffixes{"brep", "brp"};
+};
+FormatMatch matchFormat(BrepFormat format, std::string_view content);
+Result<Model> readFormat(BrepFormat format, ModelSource& source);
+
+struct IgesFormat {
+    static constexpr std::string_view name = "IGES";
+    static constexpr std::array<std::string_view, 2> suffixes{"iges", "igs"};
+};
+FormatMatch matchFormat(IgesFormat format, std::string_view content);
+Result<Model> readFormat(IgesFormat format, ModelSource& source);
+
+struct StlFormat {
+    static constexpr std::string_view name = "STL";
+    static constexpr std::array<std::string_view, 1> suffixes{"stl"};
+};
+FormatMatch matchFormat(StlFormat format, std::string_view content);
+Result<Model> readFormat(StlFormat format, ModelSource& source);
+
+/// In the order in which a file's content is asked. STL comes last: a binary file has no mark but its length.
+using ImportFormats = std::tuple<StepFormat, BrepFormat, IgesFormat, StlFormat>;
+
+namespace import_formats {
+
+template <class... Formats>
+std::vector<std::string_view> suffixesOf(const std::tuple<Formats...>*) {
+    std::vector<std::string_view> suffixes;
+    (suffixes.insert(suffixes.end(), Formats::suffixes.begin(), Formats::suffixes.end()), ...);
+    return suffixes;
+}
+
+} // namespace import_formats
+
+/// Suffixes of all formats, in lower case and without a dot, for file dialogs: what a file is, its content tells.
+inline std::vector<std::string_view> importSuffixes() {
+    return import_formats::suffixesOf(static_cast<const ImportFormats*>(nullptr));
+}
+
+} // namespace burin
