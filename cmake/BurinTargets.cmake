@@ -165,9 +165,6 @@ function(burin_test place name)
     endif()
     set(environment "QT_QPA_PLATFORM=${platform};LC_ALL=C.UTF-8;${BURIN_SANITIZER_ENVIRONMENT}")
     burin_test_entry(${place}.${name} ${arg_TIMEOUT} "${environment}" ${launcher} $<TARGET_FILE:${target}>)
-    if(arg_GUI) # a window waits for hands, clocks and paint about as long as it works
-        set_tests_properties(${place}.${name} PROPERTIES PROCESSORS 1)
-    endif()
     if(arg_LONG)
         burin_test_entry(${place}.${name}.long ${arg_LONG} "BURIN_LONG_RUN=1;${environment}"
             ${launcher} $<TARGET_FILE:${target}> -maxwarnings 0)
@@ -177,8 +174,8 @@ endfunction()
 
 # burin_test_load(WAITING|DISTURBED TEST ...)
 # tests/run shares four slots out, for two cores. A test keeps a core busy and has two of them; WAITING ones, which let
-# time pass, have one, and so have those with a window; DISTURBED ones, which measure time or run the haptic loop by the
-# clock for long, have three, so that they only run beside one of these. Both begin first, as they go together.
+# time pass, have one; DISTURBED ones, which measure time or run the haptic loop by the clock for long, have three, so
+# that they only run beside a waiting one. Both begin first, as they go together.
 function(burin_test_load load)
     foreach(test IN LISTS ARGN)
         if(TEST ${test}.long)

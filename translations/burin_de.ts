@@ -3118,10 +3118,6 @@
         <translation>Teil importieren</translation>
     </message>
     <message>
-        <source>Parts (*.step *.stp *.STEP *.STP *.iges *.igs *.IGS *.brep *.stl *.STL);;All files (*)</source>
-        <translation>Teile (*.step *.stp *.STEP *.STP *.iges *.igs *.IGS *.brep *.stl *.STL);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Save the project</source>
         <translation>Projekt speichern</translation>
     </message>
@@ -3144,6 +3140,10 @@
     <message>
         <source>Programs (*.ngc *.nc *.tap);;All files (*)</source>
         <translation>Programme (*.ngc *.nc *.tap);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Parts (%1);;All files (*)</source>
+        <translation>Teile (%1);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -3456,6 +3456,14 @@
     <message>
         <source>%1, %2 to %3</source>
         <translation>%1, %2 bis %3</translation>
+    </message>
+    <message>
+        <source>pass %1</source>
+        <translation>berechnete Bahn %1</translation>
+    </message>
+    <message>
+        <source>move %1</source>
+        <translation>Bewegung %1</translation>
     </message>
 </context>
 <context>
@@ -5548,6 +5556,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>the virtual operator with this kind of tool</source>
         <translation>den virtuellen Bediener mit dieser Art von Werkzeug</translation>
+    </message>
+    <message>
+        <source>tilt of the tool axis</source>
+        <translation>Neigung der Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>axes besides X, Y and Z</source>
+        <translation>Achsen außer X, Y und Z</translation>
     </message>
 </context>
 <context>

@@ -229,8 +229,10 @@ int show(const PathArguments& arguments, CommandContext& context) {
     return 0;
 }
 
-/// Of the property list of the project's workpiece; none where that can't be made any more.
-MaterialIds materialIdsOf(const Project& project) {
+/// What a take milled; of one that doesn't say (before format 4) what the project's workpiece is made of, none where
+/// that can't be made any more.
+MaterialIds materialIdsOf(const Project& project, const TakeInfo& take) {
+    if (!take.materials.empty()) return take.materials;
     const Result<Model> model = project.model();
     const Result<Setup> setup = project.setup();
     const Result<std::vector<Property>> materials = project.materials();
@@ -250,7 +252,7 @@ int exportTake(const PathArguments& arguments, bool asTrace, CommandContext& con
         return project->visitSamples(arguments.take, visit);
     };
     const Result<void> written = asTrace ? writeTakeTrace(arguments.output, source)
-                                         : writeTakeCsv(arguments.output, source, materialIdsOf(*project));
+                                         : writeTakeCsv(arguments.output, source, materialIdsOf(*project, take->info));
     if (!written) return context.fail(written.error());
     const std::uint64_t samples = take->info.sampleCount;
     context.answer(

@@ -141,6 +141,11 @@ CREATE TABLE setup_setting(
     PRIMARY KEY(setup, name));
 )sql";
 constexpr const char* sources = R"sql(
+CREATE TABLE take_material(
+    take INTEGER NOT NULL REFERENCES take(id),
+    property INTEGER NOT NULL,
+    material TEXT NOT NULL,
+    PRIMARY KEY(take, property));
 CREATE TABLE generated(
     id INTEGER PRIMARY KEY AUTOINCREMENT,
     setup INTEGER NOT NULL REFERENCES setup(id),

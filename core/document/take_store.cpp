@@ -41,6 +41,19 @@ TakeInfo infoOf(const Statement& row) {
     return info;
 }
 
+Result<void> loadMaterialIds(Database& database, TakeInfo& info) {
+    Result<Statement> rows =
+        Statement::prepare(database, "SELECT property, material FROM take_material WHERE take = ? ORDER BY property");
+    if (!rows) return std::move(rows).error();
+    if (Result<void> bound = rows->bind(info.id); !bound) return bound;
+    return forEachRow(*rows, [&]() -> Result<void> {
+        if (std::cmp_not_equal(rows->integer(0), info.materials.size()))
+            return damaged(database, "take " + std::to_string(info.id) + ", materials");
+        info.materials.push_back(cleanLine(rows->text(1)));
+        return {};
+    });
+}
+
 /// The last chunk alone: a take may be an hour long.
 Result<void> loadSeconds(Database& database, TakeInfo& info) {
     Result<Statement> rows = Statement::prepare(
@@ -103,7 +116,14 @@ Result<std::int64_t> storeTake(Database& database, const TakeInfo& info) {
                 numberOf(info.setup));
         !done)
         return std::move(done).error();
-    return database.integer("SELECT last_insert_rowid()");
+    const Result<std::int64_t> id = database.integer("SELECT last_insert_rowid()");
+    if (!id) return id;
+    for (std::size_t property = 0; property < info.materials.size(); ++property)
+        if (Result<void> done = run(database, "INSERT INTO take_material VALUES(?, ?, ?)", *id,
+                                    static_cast<std::int64_t>(property), info.materials[property]);
+            !done)
+            return std::move(done).error();
+    return id;
 }
 
 Result<std::vector<TakeInfo>> loadTakes(Database& database) {
@@ -119,6 +139,7 @@ Result<std::vector<TakeInfo>> loadTakes(Database& database) {
         std::vector<SampleRange> undone;
         if (read = loadUndone(database, info, undone); !read) return std::move(read).error();
         if (read = loadSeconds(database, info); !read) return std::move(read).error();
+        if (read = loadMaterialIds(database, info); !read) return std::move(read).error();
     }
     return takes;
 }
@@ -136,6 +157,7 @@ Result<TakeOutline> loadTakeOutline(Database& database, std::int64_t id) {
     }
     if (Result<void> read = loadUndone(database, outline.info, outline.undone); !read) return std::move(read).error();
     if (Result<void> read = loadSeconds(database, outline.info); !read) return std::move(read).error();
+    if (Result<void> read = loadMaterialIds(database, outline.info); !read) return std::move(read).error();
     return outline;
 }
 
@@ -178,7 +200,8 @@ Result<Take> loadTake(Database& database, std::int64_t id) {
 
 Result<void> eraseTake(Database& database, std::int64_t id) {
     if (Result<void> unused = requireUnused(database, {id}); !unused) return unused;
-    for (const char* table : {"DELETE FROM sample_chunk WHERE take = ?", "DELETE FROM undone_stretch WHERE take = ?"})
+    for (const char* table : {"DELETE FROM sample_chunk WHERE take = ?", "DELETE FROM undone_stretch WHERE take = ?",
+                              "DELETE FROM take_material WHERE take = ?"})
         if (Result<void> done = run(database, table, id); !done) return done;
     if (Result<void> done = run(database, "DELETE FROM take WHERE id = ?", id); !done) return done;
     const Result<std::int64_t> erased = database.integer("SELECT changes()");

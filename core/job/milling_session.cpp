@@ -139,6 +139,7 @@ Result<void> MillingSession::beginTake(const std::string& name) {
     info.tickPeriod = servo_.period;
     info.startedUnixTime = unixTime();
     info.stylus = stylus_.device().description().name;
+    info.materials = idsOf(bench_.embedded.workpiece.properties());
     Result<Project::TakeWriter> writer = project_.beginTake(info);
     if (!writer) return std::move(writer).error();
     recorder_ = std::make_unique<Recorder>(loop_.samples(), std::move(*writer));

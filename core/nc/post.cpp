@@ -139,6 +139,8 @@ private:
             move.arc = {centre->linear(), point.arc->axis, point.arc->clockwise};
         }
         move.feed = point.kind == MoveKind::rapid ? 0.0 : point.feed;
+        move.source = point.source;
+        move.sample = point.sample;
         return move;
     }
 

@@ -29,8 +29,10 @@ struct NcArc {
 /// One move of a program, before a dialect words it.
 struct NcMove {
     NcMoveKind kind = NcMoveKind::line;
-    AxisValues target;    ///< in the frame of the work offset in force; of a dwell without meaning
-    double feed = 0.0;    ///< mm/min; 0 for rapids and dwells
+    AxisValues target;       ///< in the frame of the work offset in force; of a dwell without meaning
+    double feed = 0.0;       ///< mm/min; 0 for rapids and dwells
+    std::int64_t source = 0; ///< and the moment in it, as in PathPoint
+    std::int64_t sample = -1;
     std::string comment;  ///< stands before the move; empty: none
     NcArc arc{};          ///< of an arc alone
     double seconds = 0.0; ///< of a dwell alone

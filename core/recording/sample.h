@@ -33,7 +33,7 @@ enum SampleFlag : std::uint32_t {
 /// Removed volume of one material in one tick.
 struct RemovedMaterial {
     std::uint64_t units = 0;   ///< run units of the volume (Grid::unitVolume), exact
-    std::uint8_t property = 0; ///< 0: entry not used
+    std::uint8_t property = 0; ///< index of TakeInfo::materials; 0: entry not used
 };
 
 /// One tick of a recording: what the hand did and what came of it. Frames: device pose in the device frame, the rest in
@@ -70,6 +70,8 @@ struct TakeInfo {
     double tickPeriod = 0.001;    ///< s
     double startedUnixTime = 0.0; ///< s since 1970, UTC
     std::string stylus;           ///< description of the input
+    /// Ids of the materials that RemovedMaterial::property is an index of; 0 is air. Empty: recorded before format 4.
+    std::vector<std::string> materials;
     std::uint64_t sampleCount = 0;
     std::uint64_t undoneCount = 0; ///< of these, taken back
     std::optional<double> seconds; ///< from its start to its last sample, missed ticks among them; null: it is damaged

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/program_settings.h"
 
+#include "core/machine/kinematics.h"
 #include "core/nc/control.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace burin {
 
@@ -20,6 +22,7 @@ public:
     SettingsJudge(const VerifyRequest& request, Findings& findings)
         : request_(request)
         , findings_(findings)
+        , kinematics_(kinematicsOf(request.machine, request.setup.workOffset))
         , lengths_(request.control != nullptr && request.control->readsG(gcode::lengthOffset))
         , changes_(request.control != nullptr && request.control->readsM(60)) {}
 
@@ -67,21 +70,21 @@ private:
             return;
         const std::vector<NcMotion>& motions = request_.program->motions;
         const glm::dvec3 place =
-            setting.motions < motions.size() ? motions[setting.motions].to.linear() : glm::dvec3(0.0);
+            setting.motions < motions.size() ? placeOf(motions[setting.motions]) : request_.setup.workOffset;
         findings_.add(FindingKind::toolUnknown, setting.line, place, setting.value);
     }
 
     void look(const NcMotion& motion) {
         if (motion.takesAny() && motion.workOffset != request_.workOffset)
-            findings_.add(FindingKind::workOffsetOther, offsetLine_, motion.to.linear(), motion.workOffset);
+            findings_.add(FindingKind::workOffsetOther, offsetLine_, placeOf(motion), motion.workOffset);
         if (lengths_ && motion.takes(Axis::z)) judgeLength(motion);
         if (!feeds(motion)) return;
         if (changes_ && motion.tool == 0 && named_ && !loadTold_) {
             loadTold_ = true;
-            findings_.add(FindingKind::toolNotLoaded, motion.line, motion.to.linear(), 0.0);
+            findings_.add(FindingKind::toolNotLoaded, motion.line, placeOf(motion), 0.0);
         }
         if (motion.spindle == SpindleState::anticlockwise && motion.spindleOn())
-            findings_.add(FindingKind::spindleReversed, spindleLine_, motion.to.linear(), motion.spindleSpeed);
+            findings_.add(FindingKind::spindleReversed, spindleLine_, placeOf(motion), motion.spindleSpeed);
     }
 
     /// A length that the program states itself (G43.1) is taken as it is.
@@ -89,13 +92,17 @@ private:
         if (lengthTold_ || motion.tool == 0 || motion.lengthOffset < 0 || motion.lengthOffset == motion.tool) return;
         lengthTold_ = true;
         if (motion.lengthOffset > 0 && lengthLine_ >= toolLine_)
-            findings_.add(FindingKind::lengthOffsetOfOther, lengthLine_, motion.to.linear(), motion.lengthOffset);
+            findings_.add(FindingKind::lengthOffsetOfOther, lengthLine_, placeOf(motion), motion.lengthOffset);
         else
-            findings_.add(FindingKind::lengthOffsetMissing, motion.line, motion.to.linear(), motion.tool);
+            findings_.add(FindingKind::lengthOffsetMissing, motion.line, placeOf(motion), motion.tool);
     }
+
+    /// Where a motion ends, setup frame.
+    glm::dvec3 placeOf(const NcMotion& motion) const { return kinematics_->poseOf(motion.to).tip; }
 
     const VerifyRequest& request_;
     Findings& findings_;
+    std::unique_ptr<const Kinematics> kinematics_;
     bool lengths_;       ///< the control has length offsets by number
     bool changes_;       ///< the control has M6
     bool named_ = false; ///< a tool was named, by T or H

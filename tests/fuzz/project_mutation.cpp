@@ -21,10 +21,10 @@ using Connection = std::unique_ptr<sqlite3, decltype(&sqlite3_close)>;
 using Statement = std::unique_ptr<sqlite3_stmt, decltype(&sqlite3_finalize)>;
 using Random = std::minstd_rand;
 
-constexpr std::array<const char*, 20> tables{
-    "document", "model",           "body",          "import_note", "setup",        "obstacle",       "guide",
-    "material", "path_edit",       "path_source",   "path",        "sample_chunk", "undone_stretch", "take",
-    "tool",     "milling_setting", "setup_setting", "program",     "generated",    "generated_chunk"};
+constexpr std::array<const char*, 21> tables{
+    "document", "model",           "body",          "import_note", "setup",        "obstacle",        "guide",
+    "material", "path_edit",       "path_source",   "path",        "sample_chunk", "undone_stretch",  "take",
+    "tool",     "milling_setting", "setup_setting", "program",     "generated",    "generated_chunk", "take_material"};
 constexpr std::array numbers{0.0, -1.0, 1e-308, 1e6, 1e18, 1e308, std::numeric_limits<double>::infinity()};
 constexpr std::array counts{std::int64_t{0},
                             std::int64_t{-1},

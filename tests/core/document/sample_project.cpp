@@ -99,6 +99,7 @@ TakeInfo takeInfo(const char* name) {
     info.allowance = 0.1; // no binary fraction
     info.startedUnixTime = 1.7e9 + 1.0 / 3.0;
     info.stylus = "virtual operator";
+    info.materials = {"air", "machinable-wax", "stahl-ä"};
     return info;
 }
 

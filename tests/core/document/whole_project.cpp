@@ -114,6 +114,7 @@ bool holdsTakes(const Project& project, int version) {
     return take && take->undone == undone && identical(take->samples, handSamples(0, 500)) &&
            first.name == original.name && first.toolId == original.toolId && first.allowance == original.allowance &&
            first.tickPeriod == original.tickPeriod && first.startedUnixTime == original.startedUnixTime &&
+           first.materials == (version < 4 ? std::vector<std::string>{} : original.materials) &&
            first.stylus == original.stylus && first.sampleCount == 500 && first.complete && !takes->back().complete;
 }
 

@@ -56,6 +56,17 @@ class TestPost : public QObject {
     Q_OBJECT
 
 private slots:
+    /// No machine of three axes can hold a tool at a tilt; nothing is posted as if it stood upright.
+    void aTiltedPoseIsRefusedByThreeAxes() {
+        Path tilted = path();
+        tilted.points[2].pose.axis = {0.0, 0.6, 0.8}; // atan(0.6 / 0.8) = 36.869898°
+        const auto program = toProgram({tilted}, request(), machine());
+        QVERIFY(!program);
+        QCOMPARE(program.error().code, ErrorCode::programLimit);
+        QVERIFY2(program.error().place.starts_with("36.869898"), program.error().place.c_str());
+        QCOMPARE(program.error().detail, std::string("point 2"));
+    }
+
     void movesArriveInTheFrameOfTheWorkOffset() {
         const auto program = toProgram({path()}, request(), machine());
         QVERIFY(program);
@@ -65,7 +76,7 @@ private slots:
         QVERIFY(program->sections.front().moves[2].kind == NcMoveKind::line &&
                 program->sections.front().moves[2].target == AxisValues(5, 0, 0));
         QCOMPARE(program->sections.front().moves[2].feed, 900.0);
-        QCOMPARE(program->sections.front().moves[2].take, 7);
+        QCOMPARE(program->sections.front().moves[2].source, 7);
         QCOMPARE(program->sections.front().moves[2].sample, 123);
         QCOMPARE(QString::fromStdString(program->sections.front().moves[2].comment), "take 7, sample 123");
         QCOMPARE(program->sections.front().spindleSpeed, 10000.0);
