@@ -2189,8 +2189,8 @@
         <translation>ein Werkzeug, das seitlich schneidet und unten nirgends breiter ist als oben</translation>
     </message>
     <message>
-        <source>%1 must be names without a folder</source>
-        <translation>%1 müssen Namen ohne Ordner sein</translation>
+        <source>%1 must be file names without a folder</source>
+        <translation>%1 müssen Dateinamen ohne Ordner sein</translation>
     </message>
 </context>
 <context>
@@ -5562,7 +5562,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Neigung der Werkzeugachse</translation>
     </message>
     <message>
-        <source>axes besides X, Y and Z</source>
+        <source>axes other than X, Y and Z</source>
         <translation>Achsen außer X, Y und Z</translation>
     </message>
 </context>

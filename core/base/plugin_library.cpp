@@ -73,7 +73,7 @@ Result<PluginDescription> describe(const PluginKind& kind, const fs::path& file,
     if (!isPlainName(library) || !isPlainName(description.id) || !std::ranges::all_of(description.further, plain)) {
         std::string names = "\"id\", \"library\"";
         for (const std::string_view key : kind.furtherKeys) names += ", \"" + std::string(key) + "\"";
-        return invalid(file, names + " must be names without a folder");
+        return invalid(file, names + " must be file names without a folder");
     }
     description.library = file.parent_path() / library;
     return description;

@@ -5,7 +5,6 @@
 #include "core/document/stores.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 

@@ -18,7 +18,7 @@ const char* columnOf(PathSource source) noexcept {
 }
 
 /// Whether a row can have the number: SQLite counts from 1 on.
-bool isNumber(PathSource source) noexcept {
+bool namesARow(PathSource source) noexcept {
     return source.id != 0 && source.id != std::numeric_limits<std::int64_t>::min();
 }
 
@@ -46,7 +46,7 @@ Result<SetupId> setupOf(Database& database, PathSource source) {
 Result<void> requireSources(Database& database, const StoredPath& path) {
     if (Result<void> known = requireSetup(database, path.setup); !known) return known;
     for (const PathSource source : path.sources) {
-        if (!isNumber(source)) return unknownSource(source);
+        if (!namesARow(source)) return unknownSource(source);
         const Result<SetupId> setup = setupOf(database, source);
         if (!setup) return setup.error();
         if (*setup != path.setup)
@@ -79,7 +79,7 @@ Result<void> loadParts(Database& database, StoredPath& path) {
     if (Result<void> read = forEachRow(*sources,
                                        [&]() -> Result<void> {
                                            path.sources.push_back({sources->integer(0)});
-                                           if (isNumber(path.sources.back())) return {};
+                                           if (namesARow(path.sources.back())) return {};
                                            return damaged(database, "path " + path.name + ", sources");
                                        });
         !read)

@@ -3,6 +3,7 @@
 #include "core/job/bench_boundaries.h"
 
 #include "core/geometry/frame_along.h"
+#include "core/geometry/upright.h"
 #include "core/haptics/boundary/fixed_axis_boundary.h"
 #include "core/haptics/boundary/mesh_boundary.h"
 #include "core/haptics/boundary/turned_field.h"
@@ -14,13 +15,11 @@ namespace burin {
 
 namespace {
 
-constexpr glm::dvec3 upright(0.0, 0.0, 1.0);
-
 using Field = std::shared_ptr<const ClearanceField>;
 
 Result<Field> fieldFor(const Bench& bench, const Tool& tool, const glm::dvec3& axis, double maximumAllowance,
                        Progress& progress) {
-    if (axis == upright || bench.model->bodies.empty()) {
+    if (axis == uprightAxis || bench.model->bodies.empty()) {
         Result<std::unique_ptr<const ClearanceField>> field = clearanceField(bench, tool, maximumAllowance, progress);
         if (!field) return std::move(field).error();
         return Field(std::move(*field));
@@ -78,7 +77,7 @@ std::vector<BoundLayer> namesOf(const Surroundings& surroundings) {
 Surroundings surroundingsOf(const Bench& bench, const TravelPlacement& placement, const AxisMode& axis) {
     Surroundings surroundings;
     surroundings.obstacles = bench.obstacles;
-    if (!axis.free && axis.direction == upright)
+    if (!axis.free && axis.direction == uprightAxis)
         surroundings.envelope = travelEnvelope(bench.machine, placement, bench.setup.workOffset);
     return surroundings;
 }
@@ -139,7 +138,7 @@ Result<ToolBounds> ToolBounds::grow(const Bench& bench, std::shared_ptr<const Me
         return build(bench, tool, axis, surroundings, maximumAllowance, progress);
     Result<ToolBounds> bounds = withoutField(bench, tool, axis, surroundings);
     if (!bounds) return bounds;
-    const Seen seen{std::move(part), axis.direction == upright ? glm::dmat3(1.0) : frameAlong(axis.direction)};
+    const Seen seen{std::move(part), axis.direction == uprightAxis ? glm::dmat3(1.0) : frameAlong(axis.direction)};
     if (Result<void> laid = bounds->lay(bench, seen, tool, maximumAllowance, limits, progress); !laid)
         return std::move(laid).error();
     constexpr double patience = 0.3; // s
@@ -155,7 +154,7 @@ Result<ToolBounds> ToolBounds::asGrown(const Bench& bench, const Tool& tool, con
     const TracedSession::Growth growth = trace.began->growth.value();
     Result<ToolBounds> bounds = withoutField(bench, tool, axis, surroundings);
     if (!bounds) return bounds;
-    const Seen seen{lent(bench.part), axis.direction == upright ? glm::dmat3(1.0) : frameAlong(axis.direction)};
+    const Seen seen{lent(bench.part), axis.direction == uprightAxis ? glm::dmat3(1.0) : frameAlong(axis.direction)};
     if (Result<void> laid = bounds->lay(bench, seen, tool, growth.maximumAllowance, {}, progress); !laid)
         return std::move(laid).error();
     if (growth.whole) {

@@ -81,6 +81,14 @@ Result<std::vector<MilledPath>> evaluateEach(const Bench& bench, std::vector<Pat
     return milled;
 }
 
+/// Takes, and behind them what planners made.
+Result<std::vector<SourceInfo>> withGenerated(const Project& project, const Result<std::vector<TakeInfo>>& takes) {
+    if (!takes) return takes.error();
+    const Result<std::vector<GeneratedInfo>> generated = project.generated();
+    if (!generated) return generated.error();
+    return sourcesOf(*takes, *generated);
+}
+
 } // namespace
 
 std::vector<std::string> toolsOf(const std::vector<SourceInfo>& sources) {
@@ -145,11 +153,7 @@ std::vector<SourceInfo> sourcesOf(const std::vector<TakeInfo>& takes, const std:
 }
 
 Result<std::vector<SourceInfo>> sourcesOf(const Project& project) {
-    const Result<std::vector<TakeInfo>> takes = project.takes();
-    if (!takes) return takes.error();
-    const Result<std::vector<GeneratedInfo>> generated = project.generated();
-    if (!generated) return generated.error();
-    return sourcesOf(*takes, *generated);
+    return withGenerated(project, project.takes());
 }
 
 Result<std::vector<TakeInfo>> standingTakes(const Project& project) {
@@ -168,11 +172,7 @@ Result<std::vector<TakeInfo>> standingTakes(const Project& project) {
 }
 
 Result<std::vector<SourceInfo>> standingSources(const Project& project) {
-    const Result<std::vector<TakeInfo>> takes = standingTakes(project);
-    if (!takes) return takes.error();
-    const Result<std::vector<GeneratedInfo>> generated = project.generated();
-    if (!generated) return generated.error();
-    return sourcesOf(*takes, *generated);
+    return withGenerated(project, standingTakes(project));
 }
 
 void addNewerTakes(StoredPath& path, const std::vector<SourceInfo>& sources) {

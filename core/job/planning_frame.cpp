@@ -3,14 +3,12 @@
 #include "core/job/planning_frame.h"
 
 #include "core/geometry/frame_along.h"
+#include "core/geometry/upright.h"
 
 namespace burin {
 
 PlanningFrame::PlanningFrame(const Bench& bench, const ClearanceField& field, const glm::dvec3& axis)
-    : upright_(axis == glm::dvec3(0.0, 0.0, 1.0))
-    , turn_(frameAlong(axis))
-    , setupField_(&field)
-    , seenField_(field, turn_) {
+    : upright_(axis == uprightAxis), turn_(frameAlong(axis)), setupField_(&field), seenField_(field, turn_) {
     if (upright_) {
         stock_ = bench.setup.stock;
         part_ = bench.model->box();

@@ -170,12 +170,10 @@ const Tool* CheckedProgram::toolNumbered(int number) const noexcept {
 
 namespace {
 
-Result<SourceStrokes> takeStrokesOf(const Project& project, PathSource source) {
-    const Result<TakeOutline> take = project.takeOutline(source.id);
-    if (!take) return take.error();
-    StrokeReader reader(*take);
+Result<SourceStrokes> takeStrokesOf(const Project& project, const TakeOutline& take) {
+    StrokeReader reader(take);
     Result<void> read =
-        project.visitSamples(source.id, [&reader](std::span<const Sample> part) { return reader.add(part); });
+        project.visitSamples(take.info.id, [&reader](std::span<const Sample> part) { return reader.add(part); });
     if (!read) return std::move(read).error();
     return reader.finish();
 }
@@ -186,35 +184,46 @@ Result<SourceStrokes> generatedStrokesOf(const Project& project, PathSource sour
     return strokesOf(*moves);
 }
 
-/// Samples and points that a path is made of, as many as memory is needed for.
-Result<std::uint64_t> placesOf(const Project& project, const StoredPath& path) {
+/// Takes that a path is made of, in its order.
+Result<std::vector<TakeOutline>> outlinesOf(const Project& project, const StoredPath& path) {
+    std::vector<TakeOutline> outlines;
+    for (const std::int64_t id : takesOf(path.sources)) {
+        Result<TakeOutline> take = project.takeOutline(id);
+        if (!take) return std::move(take).error();
+        outlines.push_back(std::move(*take));
+    }
+    return outlines;
+}
+
+/// Points that planners made for a path.
+Result<std::uint64_t> generatedPoints(const Project& project, const StoredPath& path) {
     const Result<std::vector<GeneratedInfo>> generated = project.generated();
     if (!generated) return generated.error();
-    std::uint64_t places = 0;
-    for (const PathSource source : path.sources) {
+    std::uint64_t points = 0;
+    for (const PathSource source : path.sources)
         if (const auto made = std::ranges::find(*generated, source.id, &GeneratedInfo::id); made != generated->end())
-            places += made->pointCount;
-        if (!source.isTake()) continue;
-        const Result<TakeOutline> take = project.takeOutline(source.id);
-        if (!take) return take.error();
-        places += take->info.sampleCount - take->info.undoneCount;
-    }
-    return places;
+            points += made->pointCount;
+    return points;
 }
 
 } // namespace
 
 Result<std::vector<SourceStrokes>> strokesOf(const Project& project, const StoredPath& path) {
-    const Result<std::uint64_t> samples = placesOf(project, path);
-    if (!samples) return samples.error();
-    if (Result<void> fits = needMemory(memorySubject(path, *samples).c_str(),
-                                       bytesPerSample * static_cast<double>(*samples), MemoryRemedy::fewerTakes);
+    const Result<std::vector<TakeOutline>> takes = outlinesOf(project, path);
+    if (!takes) return takes.error();
+    const Result<std::uint64_t> points = generatedPoints(project, path);
+    if (!points) return points.error();
+    std::uint64_t samples = *points;
+    for (const TakeOutline& take : *takes) samples += take.info.sampleCount - take.info.undoneCount;
+    if (Result<void> fits = needMemory(memorySubject(path, samples).c_str(),
+                                       bytesPerSample * static_cast<double>(samples), MemoryRemedy::fewerTakes);
         !fits)
         return std::move(fits).error();
     std::vector<SourceStrokes> strokes;
+    auto take = takes->begin();
     for (const PathSource source : path.sources) {
         Result<SourceStrokes> made =
-            source.isTake() ? takeStrokesOf(project, source) : generatedStrokesOf(project, source);
+            source.isTake() ? takeStrokesOf(project, *take++) : generatedStrokesOf(project, source);
         if (!made) return std::move(made).error();
         strokes.push_back(std::move(*made));
     }

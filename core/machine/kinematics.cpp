@@ -8,19 +8,12 @@
 
 namespace burin {
 
-namespace {
-
-/// A tool is upright that leans by no more, rad: what turning a frame there and back leaves of an axis. It moves a
-/// point 200 mm above the tip by 0.000002 mm.
-constexpr double upright = 1e-8;
-
-} // namespace
-
 Result<AxisValues> ThreeAxes::axesOf(const ToolPose& pose) const {
-    const double tilt = std::atan2(std::hypot(pose.axis.x, pose.axis.y), pose.axis.z);
-    if (!(tilt <= upright))
+    if (!isUpright(pose.axis)) {
+        const double tilt = std::atan2(std::hypot(pose.axis.x, pose.axis.y), pose.axis.z);
         return Error{ErrorCode::programLimit, "tilt of the tool axis",
                      formatFixed(tilt * 180.0 / pi, 6) + "°, limit 0°", ""};
+    }
     return AxisValues(pose.tip - zero_);
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/geometry/pose.h"
+#include "core/geometry/upright.h"
 #include "core/machine/axis_values.h"
 #include "core/machine/machine_profile.h"
 
@@ -35,9 +36,7 @@ public:
 
     AxisSet axes() const noexcept override { return linearAxes; }
     Result<AxisValues> axesOf(const ToolPose& pose) const override;
-    ToolPose poseOf(const AxisValues& values) const noexcept override {
-        return {values.linear() + zero_, glm::dvec3(0.0, 0.0, 1.0)};
-    }
+    ToolPose poseOf(const AxisValues& values) const noexcept override { return {values.linear() + zero_, uprightAxis}; }
 
 private:
     glm::dvec3 zero_;

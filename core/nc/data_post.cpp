@@ -75,7 +75,7 @@ private:
             if (!dialect_.coolant[indexOf(section.coolant)])
                 return Error{ErrorCode::notSupported, "this coolant for " + dialect_.name, "", ""};
             if (!std::ranges::all_of(section.moves, [](const NcMove& move) { return move.target.onlyLinear(); }))
-                return Error{ErrorCode::notSupported, "axes besides X, Y and Z", "", ""};
+                return Error{ErrorCode::notSupported, "axes other than X, Y and Z", "", ""};
         }
         return {};
     }

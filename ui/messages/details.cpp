@@ -258,7 +258,7 @@ constexpr std::array details{
     BURIN_TEXT("Detail", "\"interface_version\" has to be a whole number"),
     BURIN_TEXT("Detail", "\"kind\" has to be \"%1\""),
     BURIN_TEXT("Detail", "id \"%1\" is taken already"),
-    BURIN_TEXT("Detail", "%1 must be names without a folder"),
+    BURIN_TEXT("Detail", "%1 must be file names without a folder"),
     BURIN_TEXT("Detail", "unknown reason"),
     BURIN_TEXT("Detail", "its entry point threw"),
     BURIN_TEXT("Detail", "its entry point gave nothing"),

@@ -59,7 +59,7 @@ constexpr std::array subjects{
     // what this version can't do
     BURIN_TEXT("Subject", "the virtual operator with this kind of tool"),
     BURIN_TEXT("Subject", "tilted tool axis"),
-    BURIN_TEXT("Subject", "axes besides X, Y and Z"),
+    BURIN_TEXT("Subject", "axes other than X, Y and Z"),
     BURIN_TEXT("Subject", "a program with a tool change"),
     BURIN_TEXT("Subject", "a restart of a program that sets its own zero"),
     BURIN_TEXT("Subject", "a restart over a change of the path mode (G61, G64)"),

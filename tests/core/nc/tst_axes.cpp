@@ -190,7 +190,7 @@ private slots:
         const Result<std::string> refused = writeProgram(program, machine, DataPost(dialect), progress);
         QVERIFY(!refused);
         QCOMPARE(refused.error().code, ErrorCode::notSupported);
-        QCOMPARE(refused.error().subject, std::string("axes besides X, Y and Z"));
+        QCOMPARE(refused.error().subject, std::string("axes other than X, Y and Z"));
     }
 };
 
