@@ -186,7 +186,7 @@ Result<Around> aroundOf(const Project& project) {
 std::string machineFor(const Project& project, const std::string& asked, CommandContext& context) {
     if (!asked.empty()) return asked;
     const Result<ProgramTarget> target = project.programTarget();
-    if (!target) return {}; // whoever makes the bench meets the same error
+    if (!target) return {}; // whoever makes the milling context meets the same error
     const Result<MachineProfile> machine = loadMachine(target->machine);
     if (machine || machine.error().code != ErrorCode::nameUnknown) return target->machine;
     context.message(worded(BURIN_TEXT("Command", "The project's machine \"%1\" is not on this computer; \"%2\" is used "

@@ -5,7 +5,7 @@
 #include "app/command_line.h"
 #include "core/base/progress.h"
 #include "core/document/project.h"
-#include "core/job/bench_boundaries.h"
+#include "core/job/tool_bounds.h"
 
 #include <nlohmann/json.hpp>
 

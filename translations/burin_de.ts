@@ -5667,7 +5667,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
-    <name>burin::BenchController</name>
+    <name>burin::WorkpieceController</name>
     <message>
         <source>Embedding the part</source>
         <translation>Teil wird eingebettet</translation>

@@ -38,8 +38,8 @@ struct DemoArguments {
 
 /// What the demo leaves behind, for the answer and the report.
 struct DemoResult {
-    Bench bench;
-    OperatorOutcome milling;
+    MillingContext milling;
+    OperatorOutcome milled;
     EvaluatedPath path;
     CheckedProgram program;
 };
@@ -92,8 +92,8 @@ Result<ProjectChange> makeProject(const DemoArguments& arguments, const Tool& to
 /// The whole job on a project. Errors: those of its stages.
 Result<DemoResult> work(Project& project, const Tool& tool, const DemoArguments& arguments, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Embedding"));
-    Result<Bench> bench = makeBench(project, tool, arguments.machine, context.progress());
-    if (!bench) return std::move(bench).error();
+    Result<MillingContext> milling = makeMillingContext(project, tool, arguments.machine, context.progress());
+    if (!milling) return std::move(milling).error();
     context.stage(BURIN_TEXT("Command", "Computing the tool's boundary"));
     OperatorRequest request;
     request.timeLimit = arguments.seconds;
@@ -104,35 +104,35 @@ Result<DemoResult> work(Project& project, const Tool& tool, const DemoArguments&
     request.finishingStepOver = tool.cutter.diameter / 17.0;
     request.seed = arguments.seed;
     request.saves = false; // with everything else, at the end
-    const auto field = clearanceField(*bench, request.allowance, context.progress());
+    const auto field = clearanceField(*milling, request.allowance, context.progress());
     if (!field) return field.error();
     context.stage(BURIN_TEXT("Command", "Milling"));
-    Result<OperatorOutcome> milling =
-        millWithOperator(project, *bench, ToolBounds::borrowing(**field), request, context.progress().cancelFlag());
-    if (!milling) return std::move(milling).error();
+    Result<OperatorOutcome> milled =
+        millWithOperator(project, *milling, ToolBounds::borrowing(**field), request, context.progress().cancelFlag());
+    if (!milled) return std::move(milled).error();
 
     context.stage(BURIN_TEXT("Command", "Editing"));
     Result<StoredPath> stored = standardPath(project, tool.id);
     if (!stored) return std::move(stored).error();
     const Result<std::int64_t> id = project.addPath(*stored);
     if (!id) return id.error();
-    Result<EvaluatedPath> path = evaluateStored(project, *bench, *stored, context.progress());
+    Result<EvaluatedPath> path = evaluateStored(project, *milling, *stored, context.progress());
     if (!path) return std::move(path).error();
 
     context.stage(BURIN_TEXT("Command", "Posting and checking"));
     ProgramRequest post;
     post.name = "demo.ngc";
     post.gougeTolerance = arguments.tolerance;
-    Result<CheckedProgram> program = makeProgram(*bench, path->path, post, context.progress());
+    Result<CheckedProgram> program = makeProgram(*milling, path->path, post, context.progress());
     if (!program) return std::move(program).error();
-    return DemoResult{std::move(*bench), std::move(*milling), std::move(*path), std::move(*program)};
+    return DemoResult{std::move(*milling), std::move(*milled), std::move(*path), std::move(*program)};
 }
 
 json jsonOf(const DemoResult& result) {
     json answer = burin::jsonOf(result.program.report);
     std::uint64_t ticks = 0, samples = 0, shank = 0;
     double removed = 0.0, drop = 0.0, p50 = 0.0, p999 = 0.0, cpuP999 = 0.0, wall = 0.0, simulated = 0.0;
-    for (const TakeOutcome& take : result.milling.takes) {
+    for (const TakeOutcome& take : result.milled.takes) {
         ticks += take.loop.ticks;
         samples += take.samples;
         shank += take.shankTicks;
@@ -158,15 +158,15 @@ json jsonOf(const DemoResult& result) {
     answer["blocks"] = result.program.parsed.blocks;
     answer["edits"] = burin::jsonOf(result.path.reports);
     answer["error_budget_mm"] = result.path.errorBudget;
-    answer["work_offset_mm"] = burin::jsonOf(result.bench.setup.workOffset);
-    answer["tool"] = burin::jsonOf(result.bench.tool);
-    answer["voxel_mm"] = result.bench.setup.voxel;
-    answer["part_volume_mm3"] = result.bench.embedded.partVolume;
-    answer["model_volume_mm3"] = result.bench.model->volume();
-    answer["stock_volume_mm3"] = result.bench.embedded.stockVolume;
-    answer["levels_mm"] = result.milling.plan.levels;
-    answer["step_over_mm"] = result.milling.plan.finishingStepOver;
-    answer["truncated"] = result.milling.plan.truncated;
+    answer["work_offset_mm"] = burin::jsonOf(result.milling.setup.workOffset);
+    answer["tool"] = burin::jsonOf(result.milling.tool);
+    answer["voxel_mm"] = result.milling.setup.voxel;
+    answer["part_volume_mm3"] = result.milling.embedded.partVolume;
+    answer["model_volume_mm3"] = result.milling.model->volume();
+    answer["stock_volume_mm3"] = result.milling.embedded.stockVolume;
+    answer["levels_mm"] = result.milled.plan.levels;
+    answer["step_over_mm"] = result.milled.plan.finishingStepOver;
+    answer["truncated"] = result.milled.plan.truncated;
     return answer;
 }
 
@@ -188,8 +188,8 @@ glm::dvec3 placeToShow(const Path& path) {
 Result<StagedFile> drawResult(const DemoResult& result, const PictureOptions& options, const fs::path& file) {
     PictureContent content;
     content.workpiece = result.program.machined;
-    content.part = result.bench.model;
-    content.tool = result.bench.tool;
+    content.part = result.milling.model;
+    content.tool = result.milling.tool;
     content.pose.tip = placeToShow(result.path.path);
     const Result<std::string> png = pictureOf(std::move(content), options);
     if (!png) return png.error();
@@ -264,7 +264,7 @@ int runDemo(const DemoArguments& arguments, CommandContext& context) {
                                : worded(BURIN_TEXT("Command", "program  refused, %1 blocks"), {blocks})) +
                        "\n" + line(BURIN_TEXT("Command", "picture  %1"), "picture") +
                        line(BURIN_TEXT("Command", "report   %1"), "report") +
-                       textOf(result->program, arguments.tolerance, result->bench.machine));
+                       textOf(result->program, arguments.tolerance, result->milling.machine));
     return passed ? 0 : static_cast<int>(ErrorClass::checkFailed);
 }
 

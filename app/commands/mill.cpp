@@ -82,7 +82,7 @@ std::string textOf(const TakeOutcome& outcome, const ToolBounds& bounds) {
 struct MillWork {
     const MillArguments& arguments;
     Project& project;
-    Bench& bench;
+    MillingContext& milling;
     const ToolBounds& bounds;
     CommandContext& context;
     Pace pace;
@@ -143,7 +143,7 @@ Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std:
     TakeRequest request;
     request.name = name;
     request.allowance = work.arguments.allowance.value_or(0.0);
-    request.mapping = mappingFor(work.bench, stylus.device().description());
+    request.mapping = mappingFor(work.milling, stylus.device().description());
     request.pace = work.pace;
     request.cutsOnButton = cutsOnButton;
     request.period = 1.0 / work.arguments.rate;
@@ -156,7 +156,7 @@ Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std:
     if (replayed != nullptr)
         if (Result<void> asThen = playAgain(*replayed, work, request); !asThen) return std::move(asThen).error();
     Result<TakeOutcome> outcome =
-        recordTake(work.project, work.bench, work.bounds, stylus, request, work.context.progress().cancelFlag());
+        recordTake(work.project, work.milling, work.bounds, stylus, request, work.context.progress().cancelFlag());
     if (!outcome) return std::move(outcome).error();
     return std::vector<TakeOutcome>{std::move(*outcome)};
 }
@@ -216,26 +216,26 @@ Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
     request.pace = work.pace;
     request.saves = false;
     Result<OperatorOutcome> outcome =
-        millWithOperator(work.project, work.bench, work.bounds, request, work.context.progress().cancelFlag());
+        millWithOperator(work.project, work.milling, work.bounds, request, work.context.progress().cancelFlag());
     if (!outcome) return std::move(outcome).error();
     work.answer["levels_mm"] = outcome->plan.levels;
     return std::move(outcome->takes);
 }
 
 /// What bounds the tool, as the project has it or the arguments say otherwise. A hand need not wait for all of it.
-Result<ToolBounds> boundsFor(const Project& project, const Bench& bench, const MillArguments& arguments,
+Result<ToolBounds> boundsFor(const Project& project, const MillingContext& milling, const MillArguments& arguments,
                              const SessionTrace* played, Progress& progress) {
     const Result<AxisMode> axis = arguments.axis.empty() ? project.axisMode() : axisModeOf(arguments.axis);
     if (!axis) return axis.error();
     const Result<TravelPlacement> travel = project.travelPlacement();
     if (!travel) return travel.error();
-    const Surroundings surroundings = surroundingsOf(bench, *travel, *axis);
+    const Surroundings surroundings = surroundingsOf(milling, *travel, *axis);
     if (played != nullptr && played->began && played->began->growth && !axis->free)
-        return ToolBounds::asGrown(bench, bench.tool, *axis, surroundings, *played, progress);
+        return ToolBounds::asGrown(milling, milling.tool, *axis, surroundings, *played, progress);
     const double allowance = std::max(arguments.allowance.value_or(arguments.hand.allowance), 0.5);
     if (!arguments.stylus.starts_with(devicePrefix))
-        return ToolBounds::build(bench, bench.tool, *axis, surroundings, allowance, progress);
-    return ToolBounds::grow(bench, lent(bench.part), bench.tool, *axis, surroundings, allowance, {}, progress);
+        return ToolBounds::build(milling, milling.tool, *axis, surroundings, allowance, progress);
+    return ToolBounds::grow(milling, lent(milling.part), milling.tool, *axis, surroundings, allowance, {}, progress);
 }
 
 /// Saves what was milled, and the trace with it: both or neither.
@@ -272,21 +272,21 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     if (!project) return context.fail(project.error());
     const Result<Tool> tool = toolFor(*project, arguments.tool);
     if (!tool) return context.fail(tool.error());
-    Result<Bench> bench =
-        makeBench(*project, *tool, machineFor(*project, arguments.machine, context), context.progress());
-    if (!bench) return context.fail(bench.error());
-    if (const std::string refusal = unprotected(bench->embedded); !refusal.empty() && !arguments.overrides) {
-        const std::vector<std::string> doubts = doubtsOf(*bench->model, bench->embedded);
+    Result<MillingContext> milling =
+        makeMillingContext(*project, *tool, machineFor(*project, arguments.machine, context), context.progress());
+    if (!milling) return context.fail(milling.error());
+    if (const std::string refusal = unprotected(milling->embedded); !refusal.empty() && !arguments.overrides) {
+        const std::vector<std::string> doubts = doubtsOf(*milling->model, milling->embedded);
         context.answer({{"takes", json::array()}, {"part_warnings", doubts}},
                        worded(BURIN_TEXT("Command", "nothing was milled")) +
-                           textOfDoubts(*bench->model, bench->embedded));
+                           textOfDoubts(*milling->model, milling->embedded));
         context.message(refusal);
         return static_cast<int>(ErrorClass::checkFailed);
     }
     const Result<std::vector<TakeInfo>> before = project->takes();
     if (!before) return context.fail(before.error());
     const bool fresh = before->empty();
-    if (const Result<void> replayed = replayTakes(*project, *bench, context.progress()); !replayed)
+    if (const Result<void> replayed = replayTakes(*project, *milling, context.progress()); !replayed)
         return context.fail(replayed.error());
 
     std::optional<OpenedSessionTrace> played;
@@ -298,14 +298,14 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
 
     context.stage(BURIN_TEXT("Command", "Computing the tool's boundary"));
     const Result<ToolBounds> bounds =
-        boundsFor(*project, *bench, arguments, played ? &played->session : nullptr, context.progress());
+        boundsFor(*project, *milling, arguments, played ? &played->session : nullptr, context.progress());
     if (!bounds) return context.fail(bounds.error());
 
     context.stage(BURIN_TEXT("Command", "Milling"));
     json answer;
     std::optional<StagedFile> trace;
     const auto outcome =
-        millAsAsked({arguments, *project, *bench, *bounds, context, arguments.realtime ? Pace::realtime : Pace::fast,
+        millAsAsked({arguments, *project, *milling, *bounds, context, arguments.realtime ? Pace::realtime : Pace::fast,
                      answer, trace, played ? &*played : nullptr});
     if (!outcome) {
         // What was recorded until somebody ended it is saved as if it had ended by itself.
@@ -318,9 +318,9 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     tellKeptEarlier(context, *project);
 
     const Box& travel = bounds->envelope().tips;
-    const std::vector<std::string> doubts = doubtsOf(*bench->model, bench->embedded);
+    const std::vector<std::string> doubts = doubtsOf(*milling->model, milling->embedded);
     answer.update({{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},
-                   {"tool", jsonOf(bench->tool)},
+                   {"tool", jsonOf(milling->tool)},
                    {"axis", jsonOf(bounds->axis())},
                    {"layers", jsonOf(bounds->layers())},
                    {"machine_travel_mm", travel.empty() ? json(nullptr) : jsonOf(travel)},
@@ -337,7 +337,7 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     }
     answer["samples"] = samples;
     answer["removed_mm3"] = removed;
-    context.answer(answer, text + textOfDoubts(*bench->model, bench->embedded));
+    context.answer(answer, text + textOfDoubts(*milling->model, milling->embedded));
     if (context.progress().cancelled()) return static_cast<int>(ErrorClass::cancelled);
     const bool idle = fresh && arguments.stylus == "operator" && arguments.intent == "passes" &&
                       !(arguments.seconds > 0.0) && !(removed > 0.0) && !arguments.overrides;

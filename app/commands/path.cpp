@@ -196,11 +196,11 @@ int show(const PathArguments& arguments, CommandContext& context) {
     if (!sources) return context.fail(sources.error());
     const Result<Tool> tool = toolFor(*project, toolOf(*stored, *sources));
     if (!tool) return context.fail(tool.error());
-    const Result<Bench> bench =
-        makeBench(*project, *tool, machineFor(*project, arguments.machine, context), context.progress());
-    if (!bench) return context.fail(bench.error());
+    const Result<MillingContext> milling =
+        makeMillingContext(*project, *tool, machineFor(*project, arguments.machine, context), context.progress());
+    if (!milling) return context.fail(milling.error());
     context.stage(BURIN_TEXT("Command", "Editing"));
-    const Result<EvaluatedPath> path = evaluateInJob(*project, *bench, *stored, context.progress());
+    const Result<EvaluatedPath> path = evaluateInJob(*project, *milling, *stored, context.progress());
     if (!path) return context.fail(path.error());
     json answer = jsonOf(*stored);
     answer["reports"] = burin::jsonOf(path->reports);

@@ -30,7 +30,8 @@ Result<Tool> anyTool(const Project& project) {
 }
 
 /// Errors: nameUnknown (a path), those of evaluateInJob.
-Result<std::vector<std::shared_ptr<const EvaluatedPath>>> evaluatedPaths(const Project& project, const Bench& bench,
+Result<std::vector<std::shared_ptr<const EvaluatedPath>>> evaluatedPaths(const Project& project,
+                                                                         const MillingContext& milling,
                                                                          const std::vector<std::int64_t>& wanted,
                                                                          Progress& progress) {
     const Result<std::vector<StoredPath>> paths = project.paths();
@@ -41,7 +42,7 @@ Result<std::vector<std::shared_ptr<const EvaluatedPath>>> evaluatedPaths(const P
     for (const std::int64_t id : wanted) {
         const auto found = std::ranges::find(*paths, id, &StoredPath::id);
         if (found == paths->end()) return Error{ErrorCode::nameUnknown, "path", std::to_string(id), known};
-        Result<EvaluatedPath> path = evaluateInJob(project, bench, *found, progress);
+        Result<EvaluatedPath> path = evaluateInJob(project, milling, *found, progress);
         if (!path) return std::move(path).error();
         evaluated.push_back(std::make_shared<const EvaluatedPath>(std::move(*path)));
     }
@@ -55,18 +56,19 @@ Result<PictureContent> contentOf(const ProjectPictureArguments& arguments, Comma
     if (!project) return project.error();
     const Result<Tool> tool = anyTool(*project);
     if (!tool) return tool.error();
-    Result<Bench> bench = makeBench(*project, *tool, machineFor(*project, {}, context), context.progress());
-    if (!bench) return std::move(bench).error();
+    Result<MillingContext> milling =
+        makeMillingContext(*project, *tool, machineFor(*project, {}, context), context.progress());
+    if (!milling) return std::move(milling).error();
     context.stage(BURIN_TEXT("Command", "Replaying the takes"));
-    if (const Result<void> replayed = replayTakes(*project, *bench, context.progress()); !replayed)
+    if (const Result<void> replayed = replayTakes(*project, *milling, context.progress()); !replayed)
         return replayed.error();
     context.stage(BURIN_TEXT("Command", "Editing"));
-    auto paths = evaluatedPaths(*project, *bench, arguments.paths, context.progress());
+    auto paths = evaluatedPaths(*project, *milling, arguments.paths, context.progress());
     if (!paths) return std::move(paths).error();
     PictureContent content;
-    content.workpiece = bench->embedded.workpiece.snapshot();
-    content.part = bench->model;
-    content.obstacles = bench->obstacles;
+    content.workpiece = milling->embedded.workpiece.snapshot();
+    content.part = milling->model;
+    content.obstacles = milling->obstacles;
     content.paths = std::move(*paths);
     return content;
 }

@@ -67,12 +67,12 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
         if (!matter) return context.fail(matter.error());
         matters.push_back(std::move(*matter));
     }
-    Result<Bench> bench = makeBench(**project, matters.front().tool, machineFor(**project, arguments.machine, context),
-                                    context.progress());
-    if (!bench) return context.fail(bench.error());
+    Result<MillingContext> milling = makeMillingContext(
+        **project, matters.front().tool, machineFor(**project, arguments.machine, context), context.progress());
+    if (!milling) return context.fail(milling.error());
 
     context.stage(BURIN_TEXT("Command", "Editing"));
-    const Result<EvaluatedPaths> edited = evaluateInOrder(*bench, std::move(matters), context.progress());
+    const Result<EvaluatedPaths> edited = evaluateInOrder(*milling, std::move(matters), context.progress());
     if (!edited) return context.fail(edited.error());
 
     context.stage(BURIN_TEXT("Command", "Posting and checking"));
@@ -80,11 +80,11 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     request.name = std::filesystem::path(arguments.output).filename().string();
     const Result<ProgramTarget> target = (*project)->programTarget();
     if (!target) return context.fail(target.error());
-    request.dialect = dialectFor(arguments.dialect, *target, bench->machine);
+    request.dialect = dialectFor(arguments.dialect, *target, milling->machine);
     request.gougeTolerance = arguments.tolerance;
     request.units = ncUnitsFromId(arguments.units).value_or(target->units);
     request.overrideReason = arguments.overrideReason;
-    const Result<CheckedProgram> program = makeProgram(*bench, edited->program, request, context.progress());
+    const Result<CheckedProgram> program = makeProgram(*milling, edited->program, request, context.progress());
     if (!program) return context.fail(program.error());
 
     nlohmann::json answer = jsonOf(program->report);
@@ -92,17 +92,18 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     answer["blocks"] = program->parsed.blocks;
     answer["edits"] = jsonOf(edited->reports);
     answer["error_budget_mm"] = edited->errorBudget;
-    answer["work_offset_mm"] = burin::jsonOf(bench->setup.workOffset);
-    answer["machine"] = jsonOf(bench->machine);
-    answer["tool"] = jsonOf(bench->tool);
+    answer["work_offset_mm"] = burin::jsonOf(milling->setup.workOffset);
+    answer["machine"] = jsonOf(milling->machine);
+    answer["tool"] = jsonOf(milling->tool);
     answer["tools"] = nlohmann::json::array();
     for (const Tool& tool : edited->program.tools) answer["tools"].push_back(jsonOf(tool));
     answer["passed"] = program->passed();
     answer["lint"] = jsonOf(program->lint);
-    const std::vector<std::string> doubts = doubtsOf(*bench->model, bench->embedded);
+    const std::vector<std::string> doubts = doubtsOf(*milling->model, milling->embedded);
     answer["part_warnings"] = doubts;
-    const std::string verdict = textOf(*program, arguments.tolerance, bench->machine) + textOfEntries(edited->reports) +
-                                textOfOmissions(edited->reports) + textOfDoubts(*bench->model, bench->embedded);
+    const std::string verdict = textOf(*program, arguments.tolerance, milling->machine) +
+                                textOfEntries(edited->reports) + textOfOmissions(edited->reports) +
+                                textOfDoubts(*milling->model, milling->embedded);
     answer["overridden"] = program->overridden;
     answer["slowed_moves"] = program->slowed;
     if (!program->released()) {
@@ -112,11 +113,11 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     }
     Result<StagedFile> output = StagedFile::containing(arguments.output, program->text);
     if (!output) return context.fail(output.error());
-    const StoredProgram kept{request.name, request.dialect, bench->machine.id, program->text,
+    const StoredProgram kept{request.name, request.dialect, milling->machine.id, program->text,
                              jsonOf(program->report).dump()};
     const Result<void> saved =
         inOrder([&] { return (*project)->addProgram(kept); },
-                [&] { return keepVerdict(**project, *program, bench->machine.id, request.units); },
+                [&] { return keepVerdict(**project, *program, milling->machine.id, request.units); },
                 [&] { return project->save(std::span(&*output, 1)); });
     if (!saved) {
         const QString standing = standingOutputs(std::span(&*output, 1));

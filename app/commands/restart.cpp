@@ -81,9 +81,9 @@ int runRestart(const RestartArguments& arguments, CommandContext& context) {
     Result<std::vector<Tool>> tools = toolsIn(*project);
     if (!tools) return context.fail(tools.error());
     const std::string& asked = arguments.machine.empty() ? interrupted->machine : arguments.machine;
-    const Result<Bench> bench =
-        makeBench(*project, tools->front(), machineFor(*project, asked, context), context.progress());
-    if (!bench) return context.fail(bench.error());
+    const Result<MillingContext> milling =
+        makeMillingContext(*project, tools->front(), machineFor(*project, asked, context), context.progress());
+    if (!milling) return context.fail(milling.error());
     const Result<ProgramTarget> target = project->programTarget();
     if (!target) return context.fail(target.error());
 
@@ -91,16 +91,16 @@ int runRestart(const RestartArguments& arguments, CommandContext& context) {
     ProgramRequest request;
     request.name = std::filesystem::path(arguments.output).filename().string();
     request.dialect =
-        dialectFor(arguments.dialect.empty() ? interrupted->dialect : arguments.dialect, *target, bench->machine);
+        dialectFor(arguments.dialect.empty() ? interrupted->dialect : arguments.dialect, *target, milling->machine);
     request.gougeTolerance = arguments.tolerance;
     request.units = ncUnitsFromId(arguments.units).value_or(interrupted->units);
     request.tools = std::move(*tools);
     Result<RestartedProgram> restart =
-        makeRestart(*bench, interrupted->text, arguments.line, request, context.progress());
+        makeRestart(*milling, interrupted->text, arguments.line, request, context.progress());
     if (!restart) return context.fail(restart.error());
     if (!restart->program.passed() && !arguments.overrideReason.empty()) {
         Result<CheckedProgram> overridden =
-            overrideCheck(std::move(restart->program), arguments.overrideReason, bench->machine);
+            overrideCheck(std::move(restart->program), arguments.overrideReason, milling->machine);
         if (!overridden) return context.fail(overridden.error());
         restart->program = std::move(*overridden);
     }
@@ -113,11 +113,11 @@ int runRestart(const RestartArguments& arguments, CommandContext& context) {
     answer["lead_mm"] = restart->lead;
     answer["re_entry_mm"] = jsonOf(restart->place);
     answer["blocks"] = program.parsed.blocks;
-    answer["machine"] = jsonOf(bench->machine);
+    answer["machine"] = jsonOf(milling->machine);
     answer["passed"] = program.passed();
     answer["overridden"] = program.overridden;
     answer["lint"] = jsonOf(program.lint);
-    const std::string verdict = textOf(*restart) + "\n" + textOf(program, arguments.tolerance, bench->machine);
+    const std::string verdict = textOf(*restart) + "\n" + textOf(program, arguments.tolerance, milling->machine);
     if (!program.released()) {
         context.answer(answer, verdict);
         context.message(notWritten(arguments.output));

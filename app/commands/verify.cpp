@@ -57,15 +57,15 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     if (!project) return context.fail(project.error());
     const Result<Tool> tool = chosenTool(*project, arguments.tool);
     if (!tool) return context.fail(tool.error());
-    const Result<Bench> bench =
-        makeBench(*project, *tool, machineFor(*project, arguments.machine, context), context.progress());
-    if (!bench) return context.fail(bench.error());
+    const Result<MillingContext> milling =
+        makeMillingContext(*project, *tool, machineFor(*project, arguments.machine, context), context.progress());
+    if (!milling) return context.fail(milling.error());
 
     context.stage(BURIN_TEXT("Command", "Checking"));
     const Result<ProgramTarget> target = project->programTarget();
     if (!target) return context.fail(target.error());
     ProgramRequest request;
-    request.dialect = dialectFor(arguments.dialect, *target, bench->machine);
+    request.dialect = dialectFor(arguments.dialect, *target, milling->machine);
     if (const auto known = loadDialect(request.dialect); !known) return context.fail(known.error());
     Result<std::vector<Tool>> tools = project->tools();
     if (!tools) return context.fail(tools.error());
@@ -76,12 +76,12 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     request.excessTolerance = arguments.excess.value_or(request.excessTolerance);
     const bool follows = arguments.excess ? *arguments.excess > 0.0 : isPosted(*text);
     if (follows) {
-        Result<std::vector<Path>> promised = promisedPaths(*project, *bench, context.progress());
+        Result<std::vector<Path>> promised = promisedPaths(*project, *milling, context.progress());
         if (!promised) return context.fail(promised.error());
         request.promised = std::make_shared<const std::vector<Path>>(std::move(*promised));
     }
     const Result<CheckedProgram> checked =
-        checkProgram(*bench, std::move(*text), arguments.program, request, context.progress());
+        checkProgram(*milling, std::move(*text), arguments.program, request, context.progress());
     if (!checked) return context.fail(checked.error());
 
     nlohmann::json answer = jsonOf(checked->report);
@@ -90,11 +90,11 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     answer["lint"] = jsonOf(checked->lint);
     answer["program"] = std::filesystem::absolute(arguments.program).lexically_normal().string();
     answer["blocks"] = checked->parsed.blocks;
-    answer["machine"] = jsonOf(bench->machine);
-    const std::vector<std::string> doubts = doubtsOf(*bench->model, bench->embedded);
+    answer["machine"] = jsonOf(milling->machine);
+    const std::vector<std::string> doubts = doubtsOf(*milling->model, milling->embedded);
     answer["part_warnings"] = doubts;
     answer["tool"] = jsonOf(checked->tools.front());
-    answer["work_offset_mm"] = burin::jsonOf(bench->setup.workOffset);
+    answer["work_offset_mm"] = burin::jsonOf(milling->setup.workOffset);
     if (!arguments.map.empty()) {
         DeviationTolerance tolerance;
         tolerance.gouge = arguments.tolerance;
@@ -104,8 +104,8 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
         answer["map_scale"] = jsonOf(DeviationScale(tolerance));
         answer["map"] = std::filesystem::absolute(arguments.map).lexically_normal().string();
     }
-    context.answer(answer, textOf(*checked, arguments.tolerance, bench->machine) +
-                               textOfDoubts(*bench->model, bench->embedded));
+    context.answer(answer, textOf(*checked, arguments.tolerance, milling->machine) +
+                               textOfDoubts(*milling->model, milling->embedded));
     return checked->passed() ? 0 : static_cast<int>(ErrorClass::checkFailed);
 }
 

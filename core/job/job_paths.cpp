@@ -62,7 +62,7 @@ bool comesAfter(const EvaluatedPath& path, const std::vector<MilledPath>& before
 }
 
 /// Paths in a given order, each on the stock as those before it leave it.
-Result<std::vector<MilledPath>> evaluateEach(const Bench& bench, std::vector<PathMatter> matters,
+Result<std::vector<MilledPath>> evaluateEach(const MillingContext& milling, std::vector<PathMatter> matters,
                                              const std::vector<std::size_t>& order, Progress& progress) {
     std::vector<MilledPath> milled;
     for (const std::size_t place : order) {
@@ -74,7 +74,7 @@ Result<std::vector<MilledPath>> evaluateEach(const Bench& bench, std::vector<Pat
             continue;
         }
         Result<EvaluatedPath> path =
-            evaluateStored(std::move(matter.sources), bench, matter.tool, matter.path, milled, progress);
+            evaluateStored(std::move(matter.sources), milling, matter.tool, matter.path, milled, progress);
         if (!path) return std::move(path).error();
         milled.push_back({std::make_shared<const EvaluatedPath>(std::move(*path)), matter.tool});
     }
@@ -238,9 +238,10 @@ Result<PathMatter> matterOf(const Project& project, const StoredPath& path) {
     return PathMatter{path, std::move(*strokes), std::move(*tool), nullptr};
 }
 
-Result<EvaluatedPaths> evaluateInOrder(const Bench& bench, std::vector<PathMatter> matters, Progress& progress) {
+Result<EvaluatedPaths> evaluateInOrder(const MillingContext& milling, std::vector<PathMatter> matters,
+                                       Progress& progress) {
     const std::vector<std::size_t> order = milledOrder(matters);
-    const Result<std::vector<MilledPath>> milled = evaluateEach(bench, std::move(matters), order, progress);
+    const Result<std::vector<MilledPath>> milled = evaluateEach(milling, std::move(matters), order, progress);
     if (!milled) return milled.error();
     EvaluatedPaths done;
     for (const MilledPath& each : *milled) {
@@ -254,7 +255,7 @@ Result<EvaluatedPaths> evaluateInOrder(const Bench& bench, std::vector<PathMatte
     return done;
 }
 
-Result<EvaluatedPath> evaluateInJob(const Project& project, const Bench& bench, const StoredPath& path,
+Result<EvaluatedPath> evaluateInJob(const Project& project, const MillingContext& milling, const StoredPath& path,
                                     Progress& progress) {
     const Result<std::vector<StoredPath>> paths = project.paths();
     if (!paths) return paths.error();
@@ -262,14 +263,14 @@ Result<EvaluatedPath> evaluateInJob(const Project& project, const Bench& bench, 
     if (!sources) return sources.error();
     const Result<std::vector<SourceInfo>> standing = standingSources(project);
     if (!standing) return standing.error();
-    const std::vector<std::string> milling = toolsOf(*standing);
+    const std::vector<std::string> millingTools = toolsOf(*standing);
     const std::string tool = toolOf(path, *sources);
     std::vector<PathMatter> matters;
     std::size_t wanted = 0;
-    for (const StoredPath& each : byFirstTake(firstPaths(*paths, *sources), *sources, milling)) {
+    for (const StoredPath& each : byFirstTake(firstPaths(*paths, *sources), *sources, millingTools)) {
         const std::string toolOfEach = toolOf(each, *sources);
         const bool itself = toolOfEach == tool;
-        if (!itself && std::ranges::find(milling, toolOfEach) == milling.end()) continue;
+        if (!itself && std::ranges::find(millingTools, toolOfEach) == millingTools.end()) continue;
         if (itself) wanted = matters.size();
         Result<PathMatter> matter = matterOf(project, itself ? path : each);
         if (!matter) return std::move(matter).error();
@@ -278,12 +279,12 @@ Result<EvaluatedPath> evaluateInJob(const Project& project, const Bench& bench, 
     if (matters.empty()) return withoutTake();
     std::vector<std::size_t> order = milledOrder(matters);
     order.erase(std::ranges::find(order, wanted) + 1, order.end());
-    const Result<std::vector<MilledPath>> milled = evaluateEach(bench, std::move(matters), order, progress);
+    const Result<std::vector<MilledPath>> milled = evaluateEach(milling, std::move(matters), order, progress);
     if (!milled) return milled.error();
     return *milled->back().evaluated;
 }
 
-Result<std::vector<Path>> promisedPaths(const Project& project, const Bench& bench, Progress& progress) {
+Result<std::vector<Path>> promisedPaths(const Project& project, const MillingContext& milling, Progress& progress) {
     const Result<std::vector<StoredPath>> paths = project.paths();
     if (!paths) return paths.error();
     const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
@@ -302,12 +303,12 @@ Result<std::vector<Path>> promisedPaths(const Project& project, const Bench& ben
         matters.push_back(std::move(*matter));
     }
     if (matters.empty()) return std::vector<Path>{};
-    Result<EvaluatedPaths> job = evaluateInOrder(bench, std::move(matters), progress);
+    Result<EvaluatedPaths> job = evaluateInOrder(milling, std::move(matters), progress);
     if (!job && job.error().code != ErrorCode::pathEmpty) return std::move(job).error();
     std::vector<Path> promised;
     if (job) promised = std::move(job->program.paths);
     for (const StoredPath& variant : variants) {
-        Result<EvaluatedPath> evaluated = evaluateInJob(project, bench, variant, progress);
+        Result<EvaluatedPath> evaluated = evaluateInJob(project, milling, variant, progress);
         if (!evaluated && evaluated.error().code != ErrorCode::pathEmpty) return std::move(evaluated).error();
         if (evaluated) promised.push_back(std::move(evaluated->path));
     }

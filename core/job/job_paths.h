@@ -78,16 +78,17 @@ struct EvaluatedPaths {
 /// Puts paths in order by orderPasses and evaluates each on the stock as those before it leave it.
 /// Errors: those of evaluateStored.
 /// @param matters moved from, where they may be
-Result<EvaluatedPaths> evaluateInOrder(const Bench& bench, std::vector<PathMatter> matters, Progress& progress);
+Result<EvaluatedPaths> evaluateInOrder(const MillingContext& milling, std::vector<PathMatter> matters,
+                                       Progress& progress);
 
 /// All paths of a project as the job mills them: those of the job, then their variants; what edits leave nothing of
 /// promises nothing.
 /// Errors: those of matterOf, evaluateInOrder and evaluateInJob.
-Result<std::vector<Path>> promisedPaths(const Project& project, const Bench& bench, Progress& progress);
+Result<std::vector<Path>> promisedPaths(const Project& project, const MillingContext& milling, Progress& progress);
 
 /// A path as the job mills it, behind those of the job's paths that come before it; in the stead of the job's own where
 /// it is a variant. Errors: those of matterOf and evaluateStored.
-Result<EvaluatedPath> evaluateInJob(const Project& project, const Bench& bench, const StoredPath& path,
+Result<EvaluatedPath> evaluateInJob(const Project& project, const MillingContext& milling, const StoredPath& path,
                                     Progress& progress);
 
 } // namespace burin

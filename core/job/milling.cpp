@@ -56,7 +56,7 @@ private:
 };
 
 /// Figures of a take out of the project: what is on the disk, not what was meant to be.
-Result<TakeOutcome> outcomeOf(const Project& project, const Bench& bench, std::int64_t id) {
+Result<TakeOutcome> outcomeOf(const Project& project, const MillingContext& milling, std::int64_t id) {
     const Result<TakeOutline> take = project.takeOutline(id);
     if (!take) return take.error();
     TakeFigures figures(take->undone);
@@ -65,15 +65,15 @@ Result<TakeOutcome> outcomeOf(const Project& project, const Bench& bench, std::i
         return {};
     });
     if (!read) return std::move(read).error();
-    TakeOutcome outcome = figures.outcome(bench.embedded.workpiece.grid());
+    TakeOutcome outcome = figures.outcome(milling.embedded.workpiece.grid());
     outcome.take = id;
     return outcome;
 }
 
 /// Grooves a hand would scribble into a block: a frame, then waves across it, at half the cutter's depth.
-std::vector<IntentPoint> freeHandGrooves(const Bench& bench) {
-    const Box& stock = bench.setup.stock;
-    const double radius = bench.tool.cutter.radius();
+std::vector<IntentPoint> freeHandGrooves(const MillingContext& milling) {
+    const Box& stock = milling.setup.stock;
+    const double radius = milling.tool.cutter.radius();
     const double depth = stock.high.z - radius, above = stock.high.z + std::max(1.0, radius);
     const HandSpeeds speeds;
     const double cutting = std::min(speeds.cutting, 20.0 * radius); // as long a look at a small block as at a large one
@@ -113,29 +113,29 @@ double roughingBending(const Tool& tool) {
 }
 
 /// The deepest cut of a width in the stock, as spindle and tool bear it and the tool itself states.
-double deepestCut(const Bench& bench, double width) {
-    const PropertyIndex stock = bench.embedded.stockProperty;
+double deepestCut(const MillingContext& milling, double width) {
+    const PropertyIndex stock = milling.embedded.stockProperty;
     const CuttingCoefficients::Entry law =
-        cuttingCoefficients(bench.embedded.workpiece.properties(), bench.tool.cutter.diameter).byProperty[stock];
+        cuttingCoefficients(milling.embedded.workpiece.properties(), milling.tool.cutter.diameter).byProperty[stock];
     const double borne =
-        bearableDepth(bench.tool, bench.conditions, law, bench.machine, {width, roughingBending(bench.tool)});
-    return bench.tool.maximumDepthOfCut > 0.0 ? std::min(borne, bench.tool.maximumDepthOfCut) : borne;
+        bearableDepth(milling.tool, milling.conditions, law, milling.machine, {width, roughingBending(milling.tool)});
+    return milling.tool.maximumDepthOfCut > 0.0 ? std::min(borne, milling.tool.maximumDepthOfCut) : borne;
 }
 
 /// The tool as the operator uses it in the stock.
-Tool operatedTool(const Bench& bench) {
-    Tool tool = bench.tool;
-    const double share = depthShare(bench.embedded.workpiece.properties()[bench.embedded.stockProperty]);
-    tool.maximumDepthOfCut = std::min(share * tool.cutter.diameter, deepestCut(bench, tool.cutter.diameter));
+Tool operatedTool(const MillingContext& milling) {
+    Tool tool = milling.tool;
+    const double share = depthShare(milling.embedded.workpiece.properties()[milling.embedded.stockProperty]);
+    tool.maximumDepthOfCut = std::min(share * tool.cutter.diameter, deepestCut(milling, tool.cutter.diameter));
     return tool;
 }
 
 /// What earlier takes have left of the stock, seen from above; nothing where it is complete.
-StandingStock standingStock(const Bench& bench) {
-    const RunVolume& workpiece = bench.embedded.workpiece;
+StandingStock standingStock(const MillingContext& milling) {
+    const RunVolume& workpiece = milling.embedded.workpiece;
     const Grid& grid = workpiece.grid();
     constexpr double untouched = 1e-6; // of its volume
-    if (grid.axis() != RunAxis::z || bench.workpieceVolume() > (1.0 - untouched) * bench.embedded.stockVolume)
+    if (grid.axis() != RunAxis::z || milling.workpieceVolume() > (1.0 - untouched) * milling.embedded.stockVolume)
         return {};
     StandingStock standing{glm::dvec2(grid.low()), grid.edge(), grid.lineCountU(), grid.lineCountV(), {}};
     for (std::int32_t v = 0; v < grid.lineCountV(); ++v)
@@ -150,11 +150,11 @@ StandingStock standingStock(const Bench& bench) {
     return standing;
 }
 
-Result<MillingPlan> planFor(const Bench& bench, const PlanningFrame& frame, const OperatorRequest& request,
+Result<MillingPlan> planFor(const MillingContext& milling, const PlanningFrame& frame, const OperatorRequest& request,
                             const OperatorSettings& hand, double scale) {
-    if (bench.model->bodies.empty()) {
+    if (milling.model->bodies.empty()) {
         MillingPlan plan;
-        plan.roughing = freeHandGrooves(bench);
+        plan.roughing = freeHandGrooves(milling);
         return plan;
     }
     MillingRequest wanted;
@@ -168,21 +168,22 @@ Result<MillingPlan> planFor(const Bench& bench, const PlanningFrame& frame, cons
     wanted.finishing.floor = frame.part().low.z;
     wanted.finishing.press = request.press;
     wanted.finishing.stepOver = request.finishingStepOver;
-    const Tool tool = operatedTool(bench);
+    const Tool tool = operatedTool(milling);
     constexpr double allowances = 2.0; // what the levels leave stands out further than the allowance
-    wanted.finishing.deepest = deepestCut(bench, std::max(allowances * request.allowance, 0.1 * tool.cutter.diameter));
+    wanted.finishing.deepest =
+        deepestCut(milling, std::max(allowances * request.allowance, 0.1 * tool.cutter.diameter));
     wanted.finishing.deepestBelow = tool.maximumDepthOfCut;
     wanted.motion = inSetup(hand.motion, scale);
     wanted.timeLimit = request.timeLimit;
-    if (frame.upright()) wanted.standing = standingStock(bench);
+    if (frame.upright()) wanted.standing = standingStock(milling);
     return planMilling(frame.field(), tool, wanted);
 }
 
 /// Where a hand without a plan moves: from a little above the stock down to its middle.
-Box freeRegion(const Bench& bench) {
-    Box region = bench.setup.stock;
+Box freeRegion(const MillingContext& milling) {
+    Box region = milling.setup.stock;
     region.high.z += travelHeight;
-    region.low.z = bench.setup.stock.centre().z;
+    region.low.z = milling.setup.stock.centre().z;
     return region;
 }
 
@@ -204,11 +205,11 @@ Box ledRegion(const Box& stock, const Tool& tool) {
 }
 
 /// What the operator means to do, and in which takes.
-Result<void> addStages(const Bench& bench, const PlanningFrame& frame, const OperatorRequest& request,
+Result<void> addStages(const MillingContext& milling, const PlanningFrame& frame, const OperatorRequest& request,
                        OperatorPlan& planned) {
-    const bool freeHand = bench.model->bodies.empty();
+    const bool freeHand = milling.model->bodies.empty();
     if (request.intent == OperatorIntent::scribble) {
-        ScribbleRequest scribble{.region = freeRegion(bench), .seconds = freeSeconds(request), .seed = request.seed};
+        ScribbleRequest scribble{.region = freeRegion(milling), .seconds = freeSeconds(request), .seed = request.seed};
         Result<std::vector<IntentPoint>> way = planScribble(scribble);
         if (!way) return std::move(way).error();
         planned.stages = {{BURIN_TEXT("Take", "scribble").text, std::move(*way), request.allowance}};
@@ -220,12 +221,12 @@ Result<void> addStages(const Bench& bench, const PlanningFrame& frame, const Ope
         contour.bottom = frame.part().low.z;
         contour.levelDepth = request.levelDepth;
         contour.press = request.press;
-        Result<std::vector<IntentPoint>> way = planContours(frame.field(), bench.tool, contour);
+        Result<std::vector<IntentPoint>> way = planContours(frame.field(), milling.tool, contour);
         if (!way) return std::move(way).error();
         planned.stages = {{BURIN_TEXT("Take", "contours").text, inSetupFrame(frame, *way), 0.0}};
         return {};
     }
-    Result<MillingPlan> plan = planFor(bench, frame, request, planned.hand, planned.mapping.scale);
+    Result<MillingPlan> plan = planFor(milling, frame, request, planned.hand, planned.mapping.scale);
     if (!plan) return std::move(plan).error();
     planned.plan = std::move(*plan);
     if (!freeHand) {
@@ -238,11 +239,11 @@ Result<void> addStages(const Bench& bench, const PlanningFrame& frame, const Ope
     return {};
 }
 
-HostileSettings hostility(const Bench& bench, const OperatorRequest& request) {
+HostileSettings hostility(const MillingContext& milling, const OperatorRequest& request) {
     HostileSettings settings;
     settings.stylus = touchLikeStylus();
-    const WorkspaceMapping mapping = mappingFor(bench, settings.stylus);
-    const Box region = freeRegion(bench);
+    const WorkspaceMapping mapping = mappingFor(milling, settings.stylus);
+    const Box region = freeRegion(milling);
     settings.region = {mapping.toDevice(region.low), mapping.toDevice(region.high)};
     settings.hand = request.hand;
     settings.seed = request.seed;
@@ -251,13 +252,13 @@ HostileSettings hostility(const Bench& bench, const OperatorRequest& request) {
 
 } // namespace
 
-WorkspaceMapping mappingFor(const Bench& bench, const StylusDescription& stylus) {
-    return mappingFor(ledRegion(bench.setup.stock, bench.tool), stylus);
+WorkspaceMapping mappingFor(const MillingContext& milling, const StylusDescription& stylus) {
+    return mappingFor(ledRegion(milling.setup.stock, milling.tool), stylus);
 }
 
-Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ToolBounds& bounds, const StylusHandle& stylus,
-                               const TakeRequest& request, const std::atomic<bool>& stop) {
-    const double volumeBefore = bench.workpieceVolume();
+Result<TakeOutcome> recordTake(Project& project, MillingContext& milling, const ToolBounds& bounds,
+                               const StylusHandle& stylus, const TakeRequest& request, const std::atomic<bool>& stop) {
+    const double volumeBefore = milling.workpieceVolume();
     SessionRequest session;
     session.allowance = request.allowance;
     session.mapping = request.mapping;
@@ -275,7 +276,7 @@ Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ToolBounds&
     session.flights = request.flights;
     StrokeHistory strokes;
     const Result<std::unique_ptr<MillingSession>> live =
-        MillingSession::begin(project, bench, bounds, stylus, strokes, session);
+        MillingSession::begin(project, milling, bounds, stylus, strokes, session);
     if (!live) return live.error();
     const auto tellFaults = [&] {
         while (const std::optional<Error> fault = (*live)->takeFault())
@@ -290,39 +291,40 @@ Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ToolBounds&
     if (!loop) return loop.error();
     if (request.saves)
         if (const Result<void> saved = project.save(); !saved) return saved.error();
-    Result<TakeOutcome> outcome = outcomeOf(project, bench, (*live)->take());
+    Result<TakeOutcome> outcome = outcomeOf(project, milling, (*live)->take());
     if (!outcome) return outcome;
     outcome->loop = *loop;
-    outcome->drop = volumeBefore - bench.workpieceVolume();
+    outcome->drop = volumeBefore - milling.workpieceVolume();
     outcome->layerTicks.assign(bounds.layers().size(), 0);
     if (SessionState last; (*live)->newest(last))
         std::ranges::transform(last.layers, outcome->layerTicks.begin(), &LayerNews::ticksHeld);
     return outcome;
 }
 
-Result<OperatorPlan> planOperator(const Bench& bench, const ToolBounds& bounds, const OperatorRequest& request) {
+Result<OperatorPlan> planOperator(const MillingContext& milling, const ToolBounds& bounds,
+                                  const OperatorRequest& request) {
     std::unique_ptr<const ClearanceField> ownField;
     if (bounds.field() == nullptr) {
         Progress unseen;
-        Result<std::unique_ptr<const ClearanceField>> made = clearanceField(bench, request.allowance, unseen);
+        Result<std::unique_ptr<const ClearanceField>> made = clearanceField(milling, request.allowance, unseen);
         if (!made) return std::move(made).error();
         ownField = std::move(*made);
     }
-    const PlanningFrame frame(bench, ownField ? *ownField : *bounds.field(),
+    const PlanningFrame frame(milling, ownField ? *ownField : *bounds.field(),
                               ownField ? AxisMode{}.direction : bounds.axis().direction);
     OperatorPlan planned;
     planned.hand.seed = request.seed;
     planned.hand.hand = request.hand;
     planned.mapping = frame.upright()
-                          ? mappingFor(bench, planned.hand.stylus)
-                          : mappingFor(frame.toSetup(ledRegion(frame.stock(), bench.tool)), planned.hand.stylus);
-    Result<void> made = addStages(bench, frame, request, planned);
+                          ? mappingFor(milling, planned.hand.stylus)
+                          : mappingFor(frame.toSetup(ledRegion(frame.stock(), milling.tool)), planned.hand.stylus);
+    Result<void> made = addStages(milling, frame, request, planned);
     if (!made) return std::move(made).error();
     std::erase_if(planned.stages, [](const OperatorStage& stage) { return stage.intent.empty(); });
     return planned;
 }
 
-Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const ToolBounds& bounds,
+Result<OperatorOutcome> millWithOperator(Project& project, MillingContext& milling, const ToolBounds& bounds,
                                          const OperatorRequest& request, const std::atomic<bool>& stop) {
     OperatorOutcome outcome;
     const auto record = [&](Stylus& stylus, const OperatorStage& stage, const WorkspaceMapping& mapping,
@@ -337,19 +339,19 @@ Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const T
         take.saves = request.saves;
         if (request.timeLimit > 0.0) take.maximumSeconds = request.timeLimit;
         if (request.intent == OperatorIntent::hostile) take.maximumSeconds = freeSeconds(request); // it never ends
-        Result<TakeOutcome> recorded = recordTake(project, bench, bounds, stylus, take, stop);
+        Result<TakeOutcome> recorded = recordTake(project, milling, bounds, stylus, take, stop);
         if (!recorded) return std::move(recorded).error();
         outcome.takes.push_back(*recorded);
         return {};
     };
     if (request.intent == OperatorIntent::hostile) {
-        HostileStylus stylus(hostility(bench, request));
-        const WorkspaceMapping mapping = mappingFor(bench, stylus.description());
+        HostileStylus stylus(hostility(milling, request));
+        const WorkspaceMapping mapping = mappingFor(milling, stylus.description());
         const OperatorStage stage{BURIN_TEXT("Take", "hostile hand").text, {}, request.allowance};
         if (Result<void> milled = record(stylus, stage, mapping, {}); !milled) return std::move(milled).error();
         return outcome;
     }
-    Result<OperatorPlan> planned = planOperator(bench, bounds, request);
+    Result<OperatorPlan> planned = planOperator(milling, bounds, request);
     if (!planned) return std::move(planned).error();
     for (const OperatorStage& stage : planned->stages) {
         VirtualOperator stylus(stage.intent, planned->mapping, planned->hand);

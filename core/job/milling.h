@@ -8,8 +8,8 @@
 #include "core/haptics/loop/servo_loop.h"
 #include "core/haptics/operator/virtual_operator.h"
 #include "core/haptics/trace/session_trace.h"
-#include "core/job/bench.h"
-#include "core/job/bench_boundaries.h"
+#include "core/job/milling_context.h"
+#include "core/job/tool_bounds.h"
 #include "core/passes/milling_plan.h"
 #include "core/passes/scripted_intents.h"
 
@@ -58,8 +58,8 @@ struct TakeOutcome {
 /// Mills with a stylus and records every tick into the project while it is made; saves the project at the end.
 /// Errors: those of the stylus, the servo loop, the recorder and Project::save; the file is as it was then, and what
 /// was recorded until then is kept as unsaved work.
-Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ToolBounds& bounds, const StylusHandle& stylus,
-                               const TakeRequest& request, const std::atomic<bool>& stop);
+Result<TakeOutcome> recordTake(Project& project, MillingContext& milling, const ToolBounds& bounds,
+                               const StylusHandle& stylus, const TakeRequest& request, const std::atomic<bool>& stop);
 
 /// What the virtual operator is asked to do.
 struct OperatorRequest {
@@ -104,15 +104,16 @@ struct OperatorPlan {
 
 /// Plans along the axis where it stands. Where it is free the operator holds its stylus upright; that takes a field of
 /// tips, which is made here. Errors: those of planMilling and clearanceField. Any thread; seconds.
-Result<OperatorPlan> planOperator(const Bench& bench, const ToolBounds& bounds, const OperatorRequest& request);
+Result<OperatorPlan> planOperator(const MillingContext& milling, const ToolBounds& bounds,
+                                  const OperatorRequest& request);
 
 /// Roughs in levels and finishes in parallel passes with a virtual hand, a take each. A model without bodies is cut in
 /// free-hand grooves instead (paper, figure 13 b). Errors: those of planMilling and recordTake; cancelled.
-Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const ToolBounds& bounds,
+Result<OperatorOutcome> millWithOperator(Project& project, MillingContext& milling, const ToolBounds& bounds,
                                          const OperatorRequest& request, const std::atomic<bool>& stop);
 
-/// The mapping that fits where a bench's tip may go into the workspace of a stylus; the same for the same project and
-/// tool, so that a trace means the same in every run.
-WorkspaceMapping mappingFor(const Bench& bench, const StylusDescription& stylus);
+/// The mapping that fits where a milling context's tip may go into the workspace of a stylus; the same for the same
+/// project and tool, so that a trace means the same in every run.
+WorkspaceMapping mappingFor(const MillingContext& milling, const StylusDescription& stylus);
 
 } // namespace burin

@@ -28,10 +28,10 @@ Error nothingToDo(const char* what, const char* needed) {
 
 } // namespace
 
-MillingSession::MillingSession(Project& project, Bench& bench, const ToolBounds& bounds, const StylusHandle& stylus,
-                               StrokeHistory& strokes, const SessionRequest& request)
+MillingSession::MillingSession(Project& project, MillingContext& milling, const ToolBounds& bounds,
+                               const StylusHandle& stylus, StrokeHistory& strokes, const SessionRequest& request)
     : project_(project)
-    , bench_(bench)
+    , milling_(milling)
     , stylus_(stylus)
     , strokes_(strokes)
     , allowance_(request.allowance)
@@ -40,11 +40,11 @@ MillingSession::MillingSession(Project& project, Bench& bench, const ToolBounds&
     , layerCount_(bounds.layers().size())
     , traceOutput_(request.traceOutput)
     , servo_(servoSettings(stylus, request))
-    , step_(bench.embedded.workpiece, bounds.boundaryLayers(), bench.tool,
-            hapticSettings(bench, bounds.axis(), stylus, request))
-    , loop_(step_, bench.embedded.workpiece, request.undoable, stop_)
+    , step_(milling.embedded.workpiece, bounds.boundaryLayers(), milling.tool,
+            hapticSettings(milling, bounds.axis(), stylus, request))
+    , loop_(step_, milling.embedded.workpiece, request.undoable, stop_)
     , faults_(stylus.device(), servo_.period, flightFolder(project, request),
-              idsOf(bench.embedded.workpiece.properties()), loop_) {}
+              idsOf(milling.embedded.workpiece.properties()), loop_) {}
 
 MillingSession::~MillingSession() {
     static_cast<void>(end());
@@ -131,15 +131,15 @@ Result<void> MillingSession::startRecording(const std::string& name) {
 }
 
 Result<void> MillingSession::beginTake(const std::string& name) {
-    if (Result<void> kept = project_.setTool(bench_.tool); !kept) return kept;
+    if (Result<void> kept = project_.setTool(milling_.tool); !kept) return kept;
     TakeInfo info;
     info.name = name;
-    info.toolId = bench_.tool.id;
+    info.toolId = milling_.tool.id;
     info.allowance = allowance_;
     info.tickPeriod = servo_.period;
     info.startedUnixTime = unixTime();
     info.stylus = stylus_.device().description().name;
-    info.materials = idsOf(bench_.embedded.workpiece.properties());
+    info.materials = idsOf(milling_.embedded.workpiece.properties());
     Result<Project::TakeWriter> writer = project_.beginTake(info);
     if (!writer) return std::move(writer).error();
     recorder_ = std::make_unique<Recorder>(loop_.samples(), std::move(*writer));
@@ -175,14 +175,14 @@ Result<void> MillingSession::changeWorkpiece(Change change) {
 
 Result<void> MillingSession::undoStroke() {
     collectStrokes();
-    if (!strokes_.canUndo() && !loop_.strokeUnderWay()) return strokes_.undo(project_, bench_.embedded.workpiece);
-    return changeWorkpiece([this] { return strokes_.undo(project_, bench_.embedded.workpiece); });
+    if (!strokes_.canUndo() && !loop_.strokeUnderWay()) return strokes_.undo(project_, milling_.embedded.workpiece);
+    return changeWorkpiece([this] { return strokes_.undo(project_, milling_.embedded.workpiece); });
 }
 
 Result<void> MillingSession::redoStroke() {
     collectStrokes();
-    if (!strokes_.canRedo()) return strokes_.redo(project_, bench_.embedded.workpiece);
-    return changeWorkpiece([this] { return strokes_.redo(project_, bench_.embedded.workpiece); });
+    if (!strokes_.canRedo()) return strokes_.redo(project_, milling_.embedded.workpiece);
+    return changeWorkpiece([this] { return strokes_.redo(project_, milling_.embedded.workpiece); });
 }
 
 /// What finds no room, as the loop stands or is late, is told later, in its order.
@@ -228,7 +228,7 @@ bool MillingSession::newest(SessionState& state) {
     TickNews news;
     if (!loop_.takeNews(news)) return false;
     makeRoom(news);
-    state = sessionState(news, figures_, layerCount_, bench_.embedded.workpiece.grid().unitVolume());
+    state = sessionState(news, figures_, layerCount_, milling_.embedded.workpiece.grid().unitVolume());
     return true;
 }
 
@@ -300,12 +300,12 @@ Result<LoopStatistics> MillingSession::end() {
     return outcome_;
 }
 
-Result<std::unique_ptr<MillingSession>> MillingSession::begin(Project& project, Bench& bench, const ToolBounds& bounds,
-                                                              const StylusHandle& stylus, StrokeHistory& strokes,
-                                                              const SessionRequest& request) {
+Result<std::unique_ptr<MillingSession>> MillingSession::begin(Project& project, MillingContext& milling,
+                                                              const ToolBounds& bounds, const StylusHandle& stylus,
+                                                              StrokeHistory& strokes, const SessionRequest& request) {
     if (Result<void> opened = stylus.device().open(); !opened) return std::move(opened).error();
     std::unique_ptr<MillingSession> session(
-        new MillingSession(project, bench, bounds, stylus, strokes, request)); // its constructor is private
+        new MillingSession(project, milling, bounds, stylus, strokes, request)); // its constructor is private
     if (Result<void> started = session->start(request); !started) return std::move(started).error();
     return session;
 }

@@ -4,13 +4,13 @@
 
 #include "core/haptics/trace/replayed_changes.h"
 #include "core/haptics/trace/trace_recorder.h"
-#include "core/job/bench.h"
-#include "core/job/bench_boundaries.h"
+#include "core/job/milling_context.h"
 #include "core/job/session_faults.h"
 #include "core/job/session_loop.h"
 #include "core/job/session_request.h"
 #include "core/job/session_state.h"
 #include "core/job/stroke_history.h"
+#include "core/job/tool_bounds.h"
 
 #include <atomic>
 #include <chrono>
@@ -24,19 +24,19 @@
 namespace burin {
 
 /// Mills with a stylus on a thread of its own while others watch: what the window and the command line share.
-/// The loop owns the bench's workpiece until `end`. All functions belong to the owner's thread (the user interface),
-/// none takes longer than some ticks and one flush of the disk; the loop waits for undo and redo alone, without force.
-/// The spindle turns only while a take is recorded: what is not recorded is not cut, so that the workpiece always is
-/// what replaying the takes gives.
+/// The loop owns the milling context's workpiece until `end`. All functions belong to the owner's thread (the user
+/// interface), none takes longer than some ticks and one flush of the disk; the loop waits for undo and redo alone,
+/// without force. The spindle turns only while a take is recorded: what is not recorded is not cut, so that the
+/// workpiece always is what replaying the takes gives.
 class MillingSession final {
 public:
-    /// Opens the stylus and starts the loop. Project, bench, stylus and strokes outlive the session, and so does what
-    /// the bounds were made from.
-    /// @param bounds of the bench's tool; the tool's axis is theirs.
+    /// Opens the stylus and starts the loop. Project, milling context, stylus and strokes outlive the session, and so
+    /// does what the bounds were made from.
+    /// @param bounds of the milling context's tool; the tool's axis is theirs.
     /// Errors: those of StylusDevice::open and TraceRecorder::begin; with `takeName` also those of startRecording.
-    static Result<std::unique_ptr<MillingSession>> begin(Project& project, Bench& bench, const ToolBounds& bounds,
-                                                         const StylusHandle& stylus, StrokeHistory& strokes,
-                                                         const SessionRequest& request);
+    static Result<std::unique_ptr<MillingSession>> begin(Project& project, MillingContext& milling,
+                                                         const ToolBounds& bounds, const StylusHandle& stylus,
+                                                         StrokeHistory& strokes, const SessionRequest& request);
     MillingSession(const MillingSession&) = delete;
     MillingSession& operator=(const MillingSession&) = delete;
     ~MillingSession(); ///< as `end`, its outcome unheard
@@ -96,7 +96,7 @@ public:
     Result<LoopStatistics> end();
 
 private:
-    MillingSession(Project& project, Bench& bench, const ToolBounds& bounds, const StylusHandle& stylus,
+    MillingSession(Project& project, MillingContext& milling, const ToolBounds& bounds, const StylusHandle& stylus,
                    StrokeHistory& strokes, const SessionRequest& request);
     Result<void> start(const SessionRequest& request);
     Result<void> beginTake(const std::string& name);
@@ -113,7 +113,7 @@ private:
     Result<void> changeWorkpiece(Change change);
 
     Project& project_;
-    Bench& bench_;
+    MillingContext& milling_;
     const StylusHandle stylus_;
     StrokeHistory& strokes_;
     double allowance_;

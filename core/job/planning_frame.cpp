@@ -7,15 +7,15 @@
 
 namespace burin {
 
-PlanningFrame::PlanningFrame(const Bench& bench, const ClearanceField& field, const glm::dvec3& axis)
+PlanningFrame::PlanningFrame(const MillingContext& milling, const ClearanceField& field, const glm::dvec3& axis)
     : upright_(axis == uprightAxis), turn_(frameAlong(axis)), setupField_(&field), seenField_(field, turn_) {
     if (upright_) {
-        stock_ = bench.setup.stock;
-        part_ = bench.model->box();
+        stock_ = milling.setup.stock;
+        part_ = milling.model->box();
         return;
     }
-    stock_ = boxAround(bench.setup.stock, turn_);
-    for (const Body& body : bench.model->bodies)
+    stock_ = boxAround(milling.setup.stock, turn_);
+    for (const Body& body : milling.model->bodies)
         for (const glm::dvec3& vertex : body.mesh.vertices) part_.include(turn_ * vertex);
 }
 

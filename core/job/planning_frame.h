@@ -3,16 +3,16 @@
 #pragma once
 
 #include "core/field/tool_field.h"
-#include "core/job/bench.h"
+#include "core/job/milling_context.h"
 
 namespace burin {
 
-/// A bench as it is seen along a tool's standing axis (3+2): what plans for an upright tool plans in this frame for a
-/// tilted one. For the axis +Z it is the setup frame, bit by bit. Bench and field outlive it.
+/// A milling context as it is seen along a tool's standing axis (3+2): what plans for an upright tool plans in this
+/// frame for a tilted one. For the axis +Z it is the setup frame, bit by bit. MillingContext and field outlive it.
 class PlanningFrame {
 public:
-    /// @param field of the bench's tool with that axis. @param axis unit, setup frame, towards the holder
-    PlanningFrame(const Bench& bench, const ClearanceField& field, const glm::dvec3& axis);
+    /// @param field of the milling context's tool with that axis. @param axis unit, setup frame, towards the holder
+    PlanningFrame(const MillingContext& milling, const ClearanceField& field, const glm::dvec3& axis);
 
     /// Over tips of this frame; lives as long as this object.
     const ClearanceField& field() const noexcept { return upright_ ? *setupField_ : seenField_; }

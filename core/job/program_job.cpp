@@ -53,39 +53,40 @@ Result<void> checkNumbers(const std::vector<Tool>& tools) {
     return {};
 }
 
-Result<std::string> post(const Bench& bench, const ProgramPaths& paths, const ProgramRequest& request,
+Result<std::string> post(const MillingContext& milling, const ProgramPaths& paths, const ProgramRequest& request,
                          Progress& progress) {
     if (Result<void> numbered = checkNumbers(paths.tools); !numbered) return numbered.error();
     PostRequest post;
     post.programName = request.name;
-    post.header = programHeader(bench, paths.tools);
-    post.workOffset = bench.setup.workOffset;
+    post.header = programHeader(milling, paths.tools);
+    post.workOffset = milling.setup.workOffset;
     post.units = request.units;
     for (const Tool& tool : paths.tools) post.tools[tool.id] = {tool.number, tool.name};
-    post.safeHeight = bench.safeHeight() - bench.setup.workOffset.z;
-    const Result<NcProgram> program = toProgram(paths.paths, post, bench.machine);
+    post.safeHeight = milling.safeHeight() - milling.setup.workOffset.z;
+    const Result<NcProgram> program = toProgram(paths.paths, post, milling.machine);
     if (!program) return program.error();
     const Result<std::shared_ptr<const PostProcessor>> dialect = loadDialect(request.dialect);
     if (!dialect) return dialect.error();
-    return writeProgram(*program, bench.machine, **dialect, progress);
+    return writeProgram(*program, milling.machine, **dialect, progress);
 }
 
-Result<CheckedProgram> postAndCheck(const Bench& bench, const ProgramPaths& paths, const ProgramRequest& request,
-                                    Progress& progress) {
+Result<CheckedProgram> postAndCheck(const MillingContext& milling, const ProgramPaths& paths,
+                                    const ProgramRequest& request, Progress& progress) {
     progress.stage(0.0, 0.1);
-    Result<std::string> text = post(bench, paths, request, progress);
+    Result<std::string> text = post(milling, paths, request, progress);
     if (!text) return std::move(text).error();
-    return checkProgram(bench, std::move(*text), request.name, request, progress);
+    return checkProgram(milling, std::move(*text), request.name, request, progress);
 }
 
 /// What the program's T numbers mean: one tool for all of them, or several to look up. Errors: argumentInvalid (a
 /// number that several tools have).
-Result<std::vector<Tool>> toolsMeant(const ParsedProgram& program, const Bench& bench, const ProgramRequest& request) {
+Result<std::vector<Tool>> toolsMeant(const ParsedProgram& program, const MillingContext& milling,
+                                     const ProgramRequest& request) {
     if (request.tools.size() == 1) return request.tools;
     std::set<int> numbers;
     for (const NcMotion& motion : program.motions)
         if (motion.tool != 0) numbers.insert(motion.tool);
-    if (request.tools.empty() || numbers.empty()) return std::vector{bench.tool};
+    if (request.tools.empty() || numbers.empty()) return std::vector{milling.tool};
     std::vector<Tool> called;
     for (const int number : numbers)
         std::ranges::copy_if(request.tools, std::back_inserter(called),
@@ -134,21 +135,21 @@ bool isPosted(std::string_view text) {
             }).empty();
 }
 
-std::vector<std::string> programHeader(const Bench& bench, const std::vector<Tool>& tools) {
+std::vector<std::string> programHeader(const MillingContext& milling, const std::vector<Tool>& tools) {
     const auto length = [](double value) { return formatFixed(value, 3); };
     const auto place = [&](const glm::dvec3& v) { return "X" + length(v.x) + " Y" + length(v.y) + " Z" + length(v.z); };
-    const Box& stock = bench.setup.stock;
+    const Box& stock = milling.setup.stock;
     std::vector<std::string> lines;
     lines.push_back("Burin: " + std::string(authored) + ", checked by re-simulation before export");
-    if (!bench.model->sourceFile.empty())
-        lines.push_back("Part: " + std::filesystem::path(bench.model->sourceFile).filename().string());
-    lines.push_back("Stock: " + bench.setup.stockMaterial + ", size " + place(stock.size()) + " mm");
+    if (!milling.model->sourceFile.empty())
+        lines.push_back("Part: " + std::filesystem::path(milling.model->sourceFile).filename().string());
+    lines.push_back("Stock: " + milling.setup.stockMaterial + ", size " + place(stock.size()) + " mm");
     lines.push_back("Program zero: centre of the stock's top face; in the model's frame " +
-                    place(bench.setup.workOffset) + " mm");
-    lines.push_back("Stock in program coordinates: " + place(stock.low - bench.setup.workOffset) + " to " +
-                    place(stock.high - bench.setup.workOffset) + " mm");
-    const Property& material = bench.embedded.workpiece.properties()[bench.embedded.stockProperty];
-    if (const Coolant advised = advisedCoolant(material); !bench.machine.has(advised))
+                    place(milling.setup.workOffset) + " mm");
+    lines.push_back("Stock in program coordinates: " + place(stock.low - milling.setup.workOffset) + " to " +
+                    place(stock.high - milling.setup.workOffset) + " mm");
+    const Property& material = milling.embedded.workpiece.properties()[milling.embedded.stockProperty];
+    if (const Coolant advised = advisedCoolant(material); !milling.machine.has(advised))
         lines.push_back("Coolant: " + std::string(idOf(advised)) + " is advised for " + material.name +
                         ", the machine has none");
     for (const Tool& tool : tools)
@@ -230,23 +231,24 @@ Result<std::vector<SourceStrokes>> strokesOf(const Project& project, const Store
     return strokes;
 }
 
-Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const Bench& bench, const Tool& tool,
-                                     const StoredPath& path, std::span<const MilledPath> before, Progress& progress) {
-    const Property& material = bench.embedded.workpiece.properties()[bench.embedded.stockProperty];
+Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const MillingContext& milling,
+                                     const Tool& tool, const StoredPath& path, std::span<const MilledPath> before,
+                                     Progress& progress) {
+    const Property& material = milling.embedded.workpiece.properties()[milling.embedded.stockProperty];
     const Result<CuttingConditions> conditions =
-        cuttingConditions(tool, material, bench.machine.maximumSpindleSpeed, bench.machine.maximumFeed);
+        cuttingConditions(tool, material, milling.machine.maximumSpindleSpeed, milling.machine.maximumFeed);
     if (!conditions) return conditions.error();
     PathContext context;
-    context.part = &bench.part;
+    context.part = &milling.part;
     context.tool = tool;
     context.conditions = *conditions;
     context.advisedCoolant = advisedCoolant(material);
-    context.machine = bench.machine;
-    context.stock = bench.setup.stock;
-    context.obstacles = solidsOf(bench.obstacles);
-    context.workOffset = bench.setup.workOffset;
-    context.lendStock = [&bench, before](const StockUse& use, Progress& lending) {
-        return bench.stock->lend(before, use, lending);
+    context.machine = milling.machine;
+    context.stock = milling.setup.stock;
+    context.obstacles = solidsOf(milling.obstacles);
+    context.workOffset = milling.setup.workOffset;
+    context.lendStock = [&milling, before](const StockUse& use, Progress& lending) {
+        return milling.stock->lend(before, use, lending);
     };
     if (!before.empty()) context.cleared = before.back().evaluated->cleared;
     for (const SourceStrokes& each : strokes)
@@ -269,35 +271,35 @@ Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const B
     return evaluated;
 }
 
-Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
+Result<EvaluatedPath> evaluateStored(const Project& project, const MillingContext& milling, const StoredPath& path,
                                      Progress& progress) {
     Result<std::vector<SourceStrokes>> strokes = strokesOf(project, path);
     if (!strokes) return std::move(strokes).error();
-    return evaluateStored(std::move(*strokes), bench, bench.tool, path, {}, progress);
+    return evaluateStored(std::move(*strokes), milling, milling.tool, path, {}, progress);
 }
 
-Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const ProgramRequest& request,
+Result<CheckedProgram> makeProgram(const MillingContext& milling, const Path& path, const ProgramRequest& request,
                                    Progress& progress) {
-    return makeProgram(bench, ProgramPaths{{path}, {bench.tool}}, request, progress);
+    return makeProgram(milling, ProgramPaths{{path}, {milling.tool}}, request, progress);
 }
 
-Result<CheckedProgram> makeProgram(const Bench& bench, const ProgramPaths& paths, const ProgramRequest& request,
-                                   Progress& progress) {
+Result<CheckedProgram> makeProgram(const MillingContext& milling, const ProgramPaths& paths,
+                                   const ProgramRequest& request, Progress& progress) {
     ProgramRequest wanted = request;
     wanted.tools = paths.tools;
-    Result<CheckedProgram> checked = postAndCheck(bench, paths, wanted, progress);
+    Result<CheckedProgram> checked = postAndCheck(milling, paths, wanted, progress);
     if (!checked) return checked;
     ProgramPaths slower = paths;
-    const std::unique_ptr<const Kinematics> kinematics = kinematicsOf(bench.machine, bench.setup.workOffset);
+    const std::unique_ptr<const Kinematics> kinematics = kinematicsOf(milling.machine, milling.setup.workOffset);
     if (const std::size_t slowed = lowerFeeds(slower.paths, checked->parsed, checked->report.feedLimits, *kinematics);
         slowed > 0) {
-        checked = postAndCheck(bench, slower, wanted, progress);
+        checked = postAndCheck(milling, slower, wanted, progress);
         if (!checked) return checked;
         checked->slowed = slowed;
     }
     checked->moments = momentsOf(checked->parsed, wholeOf(paths.paths), *kinematics);
     if (checked->passed() || request.overrideReason.empty()) return checked;
-    return overrideCheck(std::move(*checked), request.overrideReason, bench.machine);
+    return overrideCheck(std::move(*checked), request.overrideReason, milling.machine);
 }
 
 Result<CheckedProgram> overrideCheck(CheckedProgram program, const std::string& reason, const MachineProfile& machine) {
@@ -320,7 +322,7 @@ Result<CheckedProgram> overrideCheck(CheckedProgram program, const std::string& 
     return program;
 }
 
-Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const std::string& origin,
+Result<CheckedProgram> checkProgram(const MillingContext& milling, std::string text, const std::string& origin,
                                     const ProgramRequest& request, Progress& progress) {
     const Control& control = controlOfDialect(request.dialect);
     Result<ParsedProgram> parsed = parseProgram(text, origin, control);
@@ -329,26 +331,26 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     VerifyRequest verification;
     verification.program = &*parsed;
     verification.control = &control;
-    verification.model = bench.model.get();
-    verification.part = &bench.part;
-    verification.setup = bench.setup;
-    verification.materials = bench.materials;
-    verification.obstacles = bench.obstacles;
-    if (bench.travel.zero) // what is only the rule's guess refuses no program
-        verification.travel = travelEnvelope(bench.machine, bench.travel, bench.setup.workOffset).tips;
-    Result<std::vector<Tool>> tools = toolsMeant(*parsed, bench, request);
+    verification.model = milling.model.get();
+    verification.part = &milling.part;
+    verification.setup = milling.setup;
+    verification.materials = milling.materials;
+    verification.obstacles = milling.obstacles;
+    if (milling.travel.zero) // what is only the rule's guess refuses no program
+        verification.travel = travelEnvelope(milling.machine, milling.travel, milling.setup.workOffset).tips;
+    Result<std::vector<Tool>> tools = toolsMeant(*parsed, milling, request);
     if (!tools) return std::move(tools).error();
     CheckedProgram checked;
     checked.tools = std::move(*tools);
     verification.tool = checked.tools.front();
     if (!request.tools.empty() && !request.anyNumber) verification.tools = checked.tools;
     if (request.before) {
-        Result<std::vector<Tool>> before = toolsMeant(*request.before, bench, request);
+        Result<std::vector<Tool>> before = toolsMeant(*request.before, milling, request);
         if (!before) return std::move(before).error();
         verification.before = request.before.get();
         verification.toolsBefore = std::move(*before);
     }
-    verification.machine = bench.machine;
+    verification.machine = milling.machine;
     verification.gougeTolerance = request.gougeTolerance;
     verification.excessTolerance = request.excessTolerance;
     verification.promised = request.promised.get();
@@ -356,7 +358,7 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     verification.import = request.import;
     Result<VerifyReport> report = verify(verification, progress, &checked.machined);
     if (!report) return std::move(report).error();
-    checked.lint = lint(text, {&control, &bench.machine});
+    checked.lint = lint(text, {&control, &milling.machine});
     checked.text = std::move(text);
     checked.dialect = request.dialect;
     checked.gougeTolerance = request.gougeTolerance;

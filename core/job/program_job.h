@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/job/bench.h"
+#include "core/job/milling_context.h"
 #include "core/job/program_moments.h"
 #include "core/nc/lint.h"
 #include "core/nc/post.h"
@@ -19,15 +19,16 @@ namespace burin {
 /// The strokes of a stored path's sources, in its order. Errors: those of Project::visitSamples, StrokeReader and
 /// Project::generatedMoves; outOfMemory, before anything is read, where the path would need more than there is.
 Result<std::vector<SourceStrokes>> strokesOf(const Project& project, const StoredPath& path);
-/// A stored path, evaluated on a bench, with its sides and what it clears.
+/// A stored path, evaluated on a milling context, with its sides and what it clears.
 /// @param strokes   its own; moved from, where it may be
 /// @param before what is milled before it, in order: `stock` for feeds by engagement, low links and sides
 /// Errors: those of evaluate, millingSides, cuttingConditions and MilledStock::lend.
-Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const Bench& bench, const Tool& tool,
-                                     const StoredPath& path, std::span<const MilledPath> before, Progress& progress);
-/// The same with the bench's tool and sources out of a project, as if it were the only path.
+Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const MillingContext& milling,
+                                     const Tool& tool, const StoredPath& path, std::span<const MilledPath> before,
+                                     Progress& progress);
+/// The same with the milling context's tool and sources out of a project, as if it were the only path.
 /// Errors: also those of strokesOf.
-Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
+Result<EvaluatedPath> evaluateStored(const Project& project, const MillingContext& milling, const StoredPath& path,
                                      Progress& progress);
 
 struct ProgramRequest {
@@ -37,8 +38,8 @@ struct ProgramRequest {
     std::size_t exactSamples = 500;
     NcUnits units = NcUnits::millimetre; ///< of the program's text
     ImportOptions import;                ///< worker for the exact distances
-    /// Tools that a program may call by their numbers. The bench's where it calls none; where there are none, whatever
-    /// it calls.
+    /// Tools that a program may call by their numbers. The milling context's where it calls none; where there are none,
+    /// whatever it calls.
     std::vector<Tool> tools;
     /// That the program is to follow, setup frame; null: none is known.
     std::shared_ptr<const std::vector<Path>> promised{};
@@ -81,7 +82,7 @@ struct ProgramPaths {
 };
 
 /// Comment lines that a program of these tools begins with: part, stock, zero, tools.
-std::vector<std::string> programHeader(const Bench& bench, const std::vector<Tool>& tools);
+std::vector<std::string> programHeader(const MillingContext& milling, const std::vector<Tool>& tools);
 
 /// Whether a text says in its header that Burin posted it: it is then to follow the project's paths.
 bool isPosted(std::string_view text);
@@ -90,18 +91,18 @@ bool isPosted(std::string_view text);
 /// too fast for spindle or tool and their path lets feeds come down (Path::leastFeed), they do, and the program is
 /// posted and judged again. What is not `released` must not reach a machine. Errors: those of toProgram, the dialect,
 /// parseProgram and verify. Also argumentInvalid: two tools of one number.
-Result<CheckedProgram> makeProgram(const Bench& bench, const ProgramPaths& paths, const ProgramRequest& request,
-                                   Progress& progress);
-/// The same of one path, with the bench's tool.
-Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const ProgramRequest& request,
+Result<CheckedProgram> makeProgram(const MillingContext& milling, const ProgramPaths& paths,
+                                   const ProgramRequest& request, Progress& progress);
+/// The same of one path, with the milling context's tool.
+Result<CheckedProgram> makeProgram(const MillingContext& milling, const Path& path, const ProgramRequest& request,
                                    Progress& progress);
 
 /// A program that its check refused, with a reason why it is wanted all the same: that and what was found stand in its
 /// header, and what was found names the lines as they are then. Errors: those of withHeaderComments and parseProgram.
 Result<CheckedProgram> overrideCheck(CheckedProgram program, const std::string& reason, const MachineProfile& machine);
 
-/// Judges the text of a program on a bench. @param origin file name for messages
-Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const std::string& origin,
+/// Judges the text of a program on a milling context. @param origin file name for messages
+Result<CheckedProgram> checkProgram(const MillingContext& milling, std::string text, const std::string& origin,
                                     const ProgramRequest& request, Progress& progress);
 
 } // namespace burin

@@ -18,8 +18,9 @@ constexpr double largestTouch = 0.001;                    // mm³, as the check 
 constexpr double shortestLead = 5.0, leadDiameters = 1.0; // mm; of the cutter
 
 /// The tools that a text may call; without a number, or with one tool for all, it is that one.
-std::map<int, PostTool> postTools(const ParsedProgram& program, const Bench& bench, const ProgramRequest& request) {
-    const Tool& only = request.tools.size() == 1 ? request.tools.front() : bench.tool;
+std::map<int, PostTool> postTools(const ParsedProgram& program, const MillingContext& milling,
+                                  const ProgramRequest& request) {
+    const Tool& only = request.tools.size() == 1 ? request.tools.front() : milling.tool;
     std::map<int, PostTool> tools{{0, {only.number, only.name}}};
     for (const Tool& tool : request.tools) tools[tool.number] = {tool.number, tool.name};
     if (request.tools.size() == 1)
@@ -28,13 +29,13 @@ std::map<int, PostTool> postTools(const ParsedProgram& program, const Bench& ben
 }
 
 /// mm, of the cutters that a program calls.
-double widest(const ParsedProgram& program, const Bench& bench, const ProgramRequest& request) {
+double widest(const ParsedProgram& program, const MillingContext& milling, const ProgramRequest& request) {
     if (request.tools.size() == 1) return request.tools.front().cutter.diameter;
     double diameter = 0.0;
     for (const Tool& tool : request.tools)
         if (std::ranges::find(program.motions, tool.number, &NcMotion::tool) != program.motions.end())
             diameter = std::max(diameter, tool.cutter.diameter);
-    return diameter > 0.0 ? diameter : bench.tool.cutter.diameter;
+    return diameter > 0.0 ? diameter : milling.tool.cutter.diameter;
 }
 
 /// The way down onto the path takes something away, so that the tool was not there before: a cutter that is wider than
@@ -49,17 +50,17 @@ bool cutsOnTheWayDown(const CheckedProgram& program) {
 
 class RestartMaker {
 public:
-    RestartMaker(const Bench& bench, const ParsedProgram& interrupted, std::uint32_t line,
+    RestartMaker(const MillingContext& milling, const ParsedProgram& interrupted, std::uint32_t line,
                  const ProgramRequest& request)
-        : bench_(bench), interrupted_(interrupted), request_(request) {
-        const double zero = bench.setup.workOffset.z;
+        : milling_(milling), interrupted_(interrupted), request_(request) {
+        const double zero = milling.setup.workOffset.z;
         wanted_.line = line;
-        wanted_.lead = std::max(shortestLead, leadDiameters * widest(interrupted, bench, request));
-        wanted_.freeHeight = bench.setup.stock.high.z - zero + clearance;
-        wanted_.safeHeight = bench.safeHeight() - zero;
+        wanted_.lead = std::max(shortestLead, leadDiameters * widest(interrupted, milling, request));
+        wanted_.freeHeight = milling.setup.stock.high.z - zero + clearance;
+        wanted_.safeHeight = milling.safeHeight() - zero;
         wanted_.programName = request.name;
         wanted_.units = request.units;
-        wanted_.tools = postTools(interrupted, bench, request);
+        wanted_.tools = postTools(interrupted, milling, request);
     }
 
     Result<RestartedProgram> make(RestartEntry entry, Progress& progress) {
@@ -71,13 +72,13 @@ public:
         descends_ = restart->place[Axis::z] < wanted_.freeHeight;
         const Result<std::shared_ptr<const PostProcessor>> dialect = loadDialect(request_.dialect);
         if (!dialect) return dialect.error();
-        Result<std::string> text = writeProgram(restart->program, bench_.machine, **dialect, progress);
+        Result<std::string> text = writeProgram(restart->program, milling_.machine, **dialect, progress);
         if (!text) return std::move(text).error();
         ProgramRequest check = request_;
         auto done = std::make_shared<ParsedProgram>(interrupted_);
         done->motions.resize(restart->done);
         check.before = std::move(done);
-        Result<CheckedProgram> checked = checkProgram(bench_, std::move(*text), request_.name, check, progress);
+        Result<CheckedProgram> checked = checkProgram(milling_, std::move(*text), request_.name, check, progress);
         if (!checked) return std::move(checked).error();
         return RestartedProgram{std::move(*checked), wanted_.line, restart->cut, restart->lead,
                                 restart->place.linear()};
@@ -91,10 +92,10 @@ private:
         std::vector<Tool> called;
         for (const NcSection& section : restart.program.sections) {
             const auto tool = std::ranges::find(request_.tools, section.toolNumber, &Tool::number);
-            const Tool& one = tool == request_.tools.end() ? bench_.tool : *tool;
+            const Tool& one = tool == request_.tools.end() ? milling_.tool : *tool;
             if (std::ranges::find(called, one.id, &Tool::id) == called.end()) called.push_back(one);
         }
-        std::vector<std::string> lines = programHeader(bench_, called);
+        std::vector<std::string> lines = programHeader(milling_, called);
         lines.insert(lines.begin(), {"RESTART at line " + std::to_string(wanted_.line) +
                                          " of the interrupted program: all lines before it are done",
                                      "The path is repeated from " + formatFixed(restart.lead, 1) + " mm before line " +
@@ -102,7 +103,7 @@ private:
         return lines;
     }
 
-    const Bench& bench_;
+    const MillingContext& milling_;
     const ParsedProgram& interrupted_;
     const ProgramRequest& request_;
     RestartRequest wanted_;
@@ -111,14 +112,14 @@ private:
 
 } // namespace
 
-Result<RestartedProgram> makeRestart(const Bench& bench, const std::string& text, std::uint32_t line,
+Result<RestartedProgram> makeRestart(const MillingContext& milling, const std::string& text, std::uint32_t line,
                                      const ProgramRequest& request, Progress& progress) {
     if (const std::uint32_t lines = lineCount(text); line < 1 || line > lines)
         return Error{ErrorCode::argumentInvalid, "restart line", std::to_string(line), "1 to " + std::to_string(lines)};
     const Result<ParsedProgram> interrupted =
         parseProgram(text, "interrupted program", controlOfDialect(request.dialect));
     if (!interrupted) return interrupted.error();
-    RestartMaker maker(bench, *interrupted, line, request);
+    RestartMaker maker(milling, *interrupted, line, request);
     Result<RestartedProgram> near = [&] {
         const ProgressPart part(progress, 0.0, 0.5);
         return maker.make(RestartEntry::lead, progress);

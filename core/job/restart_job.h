@@ -21,7 +21,7 @@ struct RestartedProgram {
 /// @param text of the interrupted program, in the dialect of the request. @param line from 1
 /// @param request name, dialect, units, tolerance and tools of the new program
 /// Errors: those of parseProgram, restartAt, writeProgram and checkProgram; argumentInvalid (a line that is not there).
-Result<RestartedProgram> makeRestart(const Bench& bench, const std::string& text, std::uint32_t line,
+Result<RestartedProgram> makeRestart(const MillingContext& milling, const std::string& text, std::uint32_t line,
                                      const ProgramRequest& request, Progress& progress);
 
 } // namespace burin

@@ -6,11 +6,11 @@
 #include "core/base/mailbox.h"
 #include "core/haptics/haptic_step.h"
 #include "core/haptics/loop/loop_figures.h"
-#include "core/job/bench_boundaries.h"
 #include "core/job/recorder.h"
 #include "core/job/removal_rate.h"
 #include "core/job/session_state.h"
 #include "core/job/stroke_history.h"
+#include "core/job/tool_bounds.h"
 
 #include <atomic>
 

@@ -17,7 +17,7 @@ double periodOf(const StylusHandle& stylus, const SessionRequest& request) {
 
 } // namespace
 
-HapticSettings hapticSettings(const Bench& bench, const AxisMode& axis, const StylusHandle& stylus,
+HapticSettings hapticSettings(const MillingContext& milling, const AxisMode& axis, const StylusHandle& stylus,
                               const SessionRequest& request) {
     HapticSettings settings;
     settings.axis = axis;
@@ -25,7 +25,7 @@ HapticSettings hapticSettings(const Bench& bench, const AxisMode& axis, const St
     settings.stylus = stylus.device().description();
     settings.tickPeriod = periodOf(stylus, request);
     settings.allowance = request.allowance;
-    settings.cuttingSpeed = bench.conditions.surfaceSpeed;
+    settings.cuttingSpeed = milling.conditions.surfaceSpeed;
     settings.cutsOnButton = request.cutsOnButton;
     settings.forceButtons = request.forceButtons;
     settings.felt = request.felt;

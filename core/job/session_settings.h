@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/job/bench.h"
+#include "core/job/milling_context.h"
 #include "core/job/session_loop.h"
 #include "core/job/session_request.h"
 
@@ -11,7 +11,7 @@ namespace burin {
 // What a session's request means to its parts, and what its loop tells means to who watches. Owner's thread.
 
 /// Of the step: `settings.tickPeriod` is that of the loop.
-HapticSettings hapticSettings(const Bench& bench, const AxisMode& axis, const StylusHandle& stylus,
+HapticSettings hapticSettings(const MillingContext& milling, const AxisMode& axis, const StylusHandle& stylus,
                               const SessionRequest& request);
 /// Of the loop: a stylus that paces itself gives the period.
 ServoSettings servoSettings(const StylusHandle& stylus, const SessionRequest& request);

@@ -17,10 +17,10 @@ struct Stroke {
     VolumeSnapshot before;              ///< the workpiece as the stroke found it
 };
 
-/// The newest strokes of a bench, so that they can be taken back, during a session and after it. It belongs to one
-/// workpiece: to be cleared when that is made anew, changed by others, or a take of it is removed. Owner's thread.
-/// The last few strokes hold back what of the volume's memory has changed since; older ones are packed (VolumeHistory)
-/// and cost some bytes a run end that they changed.
+/// The newest strokes of a milling context, so that they can be taken back, during a session and after it. It belongs
+/// to one workpiece: to be cleared when that is made anew, changed by others, or a take of it is removed. Owner's
+/// thread. The last few strokes hold back what of the volume's memory has changed since; older ones are packed
+/// (VolumeHistory) and cost some bytes a run end that they changed.
 class StrokeHistory {
 public:
     static constexpr std::size_t maximum = 128; ///< strokes that can be taken back; older ones stay

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// burin-bench-volume: the figures of the S-RLE engine and of cutting, beside their peers. `burin bench volume` starts
+// burin-rig-volume: the figures of the S-RLE engine and of cutting, beside their peers. `burin rig volume` starts
 // it.
 #include "tests/benchmarks/figure_groups.h"
 #include "tests/benchmarks/measure/program.h"

@@ -212,7 +212,7 @@ int run(StallWatch& watch) {
     std::cerr << "load before: " << loadAverage() << '\n';
     WindowDriver driver;
     runFor(500ms);
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     Viewport& viewport = driver.window().viewport();
     Observer observer(driver.window());
     if (!importSample(driver, watch, report) || !embedSample(driver, watch, report)) {
@@ -222,7 +222,7 @@ int run(StallWatch& watch) {
 
     driver.step(JobStep::mill);
     driver.clickOn("millButton");
-    if (!runUntil([&] { return bench.mill.active(); }, 5s)) {
+    if (!runUntil([&] { return workbench.mill.active(); }, 5s)) {
         std::cerr << "Mill mode did not begin: " << qPrintable(driver.message()) << '\n';
         return 0;
     }
@@ -238,7 +238,7 @@ int run(StallWatch& watch) {
     }
     const double seconds = secondsSince(begin);
     const FrameStatistics drawn = viewport.statistics();
-    const SessionState state = bench.session.state();
+    const SessionState state = workbench.session.state();
     report.add("cut_to_screen_p95", drawn.cutToScreenP95, "ms", 150.0);
     report.add("cut_to_screen_max", drawn.cutToScreenMaximum, "ms");
     report.add("cuts_shown", static_cast<double>(drawn.cutsShown), "");
@@ -251,7 +251,7 @@ int run(StallWatch& watch) {
     report.add("haptic_rate_min", observer.slowestRate, "Hz");
     report.add("missed_edges", static_cast<double>(state.missed), "");
     report.add("ticks", static_cast<double>(state.ticks), "");
-    report.add("strokes", static_cast<double>(bench.bench.strokes().count()), "");
+    report.add("strokes", static_cast<double>(workbench.workpiece.strokes().count()), "");
     report.add("paint_p95", drawn.paintP95, "ms");
     report.add("paint_max", drawn.paintMaximum, "ms");
     report.add("paint_processor_mean", watch.processorPerRendering(), "ms");

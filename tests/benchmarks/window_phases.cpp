@@ -29,11 +29,11 @@ bool inFullDetail(const Viewport& viewport) {
 }
 
 bool undoStrokes(WindowDriver& driver, std::size_t count) {
-    Workbench& bench = driver.window().workbench();
-    for (std::size_t left = bench.bench.strokes().count(); count > 0; --count) {
+    Workbench& workbench = driver.window().workbench();
+    for (std::size_t left = workbench.workpiece.strokes().count(); count > 0; --count) {
         driver.key(Qt::Key_Z, Qt::ControlModifier);
         --left;
-        if (!runUntil([&] { return bench.bench.strokes().count() == left; }, 10s)) return false;
+        if (!runUntil([&] { return workbench.workpiece.strokes().count() == left; }, 10s)) return false;
         if (!inFullDetail(driver.window().viewport())) return false;
     }
     return true;
@@ -76,7 +76,7 @@ bool importSample(WindowDriver& driver, StallWatch& watch, Report& report) {
 
 bool embedSample(WindowDriver& driver, StallWatch& watch, Report& report) {
     return phase("gui_stall_max_embedding", watch, report, [&] {
-        Workbench& bench = driver.window().workbench();
+        Workbench& workbench = driver.window().workbench();
         if (!driver.step(JobStep::stock)) return false;
         auto* voxel = driver.visible<QWidget>("voxelField");
         if (voxel == nullptr) return false;
@@ -84,15 +84,15 @@ bool embedSample(WindowDriver& driver, StallWatch& watch, Report& report) {
         QTest::keyClick(voxel, Qt::Key_A, Qt::ControlModifier);
         QTest::keyClicks(voxel, "0.25");
         QTest::keyClick(voxel, Qt::Key_Return);
-        if (!runUntil([&] { return bench.setup.setup().voxel == 0.25; }, 3s) || !driver.clickOn("embedButton"))
+        if (!runUntil([&] { return workbench.setup.setup().voxel == 0.25; }, 3s) || !driver.clickOn("embedButton"))
             return false;
-        return runUntil([&] { return bench.bench.ready() && bench.tasks().idle(); }) &&
+        return runUntil([&] { return workbench.workpiece.ready() && workbench.tasks().idle(); }) &&
                inFullDetail(driver.window().viewport());
     });
 }
 
 bool workOn(WindowDriver& driver, StallWatch& watch, Report& report) {
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     const auto measured = [&](const char* name, const std::function<bool()>& what) {
         return phase(name, watch, report, what);
     };
@@ -100,17 +100,17 @@ bool workOn(WindowDriver& driver, StallWatch& watch, Report& report) {
            measured("gui_stall_max_stopping",
                     [&] {
                         driver.key(Qt::Key_Escape);
-                        return runUntil([&] { return !bench.session.running() && bench.tasks().idle(); }, 10s);
+                        return runUntil([&] { return !workbench.session.running() && workbench.tasks().idle(); }, 10s);
                     }) &&
            measured("gui_stall_max_path",
                     [&] {
                         return driver.step(JobStep::path) && driver.clickOn("newPathButton") &&
-                               runUntil([&] { return bench.path.evaluated() && bench.tasks().idle(); });
+                               runUntil([&] { return workbench.path.evaluated() && workbench.tasks().idle(); });
                     }) &&
            measured("gui_stall_max_posting",
                     [&] {
                         return driver.step(JobStep::program) && driver.clickOn("postButton") &&
-                               runUntil([&] { return bench.program.program() && !bench.program.busy(); });
+                               runUntil([&] { return workbench.program.program() && !workbench.program.busy(); });
                     }) &&
            measured("gui_stall_max_theme", [&] { return otherTheme(driver); }) &&
            measured("gui_stall_max_language", [&] { return otherChoice(driver, "languageChoice"); }) &&
@@ -120,11 +120,12 @@ bool workOn(WindowDriver& driver, StallWatch& watch, Report& report) {
 
 bool openAgain(WindowDriver& driver, StallWatch& watch, Report& report) {
     if (!driver.restart()) return false;
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     runFor(500ms);
     return phase("gui_stall_max_opening", watch, report, [&] {
-        return driver.clickOn("recentFileButton") &&
-               runUntil([&] { return bench.bench.ready() && bench.tasks().idle() && bench.path.evaluated(); }) &&
+        return driver.clickOn("recentFileButton") && runUntil([&] {
+                   return workbench.workpiece.ready() && workbench.tasks().idle() && workbench.path.evaluated();
+               }) &&
                inFullDetail(driver.window().viewport());
     });
 }

@@ -11,7 +11,7 @@
 #include <iterator>
 #include <map>
 
-/// The shape of what `burin bench` prints; its numbers are no test's business.
+/// The shape of what `burin rig` prints; its numbers are no test's business.
 class BenchTest : public QObject {
     Q_OBJECT
 private slots:

@@ -3,7 +3,7 @@
 #include "part_judge.h"
 #include "program_run.h"
 
-#include "core/job/bench.h"
+#include "core/job/milling_context.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/oracles/tool_depth.h"
 #include "tests/places.h"

@@ -53,7 +53,7 @@ private slots:
     void whatWasTakenBackIsNotMilled();
 
 private:
-    Workbench& bench() { return driver_->window().workbench(); }
+    Workbench& workbench() { return driver_->window().workbench(); }
     void stroke(const glm::dvec3& from, const glm::dvec3& to, const QString& picture = {});
 
     QTemporaryDir folder_;
@@ -76,18 +76,18 @@ void WindowJobTest::initTestCase() {
 void WindowJobTest::importsAPart() {
     chooseFile(*driver_, sample);
     driver_->key(Qt::Key_I, Qt::ControlModifier);
-    QVERIFY(driver_->waitFor([&] { return bench().model.model() != nullptr; }, 60000));
-    QCOMPARE(bench().model.model()->bodies.size(), std::size_t{1});
+    QVERIFY(driver_->waitFor([&] { return workbench().model.model() != nullptr; }, 60000));
+    QCOMPARE(workbench().model.model()->bodies.size(), std::size_t{1});
     driver_->shoot("job-1-part");
 }
 
 void WindowJobTest::embedsIt() {
     QVERIFY(driver_->step(JobStep::stock));
     QVERIFY(driver_->clickOn("embedButton"));
-    QVERIFY(driver_->waitFor([&] { return bench().bench.ready(); }, 60000));
+    QVERIFY(driver_->waitFor([&] { return workbench().workpiece.ready(); }, 60000));
     QVERIFY(driver_->settle());
-    workOffset_ = bench().setup.setup().workOffset;
-    voxel_ = bench().setup.setup().voxel;
+    workOffset_ = workbench().setup.setup().workOffset;
+    voxel_ = workbench().setup.setup().voxel;
     QVERIFY(driver_->step(JobStep::tool));
     driver_->shoot("job-2-tool");
 }
@@ -114,7 +114,7 @@ void WindowJobTest::millsAlongThePart() {
     QVERIFY(driver_->step(JobStep::mill));
     QVERIFY(driver_->clickOn("alongPartButton"));
     QVERIFY(driver_->clickOn("millButton"));
-    QVERIFY(driver_->waitFor([&] { return bench().mill.active(); }, 5000));
+    QVERIFY(driver_->waitFor([&] { return workbench().mill.active(); }, 5000));
     const Box box = judge_->model().box();
     const glm::dvec3 centre = box.centre();
     const double height = box.high.z - 4.0;
@@ -124,37 +124,37 @@ void WindowJobTest::millsAlongThePart() {
         stroke({centre.x - 14.0, centre.y + y, height}, {centre.x + 14.0, centre.y + y, height},
                strokes == 2 ? QStringLiteral("job-3-mill") : QString());
         ++strokes;
-        QVERIFY(driver_->waitFor([&] { return bench().bench.strokes().count() == strokes; }, 3000));
+        QVERIFY(driver_->waitFor([&] { return workbench().workpiece.strokes().count() == strokes; }, 3000));
     }
-    const SessionState state = bench().session.state();
+    const SessionState state = workbench().session.state();
     qInfo("haptic loop: %.0f Hz, p99.9 %.0f us of CPU time a tick, %llu edges missed", state.rateHz, state.cpuP999,
           static_cast<unsigned long long>(state.missed));
 }
 
 void WindowJobTest::takesAStrokeBack() {
     driver_->key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver_->waitFor([&] { return bench().bench.strokes().count() == 3; }, 3000));
+    QVERIFY(driver_->waitFor([&] { return workbench().workpiece.strokes().count() == 3; }, 3000));
     QTest::qWait(1000); // full detail
     driver_->shoot("job-4-undone");
     driver_->key(Qt::Key_Escape);
-    QVERIFY(driver_->waitFor([&] { return !bench().session.running(); }, 5000));
-    QCOMPARE(bench().mill.takes().size(), std::size_t{1});
+    QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }, 5000));
+    QCOMPARE(workbench().mill.takes().size(), std::size_t{1});
 }
 
 void WindowJobTest::editsThePath() {
     QVERIFY(driver_->step(JobStep::path));
     QVERIFY(driver_->clickOn("newPathButton"));
-    QVERIFY(driver_->waitFor([&] { return bench().path.evaluated() != nullptr; }, 60000));
-    const std::size_t before = bench().path.evaluated()->path.points.size();
+    QVERIFY(driver_->waitFor([&] { return workbench().path.evaluated() != nullptr; }, 60000));
+    const std::size_t before = workbench().path.evaluated()->path.points.size();
     QVERIFY(driver_->enter("edit4_tolerance_mm", "0.002")); // of the simplification
     QVERIFY(driver_->waitFor(
         [&] {
-            const auto evaluated = bench().path.evaluated();
+            const auto evaluated = workbench().path.evaluated();
             return evaluated != nullptr && evaluated->path.points.size() > before;
         },
         60000));
     // What leaves back-steps out when the path is linked has a bound of its own, and counts in the budget.
-    const auto evaluated = bench().path.evaluated();
+    const auto evaluated = workbench().path.evaluated();
     const auto link = std::ranges::find(evaluated->reports, "link", &EditReport::edit);
     QVERIFY(link != evaluated->reports.end() && link->largestDeviation <= 0.06);
     QVERIFY(evaluated->errorBudget - link->largestDeviation < 0.06);
@@ -162,14 +162,14 @@ void WindowJobTest::editsThePath() {
 }
 
 void WindowJobTest::isSavedAndOpenedAgain() {
-    const std::size_t points = bench().path.evaluated()->path.points.size();
+    const std::size_t points = workbench().path.evaluated()->path.points.size();
     QVERIFY(burin::testing::saveAs(*driver_, project_));
     QVERIFY(driver_->restart());
     chooseFile(*driver_, project_);
     driver_->key(Qt::Key_O, Qt::ControlModifier);
-    QVERIFY(driver_->waitFor([&] { return bench().bench.ready(); }, 60000));
-    QVERIFY(driver_->waitFor([&] { return bench().path.evaluated() != nullptr; }, 60000));
-    QCOMPARE(bench().path.evaluated()->path.points.size(), points);
+    QVERIFY(driver_->waitFor([&] { return workbench().workpiece.ready(); }, 60000));
+    QVERIFY(driver_->waitFor([&] { return workbench().path.evaluated() != nullptr; }, 60000));
+    QCOMPARE(workbench().path.evaluated()->path.points.size(), points);
     QVERIFY(driver_->settle());
     driver_->shoot("job-6-opened");
 }
@@ -177,14 +177,14 @@ void WindowJobTest::isSavedAndOpenedAgain() {
 void WindowJobTest::postsAProgram() {
     QVERIFY(driver_->step(JobStep::program));
     QVERIFY(driver_->clickOn("postButton"));
-    QVERIFY(driver_->waitFor([&] { return bench().program.program() != nullptr; }, 120000));
+    QVERIFY(driver_->waitFor([&] { return workbench().program.program() != nullptr; }, 120000));
     driver_->shoot("job-7-program");
-    QVERIFY(bench().program.exportable());
+    QVERIFY(workbench().program.exportable());
     chooseFile(*driver_, program_);
     QVERIFY(driver_->clickOn("exportButton"));
     QVERIFY(driver_->waitFor([&] { return QFile::exists(program_); }, 10000));
     driver_->key(Qt::Key_S, Qt::ControlModifier);
-    QVERIFY(driver_->waitFor([&] { return !bench().document.unsaved(); }, 10000));
+    QVERIFY(driver_->waitFor([&] { return !workbench().document.unsaved(); }, 10000));
     QVERIFY(driver_->endQuietly());
 }
 

@@ -28,9 +28,9 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     WindowDriver driver;
     tell("folder " + driver.folder().path());
-    burin::Workbench& bench = driver.window().workbench();
+    burin::Workbench& workbench = driver.window().workbench();
     if (!makeReady(driver) || !driver.step(burin::JobStep::mill) || !driver.clickOn("millButton")) return 1;
-    if (!driver.waitFor([&] { return bench.mill.active(); }, 10000)) return 1;
+    if (!driver.waitFor([&] { return workbench.mill.active(); }, 10000)) return 1;
     QSocketNotifier order(STDIN_FILENO, QSocketNotifier::Read);
     QObject::connect(&order, &QSocketNotifier::activated, &driver.window(), [&] {
         order.setEnabled(false);

@@ -3,7 +3,7 @@
 // Hostile devices through the kernel, the plugins' decoders and the haptic step, with what comes back watched where the
 // motors are.
 #include "core/haptics/loop/servo_loop.h"
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 #include "tests/hid/force_watch.h"
 #include "tests/hid/hostile_reports.h"
 #include "tests/hid/plugged_board.h"
@@ -79,11 +79,11 @@ ForceBounds boundsOf(const StylusDescription& stylus, const HapticSettings& sett
 class RunningLoop {
 public:
     RunningLoop(const StylusHandle& stylus, const HapticSettings& settings)
-        : bench(settings), ticks(settings.maximumForce()), part_(bench.volume.amounts().units[2]) {
+        : rig(settings), ticks(settings.maximumForce()), part_(rig.volume.amounts().units[2]) {
         thread_ = std::thread([this, stylus, period = settings.tickPeriod] {
             ServoSettings servo;
             servo.period = period;
-            if (!runServoLoop(stylus, bench.step, ticks, servo, stop_)) ++ticks.violations;
+            if (!runServoLoop(stylus, rig.step, ticks, servo, stop_)) ++ticks.violations;
         });
     }
     ~RunningLoop() { end(); }
@@ -95,11 +95,11 @@ public:
         if (!thread_.joinable()) return;
         stop_ = true;
         thread_.join();
-        bench.step.settle();
-        if (bench.volume.amounts().units[2] != part_) ++ticks.violations;
+        rig.step.settle();
+        if (rig.volume.amounts().units[2] != part_) ++ticks.violations;
     }
 
-    Bench bench;
+    Rig rig;
     JudgedTicks ticks;
 
 private:

@@ -10,7 +10,7 @@
 
 namespace burin::testing {
 
-/// A square VTK window without a display, on a background that nothing on the bench looks like: magenta.
+/// A square VTK window without a display, on a background that nothing on the rig looks like: magenta.
 class OffscreenStage {
 public:
     /// @param pixels of a side

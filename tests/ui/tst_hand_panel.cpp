@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/ui/panel_bench.h"
+#include "tests/ui/panel_rig.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/hand_panel.h"
 #include "ui/panels/notice.h"

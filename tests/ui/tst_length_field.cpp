@@ -17,8 +17,8 @@ using namespace burin;
 namespace {
 
 /// A field that shows 5 mm, a second one to go to, in a window that is active.
-struct Bench {
-    explicit Bench(const char* locale = "en_US", LengthUnit unit = LengthUnit::millimetre)
+struct Rig {
+    explicit Rig(const char* locale = "en_US", LengthUnit unit = LengthUnit::millimetre)
         : edited(&field, &QuantityField::valueEdited) {
         auto* row = new QHBoxLayout(&window);
         row->addWidget(&field);
@@ -34,7 +34,7 @@ struct Bench {
         shown = QTest::qWaitForWindowActive(&window);
         field.setFocus(Qt::TabFocusReason);
     }
-    ~Bench() { // the members' order: a layout must not delete what is no child of its own making
+    ~Rig() { // the members' order: a layout must not delete what is no child of its own making
         field.setParent(nullptr);
         other.setParent(nullptr);
     }
@@ -86,51 +86,50 @@ private slots:
         QFETCH(int, unit);
         QFETCH(double, mm);
         for (const char* locale : {"C", "de_DE"}) {
-            Bench bench(locale, static_cast<LengthUnit>(unit));
-            QVERIFY(bench.shown);
-            bench.type(typed);
-            QCOMPARE(bench.edited.size(), 0); // not before it is committed
-            bench.commit();
-            QCOMPARE(bench.edited.size(), 1);
-            QVERIFY2(near(bench.edited[0][0].toDouble(), mm),
-                     qPrintable(QString::number(bench.edited[0][0].toDouble())));
-            QVERIFY(near(bench.field.value(), mm));
-            bench.commit();
-            QCOMPARE(bench.edited.size(), 1); // once
+            Rig rig(locale, static_cast<LengthUnit>(unit));
+            QVERIFY(rig.shown);
+            rig.type(typed);
+            QCOMPARE(rig.edited.size(), 0); // not before it is committed
+            rig.commit();
+            QCOMPARE(rig.edited.size(), 1);
+            QVERIFY2(near(rig.edited[0][0].toDouble(), mm), qPrintable(QString::number(rig.edited[0][0].toDouble())));
+            QVERIFY(near(rig.field.value(), mm));
+            rig.commit();
+            QCOMPARE(rig.edited.size(), 1); // once
         }
     }
 
     void itShowsWhatTheLocaleWrites() {
-        QCOMPARE(Bench("de_DE").text(), QStringLiteral("5,000 mm"));
-        QCOMPARE(Bench("C").text(), QStringLiteral("5.000 mm"));
-        QCOMPARE(Bench("de_DE", LengthUnit::inch).text(), QStringLiteral("0,1969 in"));
+        QCOMPARE(Rig("de_DE").text(), QStringLiteral("5,000 mm"));
+        QCOMPARE(Rig("C").text(), QStringLiteral("5.000 mm"));
+        QCOMPARE(Rig("de_DE", LengthUnit::inch).text(), QStringLiteral("0,1969 in"));
     }
 
     void leavingTheFieldCommits() {
-        Bench bench;
-        bench.type(QStringLiteral("8"));
-        QTest::keyClick(&bench.field, Qt::Key_Tab);
-        QVERIFY(bench.other.hasFocus());
-        QCOMPARE(bench.edited.size(), 1);
-        QCOMPARE(bench.edited[0][0].toDouble(), 8.0);
+        Rig rig;
+        rig.type(QStringLiteral("8"));
+        QTest::keyClick(&rig.field, Qt::Key_Tab);
+        QVERIFY(rig.other.hasFocus());
+        QCOMPARE(rig.edited.size(), 1);
+        QCOMPARE(rig.edited[0][0].toDouble(), 8.0);
     }
 
     void passingThroughChangesNothing() {
         // 1 mm is 0.03937… in: what is shown is rounded, and must not become the value.
-        Bench bench("C", LengthUnit::inch);
-        bench.field.showValue(1.0);
-        QTest::keyClick(&bench.field, Qt::Key_Tab);
-        QTest::keyClick(&bench.other, Qt::Key_Tab, Qt::ShiftModifier);
-        bench.commit();
-        QCOMPARE(bench.edited.size(), 0);
-        QCOMPARE(bench.field.value(), 1.0);
-        bench.type(QStringLiteral("0.0394")); // typing what is shown is no change either
-        bench.commit();
-        QCOMPARE(bench.field.value(), 1.0);
-        QCOMPARE(bench.edited.size(), 0);
-        bench.field.setLengthUnit(LengthUnit::millimetre);
-        QCOMPARE(bench.text(), QStringLiteral("1.000 mm"));
-        QCOMPARE(bench.edited.size(), 0);
+        Rig rig("C", LengthUnit::inch);
+        rig.field.showValue(1.0);
+        QTest::keyClick(&rig.field, Qt::Key_Tab);
+        QTest::keyClick(&rig.other, Qt::Key_Tab, Qt::ShiftModifier);
+        rig.commit();
+        QCOMPARE(rig.edited.size(), 0);
+        QCOMPARE(rig.field.value(), 1.0);
+        rig.type(QStringLiteral("0.0394")); // typing what is shown is no change either
+        rig.commit();
+        QCOMPARE(rig.field.value(), 1.0);
+        QCOMPARE(rig.edited.size(), 0);
+        rig.field.setLengthUnit(LengthUnit::millimetre);
+        QCOMPARE(rig.text(), QStringLiteral("1.000 mm"));
+        QCOMPARE(rig.edited.size(), 0);
     }
 
     /// It changes nothing, and says what was refused, the range and what stays, also where a click left the field.
@@ -152,16 +151,16 @@ private slots:
         QFETCH(QString, typed);
         QFETCH(QString, refused);
         QFETCH(bool, byEnter);
-        Bench bench;
-        bench.type(typed);
+        Rig rig;
+        rig.type(typed);
         if (byEnter)
-            bench.commit();
+            rig.commit();
         else
-            QTest::mouseClick(&bench.other, Qt::LeftButton);
-        QCOMPARE(bench.field.value(), 5.0);
-        QCOMPARE(bench.text(), QStringLiteral("5.000 mm"));
-        QCOMPARE(bench.edited.size(), 0);
-        auto* message = bench.window.findChild<QLabel*>(QStringLiteral("fieldMessage"));
+            QTest::mouseClick(&rig.other, Qt::LeftButton);
+        QCOMPARE(rig.field.value(), 5.0);
+        QCOMPARE(rig.text(), QStringLiteral("5.000 mm"));
+        QCOMPARE(rig.edited.size(), 0);
+        auto* message = rig.window.findChild<QLabel*>(QStringLiteral("fieldMessage"));
         QVERIFY(message != nullptr && message->isVisible());
         QString sentence = message->text().replace(QChar(QChar::Nbsp), QLatin1Char(' '));
         sentence.replace(QChar(0x2212), QLatin1Char('-'));
@@ -171,25 +170,25 @@ private slots:
 
     /// 5 mm is 0.19685 in, which is shown as 0.1969 in: 5.001 mm, and still the end of the range.
     void anEndOfTheRangeMayBeTypedAsItIsShown() {
-        Bench bench("C", LengthUnit::inch);
-        bench.field.limit(0.0, 5.0);
-        bench.field.showValue(1.0);
-        bench.type(QStringLiteral("0.1969"));
-        bench.commit();
-        QCOMPARE(bench.field.value(), 5.0);
-        QCOMPARE(bench.edited.size(), 1);
-        QVERIFY(bench.window.findChild<QLabel*>(QStringLiteral("fieldMessage")) == nullptr);
+        Rig rig("C", LengthUnit::inch);
+        rig.field.limit(0.0, 5.0);
+        rig.field.showValue(1.0);
+        rig.type(QStringLiteral("0.1969"));
+        rig.commit();
+        QCOMPARE(rig.field.value(), 5.0);
+        QCOMPARE(rig.edited.size(), 1);
+        QVERIFY(rig.window.findChild<QLabel*>(QStringLiteral("fieldMessage")) == nullptr);
     }
 
     void anEntryWithinTheRangeSaysNothing() {
-        Bench bench;
-        bench.type(QStringLiteral("100"));
-        bench.commit();
-        QCOMPARE(bench.field.value(), 100.0);
-        bench.type(QStringLiteral("500"));
-        QTest::keyClick(&bench.field, Qt::Key_Escape); // taken back before it counted
-        bench.commit();
-        QVERIFY(bench.window.findChild<QLabel*>(QStringLiteral("fieldMessage")) == nullptr);
+        Rig rig;
+        rig.type(QStringLiteral("100"));
+        rig.commit();
+        QCOMPARE(rig.field.value(), 100.0);
+        rig.type(QStringLiteral("500"));
+        QTest::keyClick(&rig.field, Qt::Key_Escape); // taken back before it counted
+        rig.commit();
+        QVERIFY(rig.window.findChild<QLabel*>(QStringLiteral("fieldMessage")) == nullptr);
     }
 
     void nonsenseChangesNothing_data() {
@@ -204,37 +203,37 @@ private slots:
     }
     void nonsenseChangesNothing() {
         QFETCH(QString, typed);
-        Bench bench;
-        bench.type(typed);
-        bench.commit();
-        QCOMPARE(bench.edited.size(), 0);
-        QCOMPARE(bench.field.value(), 5.0);
-        QCOMPARE(bench.text(), QStringLiteral("5.000 mm"));
+        Rig rig;
+        rig.type(typed);
+        rig.commit();
+        QCOMPARE(rig.edited.size(), 0);
+        QCOMPARE(rig.field.value(), 5.0);
+        QCOMPARE(rig.text(), QStringLiteral("5.000 mm"));
     }
 
     void escapeTakesTypingBack() {
-        Bench bench;
-        bench.type(QStringLiteral("77"));
-        QTest::keyClick(&bench.field, Qt::Key_Escape);
-        QCOMPARE(bench.text(), QStringLiteral("5.000 mm"));
-        bench.commit();
-        QCOMPARE(bench.edited.size(), 0);
+        Rig rig;
+        rig.type(QStringLiteral("77"));
+        QTest::keyClick(&rig.field, Qt::Key_Escape);
+        QCOMPARE(rig.text(), QStringLiteral("5.000 mm"));
+        rig.commit();
+        QCOMPARE(rig.edited.size(), 0);
     }
 
     /// Ctrl+Z is the window's once the number is committed, and the text's while it is typed.
     void undoIsTheWindowsUnlessTheUserTypes() {
-        Bench bench;
-        QVERIFY(bench.shown);
+        Rig rig;
+        QVERIFY(rig.shown);
         int undone = 0;
-        auto* undo = new QShortcut(QKeySequence::Undo, &bench.window);
+        auto* undo = new QShortcut(QKeySequence::Undo, &rig.window);
         connect(undo, &QShortcut::activated, this, [&] { ++undone; });
-        bench.type("12");
-        QTest::keyClick(&bench.field, Qt::Key_Z, Qt::ControlModifier);
+        rig.type("12");
+        QTest::keyClick(&rig.field, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(undone, 0);
-        bench.type("12");
-        bench.commit();
-        QVERIFY(bench.field.hasFocus());
-        QTest::keyClick(&bench.field, Qt::Key_Z, Qt::ControlModifier);
+        rig.type("12");
+        rig.commit();
+        QVERIFY(rig.field.hasFocus());
+        QTest::keyClick(&rig.field, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(undone, 1);
     }
 
@@ -264,62 +263,62 @@ private slots:
         QFETCH(int, unit);
         QFETCH(QString, up);
         QFETCH(QString, down);
-        Bench bench("C", static_cast<LengthUnit>(unit));
-        bench.field.showValue(from);
-        QTest::keyClick(&bench.field, Qt::Key_Up);
-        QCOMPARE(bench.text(), up);
-        QCOMPARE(bench.edited.size(), 1);
-        QCOMPARE(bench.edited[0][0].toDouble(), bench.field.value());
-        bench.field.showValue(from);
-        QTest::keyClick(&bench.field, Qt::Key_Down);
-        QCOMPARE(bench.text(), down);
-        QCOMPARE(bench.edited.size(), from > 0.0 ? 2 : 1);
+        Rig rig("C", static_cast<LengthUnit>(unit));
+        rig.field.showValue(from);
+        QTest::keyClick(&rig.field, Qt::Key_Up);
+        QCOMPARE(rig.text(), up);
+        QCOMPARE(rig.edited.size(), 1);
+        QCOMPARE(rig.edited[0][0].toDouble(), rig.field.value());
+        rig.field.showValue(from);
+        QTest::keyClick(&rig.field, Qt::Key_Down);
+        QCOMPARE(rig.text(), down);
+        QCOMPARE(rig.edited.size(), from > 0.0 ? 2 : 1);
     }
 
     void theWheelNeedsTheFocus() {
-        Bench bench;
-        const auto turn = [&bench](QWidget& field) {
+        Rig rig;
+        const auto turn = [&rig](QWidget& field) {
             const QPointF place = field.rect().center();
             QWheelEvent event(place, field.mapToGlobal(place), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
                               Qt::NoScrollPhase, false);
             QCoreApplication::sendEvent(&field, &event);
         };
-        bench.other.setFocus();
-        turn(bench.field);
-        QCOMPARE(bench.field.value(), 5.0);
-        QCOMPARE(bench.edited.size(), 0);
-        bench.field.setFocus();
-        turn(bench.field);
-        QVERIFY(near(bench.field.value(), 5.1));
-        QCOMPARE(bench.edited.size(), 1);
+        rig.other.setFocus();
+        turn(rig.field);
+        QCOMPARE(rig.field.value(), 5.0);
+        QCOMPARE(rig.edited.size(), 0);
+        rig.field.setFocus();
+        turn(rig.field);
+        QVERIFY(near(rig.field.value(), 5.1));
+        QCOMPARE(rig.edited.size(), 1);
     }
 
     void showingNeverTells() {
-        Bench bench;
-        bench.field.showValue(7.0);
-        bench.field.limit(0.0, 6.0);
-        bench.field.setLengthUnit(LengthUnit::inch);
-        QCOMPARE(bench.edited.size(), 0);
-        QCOMPARE(bench.field.value(), 6.0);
-        QTest::keyClick(&bench.field, Qt::Key_Tab);
-        QCOMPARE(bench.edited.size(), 0);
+        Rig rig;
+        rig.field.showValue(7.0);
+        rig.field.limit(0.0, 6.0);
+        rig.field.setLengthUnit(LengthUnit::inch);
+        QCOMPARE(rig.edited.size(), 0);
+        QCOMPARE(rig.field.value(), 6.0);
+        QTest::keyClick(&rig.field, Qt::Key_Tab);
+        QCOMPARE(rig.edited.size(), 0);
     }
 
     void typingIsLeftAlone() {
-        Bench bench;
-        bench.type(QStringLiteral("12"));
-        bench.field.findChild<QLineEdit*>()->setCursorPosition(1);
-        for (const double news : {5.0, 6.0, 6.5}) bench.field.showValue(news); // as the state does, many times a second
-        QVERIFY(bench.text().startsWith(QStringLiteral("12")));
-        QCOMPARE(bench.field.findChild<QLineEdit*>()->cursorPosition(), 1);
-        bench.commit();
-        QCOMPARE(bench.edited.size(), 1);
-        QCOMPARE(bench.edited[0][0].toDouble(), 12.0);
-        bench.type(QStringLiteral("30"));
-        bench.field.showValue(9.0);
-        QTest::keyClick(&bench.field, Qt::Key_Escape); // back to the newest news
-        QCOMPARE(bench.field.value(), 9.0);
-        QCOMPARE(bench.edited.size(), 1);
+        Rig rig;
+        rig.type(QStringLiteral("12"));
+        rig.field.findChild<QLineEdit*>()->setCursorPosition(1);
+        for (const double news : {5.0, 6.0, 6.5}) rig.field.showValue(news); // as the state does, many times a second
+        QVERIFY(rig.text().startsWith(QStringLiteral("12")));
+        QCOMPARE(rig.field.findChild<QLineEdit*>()->cursorPosition(), 1);
+        rig.commit();
+        QCOMPARE(rig.edited.size(), 1);
+        QCOMPARE(rig.edited[0][0].toDouble(), 12.0);
+        rig.type(QStringLiteral("30"));
+        rig.field.showValue(9.0);
+        QTest::keyClick(&rig.field, Qt::Key_Escape); // back to the newest news
+        QCOMPARE(rig.field.value(), 9.0);
+        QCOMPARE(rig.edited.size(), 1);
     }
 
     void otherQuantitiesHaveTheirUnits_data() {

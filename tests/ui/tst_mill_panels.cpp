@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/ui/panel_bench.h"
 #include "tests/ui/panel_examples.h"
+#include "tests/ui/panel_rig.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/job_line.h"
 #include "ui/panels/meter_bar.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/ui/panel_bench.h"
 #include "tests/ui/panel_examples.h"
+#include "tests/ui/panel_rig.h"
 #include "ui/panels/deviation_card.h"
 #include "ui/panels/deviation_legend.h"
 #include "ui/panels/edit_parameters.h"

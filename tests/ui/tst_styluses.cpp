@@ -87,22 +87,22 @@ struct Shelf {
 };
 
 /// Until a cube is embedded and the arm is in the hand.
-bool takeInHand(Shelf& shelf, Workbench& bench) {
+bool takeInHand(Shelf& shelf, Workbench& workbench) {
     shelf.arms->put({{"one", "Arm", {}}});
-    bench.document.createNew(false, [&](bool made) {
-        if (made) bench.importPart(BURIN_FIXTURES "/models/cube.brep", false);
+    workbench.document.createNew(false, [&](bool made) {
+        if (made) workbench.importPart(BURIN_FIXTURES "/models/cube.brep", false);
     });
-    if (!QTest::qWaitFor([&] { return bench.setup.usable(); }, 60000)) return false;
-    Setup coarse = bench.setup.setup();
+    if (!QTest::qWaitFor([&] { return workbench.setup.usable(); }, 60000)) return false;
+    Setup coarse = workbench.setup.setup();
     coarse.voxel = 1.0; // mm: soon embedded
-    bench.setup.edit(coarse);
-    bench.bench.embed();
-    if (!QTest::qWaitFor([&] { return bench.bench.ready(); }, 60000)) return false;
-    bench.styluses.start(shelf.registry);
-    if (!QTest::qWaitFor([&] { return bench.styluses.choices().size() == 2; }, 5000)) return false;
-    bench.styluses.choose(1);
-    bench.mill.enter();
-    return QTest::qWaitFor([&] { return bench.mill.active() && bench.session.state().ticks > 50; }, 5000);
+    workbench.setup.edit(coarse);
+    workbench.workpiece.embed();
+    if (!QTest::qWaitFor([&] { return workbench.workpiece.ready(); }, 60000)) return false;
+    workbench.styluses.start(shelf.registry);
+    if (!QTest::qWaitFor([&] { return workbench.styluses.choices().size() == 2; }, 5000)) return false;
+    workbench.styluses.choose(1);
+    workbench.mill.enter();
+    return QTest::qWaitFor([&] { return workbench.mill.active() && workbench.session.state().ticks > 50; }, 5000);
 }
 
 QStringList namesOf(const StylusController& styluses) {
@@ -126,8 +126,8 @@ private slots:
 
     void devicesComeAndGo() {
         Shelf shelf;
-        Workbench bench;
-        StylusController& styluses = bench.styluses;
+        Workbench workbench;
+        StylusController& styluses = workbench.styluses;
         QCOMPARE(namesOf(styluses), QStringList{"Mouse"});
         styluses.start(shelf.registry);
         const DeviceMode fast{"fast", BURIN_TEXT("Device", "quick")}, slow{"slow", BURIN_TEXT("Device", "calm")};
@@ -152,14 +152,14 @@ private slots:
 
     void aDeviceThatCannotBeUsedSaysSo() {
         Shelf shelf;
-        Workbench bench;
-        bench.styluses.start(shelf.registry);
+        Workbench workbench;
+        workbench.styluses.start(shelf.registry);
         shelf.arms->put({{"two", "Cap", {}}});
-        QTRY_COMPARE(bench.styluses.choices().size(), std::size_t{2});
-        bench.styluses.choose(1);
-        QSignalSpy failed(&bench, &Workbench::failed);
+        QTRY_COMPARE(workbench.styluses.choices().size(), std::size_t{2});
+        workbench.styluses.choose(1);
+        QSignalSpy failed(&workbench, &Workbench::failed);
         bool told = false;
-        bench.styluses.connectDevice([&](std::unique_ptr<AnyStylus> stylus) { told = stylus == nullptr; });
+        workbench.styluses.connectDevice([&](std::unique_ptr<AnyStylus> stylus) { told = stylus == nullptr; });
         QTRY_VERIFY(told);
         QCOMPARE(failed.size(), 1);
         QCOMPARE(qvariant_cast<Error>(failed[0][0]).code, ErrorCode::deviceNotAllowed);
@@ -168,14 +168,14 @@ private slots:
     /// Its button begins a stroke and its recording; unplugged it says so, and goes on when it is back.
     void aDeviceMills() {
         Shelf shelf;
-        Workbench bench;
-        QSignalSpy failed(&bench, &Workbench::failed);
-        QVERIFY(takeInHand(shelf, bench));
-        QVERIFY(!bench.mill.stylus()); // no pointer leads it
-        QVERIFY(!bench.mill.recording());
+        Workbench workbench;
+        QSignalSpy failed(&workbench, &Workbench::failed);
+        QVERIFY(takeInHand(shelf, workbench));
+        QVERIFY(!workbench.mill.stylus()); // no pointer leads it
+        QVERIFY(!workbench.mill.recording());
         shelf.hand.button = true;
-        QTRY_VERIFY(bench.mill.recording());
-        QTRY_VERIFY(bench.session.state().cutting);
+        QTRY_VERIFY(workbench.mill.recording());
+        QTRY_VERIFY(workbench.session.state().cutting);
 
         shelf.hand.pluggedIn = false;
         shelf.hand.stylus.load()->faults.raise(DeviceFault::unplugged);
@@ -185,40 +185,40 @@ private slots:
             });
         };
         QTRY_VERIFY(unplugged());
-        QTRY_VERIFY((bench.session.state().sample.flags & sampleStylusInvalid) != 0);
-        QCOMPARE(bench.session.state().sample.force, glm::dvec3(0.0));
-        QVERIFY(bench.mill.active());
+        QTRY_VERIFY((workbench.session.state().sample.flags & sampleStylusInvalid) != 0);
+        QCOMPARE(workbench.session.state().sample.force, glm::dvec3(0.0));
+        QVERIFY(workbench.mill.active());
         shelf.hand.pluggedIn = true;
-        QTRY_VERIFY((bench.session.state().sample.flags & sampleStylusInvalid) == 0);
-        QTRY_VERIFY(bench.session.state().cutting);
+        QTRY_VERIFY((workbench.session.state().sample.flags & sampleStylusInvalid) == 0);
+        QTRY_VERIFY(workbench.session.state().cutting);
 
-        bench.mill.stopRecording();
-        QTRY_VERIFY(!bench.mill.recording());
+        workbench.mill.stopRecording();
+        QTRY_VERIFY(!workbench.mill.recording());
         QTest::qWait(100);
-        QVERIFY(!bench.mill.recording()); // a button that is still held begins nothing
-        bench.mill.leave();
-        QTRY_VERIFY(!bench.mill.active());
-        QTRY_COMPARE(bench.mill.takes().size(), std::size_t{1});
-        QCOMPARE(bench.mill.takes()[0].stylus, std::string("Arm"));
-        QVERIFY(bench.mill.takes()[0].sampleCount > 0);
+        QVERIFY(!workbench.mill.recording()); // a button that is still held begins nothing
+        workbench.mill.leave();
+        QTRY_VERIFY(!workbench.mill.active());
+        QTRY_COMPARE(workbench.mill.takes().size(), std::size_t{1});
+        QCOMPARE(workbench.mill.takes()[0].stylus, std::string("Arm"));
+        QVERIFY(workbench.mill.takes()[0].sampleCount > 0);
     }
 
     /// What is set stays with the device, and can be undone.
     void theHandIsScaledAndClutched() {
         Shelf shelf;
-        Workbench bench;
-        QVERIFY(takeInHand(shelf, bench));
-        HandController& hand = bench.hand;
-        const SessionState& state = bench.session.state();
+        Workbench workbench;
+        QVERIFY(takeInHand(shelf, workbench));
+        HandController& hand = workbench.hand;
+        const SessionState& state = workbench.session.state();
         const double first = state.workspaceScale;
         hand.setScale(2.0 * first);
         QTRY_VERIFY(std::abs(state.workspaceScale - 2.0 * first) < 1e-9);
-        bench.mill.leave();
-        QTRY_VERIFY(!bench.mill.active());
-        bench.mill.enter();
-        QTRY_VERIFY(bench.mill.active());
+        workbench.mill.leave();
+        QTRY_VERIFY(!workbench.mill.active());
+        workbench.mill.enter();
+        QTRY_VERIFY(workbench.mill.active());
         QTRY_VERIFY(std::abs(state.workspaceScale - 2.0 * first) < 1e-9);
-        bench.undoLast();
+        workbench.undoLast();
         QTRY_VERIFY(std::abs(state.workspaceScale - first) < 1e-9);
         QVERIFY(!hand.canRate()); // its motors would push it out of its place
 
@@ -242,13 +242,13 @@ private slots:
     void aDeadMansSwitchKeepsForcesOff() {
         constexpr int patience = 20000; // ms: forces fade in by ticks, which a busy machine makes late
         Shelf shelf;
-        Workbench bench;
-        QVERIFY(takeInHand(shelf, bench));
-        const SessionState& state = bench.session.state();
+        Workbench workbench;
+        QVERIFY(takeInHand(shelf, workbench));
+        const SessionState& state = workbench.session.state();
         QTRY_VERIFY_WITH_TIMEOUT((state.sample.flags & sampleForcesOff) == 0, patience); // they have faded in
-        bench.hand.setForceButton(2);
+        workbench.hand.setForceButton(2);
         QTRY_VERIFY_WITH_TIMEOUT(
-            bench.mill.active() && state.ticks > 100 && (state.sample.flags & sampleForcesOff) != 0, patience);
+            workbench.mill.active() && state.ticks > 100 && (state.sample.flags & sampleForcesOff) != 0, patience);
         QTest::qWait(2500); // longer than forces take to fade in
         QVERIFY((state.sample.flags & sampleForcesOff) != 0);
         QCOMPARE(state.sample.force, glm::dvec3(0.0));
@@ -256,27 +256,27 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT((state.sample.flags & sampleForcesOff) == 0, patience);
         shelf.hand.secondButton = false;
         QTRY_VERIFY_WITH_TIMEOUT((state.sample.flags & sampleForcesOff) != 0, patience);
-        bench.undoLast();
-        QTRY_VERIFY_WITH_TIMEOUT(bench.mill.active() && (state.sample.flags & sampleForcesOff) == 0, patience);
+        workbench.undoLast();
+        QTRY_VERIFY_WITH_TIMEOUT(workbench.mill.active() && (state.sample.flags & sampleForcesOff) == 0, patience);
     }
 
     void aStylusWithoutMotorsMaySetTheSpeed() {
         Shelf shelf;
         shelf.arms->motors = false;
         shelf.hand.aside = true;
-        Workbench bench;
-        QVERIFY(takeInHand(shelf, bench));
-        QVERIFY(bench.hand.canRate());
-        const SessionState& state = bench.session.state();
+        Workbench workbench;
+        QVERIFY(takeInHand(shelf, workbench));
+        QVERIFY(workbench.hand.canRate());
+        const SessionState& state = workbench.session.state();
         const glm::dvec3 rest = state.sample.stylusTip;
         QTest::qWait(200);
         QCOMPARE(state.sample.stylusTip, rest); // the hand rests, and so does the tool
-        bench.hand.setControl(WorkspaceControl::rate);
+        workbench.hand.setControl(WorkspaceControl::rate);
         QTRY_VERIFY(state.sample.stylusTip.x > rest.x + 5.0); // it goes on as long as the hand is aside
-        const Box region = bench.bench.bench()->tipRegion();
+        const Box region = workbench.workpiece.milling()->tipRegion();
         QTest::qWait(3000);
-        QVERIFY(region.grown(1e-9).contains(state.sample.stylusTip)); // and not out of the bench
-        bench.undoLast();
+        QVERIFY(region.grown(1e-9).contains(state.sample.stylusTip)); // and not out of the rig
+        workbench.undoLast();
         QTest::qWait(100);
         const glm::dvec3 stopped = state.sample.stylusTip;
         QTest::qWait(200);
@@ -285,13 +285,13 @@ private slots:
 
     void aDeviceWhoseBatteryIsLowIsToldOnce() {
         Shelf shelf;
-        Workbench bench;
-        QVERIFY(takeInHand(shelf, bench));
-        QSignalSpy low(&bench.hand, &HandController::batteryLow);
+        Workbench workbench;
+        QVERIFY(takeInHand(shelf, workbench));
+        QSignalSpy low(&workbench.hand, &HandController::batteryLow);
         OwnStylus& arm = *shelf.hand.stylus.load();
         arm.battery = 0.4;
         arm.heat = 0.5;
-        QTRY_VERIFY(bench.hand.health().batteryShare && *bench.hand.health().motorHeat > 0.4);
+        QTRY_VERIFY(workbench.hand.health().batteryShare && *workbench.hand.health().motorHeat > 0.4);
         QCOMPARE(low.size(), 0);
         arm.battery = 0.12;
         QTRY_COMPARE(low.size(), 1);
@@ -300,7 +300,7 @@ private slots:
         QTest::qWait(700);
         QCOMPARE(low.size(), 1);
         arm.battery = 0.5; // charged, and low again
-        QTRY_VERIFY(*bench.hand.health().batteryShare > 0.4);
+        QTRY_VERIFY(*workbench.hand.health().batteryShare > 0.4);
         arm.battery = 0.1;
         QTRY_COMPARE(low.size(), 2);
     }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
-#include "tests/ui/panel_bench.h"
+#include "tests/ui/panel_rig.h"
 #include "ui/panels/bounds_panel.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/surroundings_panel.h"

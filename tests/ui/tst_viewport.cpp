@@ -46,11 +46,11 @@ class TestViewport : public QObject {
 
 private slots:
     void initTestCase() {
-        bench_ = std::make_unique<fixture::ViewportWindow>();
-        viewport_ = bench_->viewport;
-        QTRY_VERIFY(bench_->ready());
-        bench_->settle();
-        QVERIFY(bench_->save("viewport-part"));
+        rig_ = std::make_unique<fixture::ViewportWindow>();
+        viewport_ = rig_->viewport;
+        QTRY_VERIFY(rig_->ready());
+        rig_->settle();
+        QVERIFY(rig_->save("viewport-part"));
     }
 
     void init() {
@@ -78,7 +78,7 @@ private slots:
         viewport_->setPreviewedPart(fixture::model(fixture::radii));
         viewport_->setPart(part); // as when a project is opened meanwhile
         QTRY_VERIFY(!viewport_->showsPreview());
-        bench_->settle();
+        rig_->settle();
     }
 
     void sightAndProjectionAreInverse() {
@@ -91,7 +91,7 @@ private slots:
 
     void orbitTurnsWithoutRolling() {
         const glm::dvec3 before = viewport_->sight({500.0, 350.0}).rayDirection;
-        bench_->drag(Qt::RightButton, {500, 350}, {620, 300});
+        rig_->drag(Qt::RightButton, {500, 350}, {620, 300});
         const glm::dvec3 after = viewport_->sight({500.0, 350.0}).rayDirection;
         QVERIFY(glm::distance(before, after) > 0.2);
         // z still points up in the picture: two places above each other share their column in the middle.
@@ -105,14 +105,14 @@ private slots:
     void orbitKeepsThePlaceUnderThePointer() {
         const glm::dvec3 summit(0.0, 0.0, 14.0);
         const QPointF at = viewport_->project(summit);
-        bench_->drag(Qt::MiddleButton, at.toPoint(), at.toPoint() + QPoint(90, 20));
+        rig_->drag(Qt::MiddleButton, at.toPoint(), at.toPoint() + QPoint(90, 20));
         QVERIFY(pixels(viewport_->project(summit), at) < 3.0); // the pointer stands on whole pixels
     }
 
     void panMovesThePlaceWithThePointer() {
         const glm::dvec3 summit(0.0, 0.0, 14.0);
         const QPoint at = viewport_->project(summit).toPoint();
-        bench_->drag(Qt::MiddleButton, at, at + QPoint(70, -40), Qt::ShiftModifier);
+        rig_->drag(Qt::MiddleButton, at, at + QPoint(70, -40), Qt::ShiftModifier);
         QVERIFY(pixels(viewport_->project(summit), at + QPoint(70, -40)) <= 2.0);
     }
 
@@ -120,7 +120,7 @@ private slots:
         const glm::dvec3 summit(0.0, 0.0, 14.0);
         const QPointF at = viewport_->project(summit);
         const double before = pixels(viewport_->project({5.0, 0.0, 0.0}), viewport_->project({0.0, 0.0, 0.0}));
-        bench_->wheel(at, 3);
+        rig_->wheel(at, 3);
         QVERIFY(pixels(viewport_->project(summit), at) <= 1.0);
         QVERIFY(pixels(viewport_->project({5.0, 0.0, 0.0}), viewport_->project({0.0, 0.0, 0.0})) > 1.3 * before);
         viewport_->fit();
@@ -145,7 +145,7 @@ private slots:
         // The top face of the cube is the upper one in the isometric view.
         const QPoint top(viewport_->width() - 60, 40);
         QTest::mouseMove(viewport_, top);
-        QVERIFY(bench_->save("viewport-cube"));
+        QVERIFY(rig_->save("viewport-cube"));
         QTest::mouseClick(viewport_, Qt::LeftButton, Qt::NoModifier, top);
         QVERIFY(glm::distance(viewport_->sight({500.0, 350.0}).rayDirection, glm::dvec3(0.0, 0.0, -1.0)) < 0.05);
     }
@@ -159,14 +159,14 @@ private slots:
         QCOMPARE(tool.last.modifiers, Qt::ShiftModifier);
         QCOMPARE(tool.last.rayDirection, viewport_->sight({400.0, 300.0}).rayDirection);
         QTest::mouseRelease(viewport_, Qt::LeftButton, Qt::NoModifier, {400, 300});
-        bench_->wheel({400.0, 300.0}, 2);
+        rig_->wheel({400.0, 300.0}, 2);
         QCOMPARE(tool.last.wheelSteps, 2.0);
         QCOMPARE(viewport_->sight({500.0, 350.0}).rayDirection, before);
         viewport_->setFocus();
         QTest::keyClick(viewport_, Qt::Key_Escape);
         QCOMPARE(tool.keys.back(), static_cast<int>(Qt::Key_Escape));
         tool.takes = false;
-        bench_->drag(Qt::RightButton, {500, 350}, {560, 350});
+        rig_->drag(Qt::RightButton, {500, 350}, {560, 350});
         QVERIFY(viewport_->sight({500.0, 350.0}).rayDirection != before);
         viewport_->setInteractiveTool(nullptr);
         QCOMPARE(tool.left, 1);
@@ -174,7 +174,7 @@ private slots:
 
     void nothingIsDrawnInVain() {
         viewport_->setToolMarks(marksAt({6.0, -4.0, 20.0}));
-        bench_->settle();
+        rig_->settle();
         QSignalSpy painted(viewport_, &Viewport::painted);
         for (int i = 0; i < 10; ++i) {
             viewport_->setToolMarks(marksAt({6.0, -4.0, 20.0})); // the same again
@@ -185,8 +185,8 @@ private slots:
 
     /// As when a notice over it goes: the picture is shown again.
     void whatWasCoveredForAMomentIsNotDrawnAgain() {
-        bench_->settle();
-        const QImage before = bench_->window->grab().toImage();
+        rig_->settle();
+        const QImage before = rig_->window->grab().toImage();
         QSignalSpy painted(viewport_, &Viewport::painted);
         {
             QWidget cover(viewport_);
@@ -194,11 +194,11 @@ private slots:
             cover.setAutoFillBackground(true);
             cover.show();
             QTest::qWait(50);
-            QVERIFY(bench_->window->grab().toImage() != before);
+            QVERIFY(rig_->window->grab().toImage() != before);
         }
         QTest::qWait(50);
         QCOMPARE(painted.count(), 0);
-        QCOMPARE(bench_->window->grab().toImage(), before);
+        QCOMPARE(rig_->window->grab().toImage(), before);
     }
 
     void manyChangesMakeOnePaint() {
@@ -206,13 +206,13 @@ private slots:
         for (int i = 0; i < 50; ++i) viewport_->setToolMarks(marksAt({0.1 * i, -4.0, 20.0}));
         QTRY_VERIFY(painted.count() > 0);
         QVERIFY(painted.count() <= 2);
-        bench_->settle();
+        rig_->settle();
     }
 
-    void cleanupTestCase() { bench_.reset(); }
+    void cleanupTestCase() { rig_.reset(); }
 
 private:
-    std::unique_ptr<fixture::ViewportWindow> bench_;
+    std::unique_ptr<fixture::ViewportWindow> rig_;
     Viewport* viewport_ = nullptr;
 };
 

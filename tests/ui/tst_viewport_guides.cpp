@@ -60,21 +60,21 @@ class TestViewportGuides : public QObject {
     Q_OBJECT
 private slots:
     void initTestCase() {
-        bench_ = std::make_unique<fixture::ViewportWindow>();
-        viewport_ = bench_->viewport;
-        QTRY_VERIFY(bench_->ready());
+        rig_ = std::make_unique<fixture::ViewportWindow>();
+        viewport_ = rig_->viewport;
+        QTRY_VERIFY(rig_->ready());
         volume_ = std::make_unique<RunVolume>(fixture::milledBlock(stock, 0.25, radii));
         viewport_->setWorkpiece(volume_->snapshot());
         viewport_->setToolMarks(marksAt({-9.0, -7.0, 22.0}));
         QTRY_VERIFY_WITH_TIMEOUT(viewport_->statistics().fullDetail, 8000);
-        bench_->settle();
+        rig_->settle();
     }
     void init() {
         viewport_->setGuides({});
-        bench_->settle();
+        rig_->settle();
         plain_ = viewport_->grabFramebuffer();
     }
-    void cleanupTestCase() { bench_.reset(); }
+    void cleanupTestCase() { rig_.reset(); }
 
     void everyKindIsSeenAndGoesAgain_data() {
         QTest::addColumn<int>("kind");
@@ -95,21 +95,21 @@ private slots:
         viewport_->setGuides(marks);
         QImage idle;
         const auto drawn = [&] {
-            bench_->settle();
+            rig_->settle();
             idle = viewport_->grabFramebuffer();
             return difference(plain_, idle);
         };
         QTRY_VERIFY_WITH_TIMEOUT(drawn().width() > 60, 5000);
-        QVERIFY(bench_->save(qPrintable(QStringLiteral("guide-") + name), idle));
+        QVERIFY(rig_->save(qPrintable(QStringLiteral("guide-") + name), idle));
         GuideMarks holding = marks;
         holding.guides[0].holds = true;
         viewport_->setGuides(holding);
-        bench_->settle();
+        rig_->settle();
         const QImage held = viewport_->grabFramebuffer();
         QVERIFY(!difference(idle, held).isEmpty());
-        QVERIFY(bench_->save(qPrintable(QStringLiteral("guide-") + name + QStringLiteral("-holds")), held));
+        QVERIFY(rig_->save(qPrintable(QStringLiteral("guide-") + name + QStringLiteral("-holds")), held));
         viewport_->setGuides({});
-        bench_->settle();
+        rig_->settle();
         QVERIFY(difference(plain_, viewport_->grabFramebuffer(), 0).isEmpty());
     }
 
@@ -119,7 +119,7 @@ private slots:
             GuideMark mark = markOf(GuideKind::plane);
             mark.guide.point = {0.0, 0.0, height};
             viewport_->setGuides(marksOf(mark));
-            bench_->settle();
+            rig_->settle();
             const QImage first = viewport_->grabFramebuffer();
             QVERIFY(!difference(plain_, first).isEmpty());
             // On the face that it shares with the stock the film is even: one colour, or the other, not a pattern.
@@ -146,7 +146,7 @@ private slots:
         mark.guide.point = {0.0, 0.0, 8.0}; // through the part
         mark.guide.direction = {1.0, 0.0, 0.0};
         viewport_->setGuides(marksOf(mark));
-        bench_->settle();
+        rig_->settle();
         const QImage image = viewport_->grabFramebuffer();
         int seen = 0;
         for (double x = 5.0; x <= 25.0; x += 1.0) {
@@ -167,8 +167,8 @@ private slots:
         for (const Theme theme : {Theme::light, Theme::dark}) {
             viewport_->setPalette3D(*loadPalette(theme));
             viewport_->setGuides(all);
-            bench_->settle();
-            QVERIFY(bench_->save(theme == Theme::light ? "guide-light" : "guide-dark"));
+            rig_->settle();
+            QVERIFY(rig_->save(theme == Theme::light ? "guide-light" : "guide-dark"));
         }
         viewport_->setPalette3D(fixture::palette());
     }
@@ -213,7 +213,7 @@ private:
         return marks;
     }
 
-    std::unique_ptr<fixture::ViewportWindow> bench_;
+    std::unique_ptr<fixture::ViewportWindow> rig_;
     Viewport* viewport_ = nullptr;
     std::unique_ptr<RunVolume> volume_;
     std::unique_ptr<GuideCurve> curve_;

@@ -99,17 +99,17 @@ EvaluatedPath straight(MoveKind kind, MillingSide side) {
 
 } // namespace
 
-/// How the bench looks: light, edges, shadow, and lines that stand out.
+/// How the rig looks: light, edges, shadow, and lines that stand out.
 class TestViewportLook : public QObject {
     Q_OBJECT
 
 private slots:
     void initTestCase() {
-        bench_ = std::make_unique<fixture::ViewportWindow>();
-        viewport_ = bench_->viewport;
+        rig_ = std::make_unique<fixture::ViewportWindow>();
+        viewport_ = rig_->viewport;
         viewport_->setToolVisible(false);
         viewport_->setPart(bossOnPlate());
-        QTRY_VERIFY(bench_->ready());
+        QTRY_VERIFY(rig_->ready());
     }
     void init() {
         viewport_->setPalette3D(fixture::palette());
@@ -129,9 +129,9 @@ private slots:
                 const double ratio = lightnessOf(pixelAt(image, at)) / lightnessOf(pixelAt(image, beside));
                 QVERIFY2(std::max(ratio, 1.0 / ratio) > 1.06, qPrintable(one + " and " + other));
             }
-        QVERIFY(bench_->save("viewport-prism-above", image));
+        QVERIFY(rig_->save("viewport-prism-above", image));
         viewport_->setStandardView(StandardView::isometric);
-        QVERIFY(bench_->save("viewport-prism"));
+        QVERIFY(rig_->save("viewport-prism"));
     }
 
     /// A wall that stands upright is no more than a line from above: it has to be a dark one.
@@ -171,7 +171,7 @@ private slots:
         };
         viewport_->setPath(straight(MoveKind::cut, MillingSide::climb));
         check(palette.path);
-        QVERIFY(bench_->save(theme == 0 ? "viewport-path-dark" : "viewport-path-light"));
+        QVERIFY(rig_->save(theme == 0 ? "viewport-path-dark" : "viewport-path-light"));
         viewport_->setPath(straight(MoveKind::cut, MillingSide::conventional));
         check(palette.conventionalPath);
         viewport_->setPath(straight(MoveKind::retract, MillingSide::climb));
@@ -191,8 +191,8 @@ private slots:
     void theBenchCastsASoftShadow() {
         viewport_->setStockOutline(stock);
         viewport_->setStandardView(StandardView::top);
-        bench_->wheel(QPointF(viewport_->rect().center()), -4); // so that there is bench to be seen
-        bench_->settle();
+        rig_->wheel(QPointF(viewport_->rect().center()), -4); // so that there is rig to be seen
+        rig_->settle();
         const QImage image = viewport_->grabFramebuffer();
         const glm::dvec3 near{31.0, 2.5, -4.0}, far{38.0, 2.5, -4.0};
         QVERIFY(lightnessOf(pixelAt(image, near)) < 0.93 * lightnessOf(pixelAt(image, far)));
@@ -203,8 +203,8 @@ private slots:
 
     /// However light or dark what lies below it.
     void theScaleStandsOnAPlate() {
-        bench_->wheel(QPointF(viewport_->rect().center()), 20); // the part's top fills the view
-        bench_->settle();
+        rig_->wheel(QPointF(viewport_->rect().center()), 20); // the part's top fills the view
+        rig_->settle();
         const QImage image = viewport_->grabFramebuffer();
         const double ratio = viewport_->devicePixelRatio();
         const QPoint corner(static_cast<int>(18 * ratio), image.height() - static_cast<int>(19 * ratio));
@@ -216,17 +216,17 @@ private slots:
             for (int x = 0; x < static_cast<int>(150 * ratio); ++x)
                 if (image.pixelColor(x, y) == fixture::palette().text) ++ink;
         QVERIFY(ink > 60 * ratio);
-        QVERIFY(bench_->save("viewport-scale", image));
+        QVERIFY(rig_->save("viewport-scale", image));
     }
 
     /// It would cost every picture its triangles.
     void aPartThatStockHidesIsNotDrawn() {
         viewport_->setPartVisible(false);
         viewport_->setWorkpiece(blockUpTo(18.0));
-        bench_->settle();
+        rig_->settle();
         const std::size_t withPart = viewport_->statistics().triangles;
         viewport_->setPart(nullptr);
-        bench_->settle();
+        rig_->settle();
         QVERIFY(withPart > 0);
         QCOMPARE(withPart, viewport_->statistics().triangles);
         viewport_->setWorkpiece({});
@@ -236,12 +236,12 @@ private slots:
     /// Beyond the voxels nothing is known to hide it.
     void aPartThatStandsOutOfTheStockIsSeen() {
         viewport_->setPart(bossOnPlate());
-        QTRY_VERIFY(bench_->ready());
+        QTRY_VERIFY(rig_->ready());
         viewport_->setPartVisible(false);
         viewport_->setWorkpiece(blockUpTo(6.0));
-        bench_->settle();
+        rig_->settle();
         const QImage image = viewport_->grabFramebuffer();
-        QVERIFY(bench_->save("viewport-part-out-of-stock", image));
+        QVERIFY(rig_->save("viewport-part-out-of-stock", image));
         const auto isPart = [&](const glm::dvec3& place) {
             const QColor colour = pixelAt(image, place);
             return colour.blue() > colour.red() + 40;
@@ -263,9 +263,9 @@ private slots:
         viewport_->setWorkpiece(volume.snapshot());
         viewport_->setPartVisible(false); // its own show: it is seen as far as the workpiece is bare
         viewport_->fit();
-        bench_->settle();
+        rig_->settle();
         const QImage image = viewport_->grabFramebuffer();
-        QVERIFY(bench_->save("viewport-bare-part", image));
+        QVERIFY(rig_->save("viewport-bare-part", image));
         const double pixel = 1.0 / (glm::distance(at(1.0), at(0.0)) * viewport_->devicePixelRatio()); // mm
         QVERIFY(pixel < 0.15);
         const auto isPart = [&](const glm::dvec3& place) {
@@ -299,9 +299,9 @@ private slots:
         viewport_->setWorkpiece(volume.snapshot());
         viewport_->setWorkpieceOpacity(0.5);
         viewport_->setStandardView(StandardView::front);
-        bench_->settle();
+        rig_->settle();
         const QImage image = viewport_->grabFramebuffer();
-        QVERIFY(bench_->save("viewport-glass", image));
+        QVERIFY(rig_->save("viewport-glass", image));
         const QColor middle = pixelAt(image, {0.3, -12.0, -1.0});
         QVERIFY(middle != pixelAt(image, {-25.0, -12.0, -1.0})); // it is there
         for (double x = -23.0; x <= 23.0; x += 0.05)
@@ -311,7 +311,7 @@ private slots:
         viewport_->setWorkpiece({});
     }
 
-    void cleanupTestCase() { bench_.reset(); }
+    void cleanupTestCase() { rig_.reset(); }
 
 private:
     /// On the screen, device-independent pixels.
@@ -335,7 +335,7 @@ private:
         return count;
     }
 
-    std::unique_ptr<fixture::ViewportWindow> bench_;
+    std::unique_ptr<fixture::ViewportWindow> rig_;
     Viewport* viewport_ = nullptr;
 };
 

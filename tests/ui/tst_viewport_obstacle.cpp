@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/ui/bench_fixture.h"
+#include "tests/ui/workbench_fixture.h"
 #include "ui/scene/viewport.h"
 
 #include <QApplication>

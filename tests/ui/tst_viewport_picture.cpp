@@ -88,9 +88,9 @@ class TestViewportPicture : public QObject {
 
 private slots:
     void initTestCase() {
-        bench_ = std::make_unique<fixture::ViewportWindow>();
-        viewport_ = bench_->viewport;
-        QTRY_VERIFY(bench_->ready());
+        rig_ = std::make_unique<fixture::ViewportWindow>();
+        viewport_ = rig_->viewport;
+        QTRY_VERIFY(rig_->ready());
     }
 
     void init() {
@@ -106,7 +106,7 @@ private slots:
         pages->addWidget(new QWidget);
         pages->addWidget(warm);
         window.setCentralWidget(pages);
-        window.resize(bench_->window->size());
+        window.resize(rig_->window->size());
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         QSignalSpy painted(warm, &Viewport::painted);
@@ -119,7 +119,7 @@ private slots:
         QCOMPARE(warm->statistics().triangles, std::size_t{0}); // the view is empty
         fixture::ViewportWindow::fill(*warm);
         QTRY_COMPARE(warm->contentBox().size(), viewport_->contentBox().size());
-        bench_->settle();
+        rig_->settle();
         const QImage expected = viewport_->grabFramebuffer();
         QTRY_VERIFY(warm->grabFramebuffer() == expected);
     }
@@ -176,14 +176,14 @@ private slots:
         viewport_->setToolMarks(marks);
         for (float x = -20.0F; x < -8.0F; x += 2.0F) viewport_->appendLivePath(wave(x), true);
         QTRY_VERIFY_WITH_TIMEOUT(viewport_->statistics().fullDetail, 5000);
-        bench_->settle();
+        rig_->settle();
         const FrameStatistics statistics = viewport_->statistics();
         QCOMPARE(statistics.cutsShown, std::size_t{1});
         QVERIFY(statistics.triangles > 1000);
         const QImage image = viewport_->grabFramebuffer();
         QVERIFY(countLike(image, image.rect(), fixture::palette().force, 3) > 60);     // the arrow
         QVERIFY(countLike(image, image.rect(), fixture::palette().livePath, 3) > 200); // the path
-        QVERIFY(bench_->save("viewport-bench"));
+        QVERIFY(rig_->save("viewport-workpiece"));
         qInfo("paint p95 %.1f ms, longest %.1f ms, cut to screen %.1f ms, %zu triangles", statistics.paintP95,
               statistics.paintMaximum, statistics.cutToScreenMaximum, statistics.triangles);
     }
@@ -195,8 +195,8 @@ private slots:
         viewport_->setStandardView(StandardView::top);
         viewport_->setToolMarks(marksAt({-9.0, -7.0, 30.0})); // parked over the milled side, where the part shows
         QTRY_VERIFY_WITH_TIMEOUT(viewport_->statistics().fullDetail, 5000);
-        bench_->settle();
-        QVERIFY(bench_->save("viewport-faded-holder"));
+        rig_->settle();
+        QVERIFY(rig_->save("viewport-faded-holder"));
         const QImage with = viewport_->grabFramebuffer();
         viewport_->setToolVisible(false);
         const QImage without = viewport_->grabFramebuffer();
@@ -217,7 +217,7 @@ private slots:
         // From the side it hides nothing and is as solid as ever: before the background, and before the stock.
         viewport_->setStandardView(StandardView::front);
         viewport_->setToolMarks(marksAt({0.0, -30.0, -15.0}));
-        bench_->settle();
+        rig_->settle();
         const QColor shank =
             viewport_->grabFramebuffer().pixelColor((viewport_->project({-2.0, -34.0, 10.0}) * ratio).toPoint());
         const QColor expected = fixture::palette().shank;
@@ -240,7 +240,7 @@ private slots:
         const auto pictureOf = [&](const glm::dvec3& tip, const std::vector<ObstacleMark>& obstacles) {
             viewport_->setToolMarks(marksAt(tip));
             viewport_->setObstacles(obstacles);
-            bench_->settle();
+            rig_->settle();
             return viewport_->grabFramebuffer();
         };
         // Two rows beside the flutes, within the clamp.
@@ -266,10 +266,10 @@ private slots:
             });
         };
         QTRY_VERIFY_WITH_TIMEOUT(solid(pictureOf(aside, clamped)), 5000); // its mesh is made on another thread
-        QVERIFY(bench_->save("viewport-solid-fixture"));
+        QVERIFY(rig_->save("viewport-solid-fixture"));
         const QImage bare = pictureOf(under, {}), bareAside = pictureOf(aside, {});
         QTRY_VERIFY_WITH_TIMEOUT(seenThrough(pictureOf(under, clamped), bare), 5000);
-        QVERIFY(bench_->save("viewport-faded-fixture"));
+        QVERIFY(rig_->save("viewport-faded-fixture"));
         QVERIFY(solid(pictureOf(aside, clamped))); // it comes back
         viewport_->setPressMark(PressMark{under, {0.0, 0.0, 1.0}, 3.0, 1.0, std::nullopt});
         QVERIFY(seenThrough(viewport_->grabFramebuffer(), bareAside));
@@ -278,7 +278,7 @@ private slots:
         // Beside the cut it stays: seen from the front it stands behind the tool.
         viewport_->setToolMarks(marksAt({under.x, -24.0, 24.0}));
         viewport_->setStandardView(StandardView::front);
-        bench_->settle();
+        rig_->settle();
         const QColor front = viewport_->grabFramebuffer().pixelColor(
             (viewport_->project({under.x - 7.0, under.y - 8.0, 26.0}) * ratio).toPoint());
         QVERIFY(alike(front, fixture::palette().holder, 60));
@@ -305,12 +305,12 @@ private slots:
             QVERIFY(countLike(image, image.rect(), red, 2) > 500); // the outline stays
             least = std::min(least, reddish);
             most = std::max(most, reddish);
-            if (i == 0) QVERIFY(bench_->save("viewport-alarm"));
+            if (i == 0) QVERIFY(rig_->save("viewport-alarm"));
         }
         QVERIFY(most > least + 200);
         marks.alarm = false;
         viewport_->setToolMarks(marks);
-        bench_->settle();
+        rig_->settle();
         QSignalSpy painted(viewport_, &Viewport::painted);
         QTest::qWait(400);
         QCOMPARE(painted.count(), 0); // and nothing flashes any more
@@ -334,7 +334,7 @@ private slots:
         QVERIFY(countLike(image, image.rect(), palette.path, 3) < 3 * cuts / 4);
         QVERIFY(countLike(image, image.rect(), palette.conventionalPath, 3) > pink + cuts / 4);
         QVERIFY(countLike(image, image.rect(), palette.plungePath, 6) > 20);
-        QVERIFY(bench_->save("viewport-path"));
+        QVERIFY(rig_->save("viewport-path"));
         // What an edit left out is red, a part that is too short for a line as well.
         const auto red = [&] {
             const QImage now = viewport_->grabFramebuffer();
@@ -351,7 +351,7 @@ private slots:
         path.reports.front().omissions.front().line.back() = from + glm::dvec3(12.0, 4.0, 0.0);
         viewport_->setPath(path);
         QVERIFY(red() > dot + 60);
-        QVERIFY(bench_->save("viewport-path-omission"));
+        QVERIFY(rig_->save("viewport-path-omission"));
         viewport_->setPathVisible(false);
         QCOMPARE(countLike(viewport_->grabFramebuffer(), image.rect(), palette.path, 3), 0);
         QCOMPARE(red(), none);
@@ -399,10 +399,10 @@ private slots:
             ++(grey.green() < 95 ? dark : light);
         }
         QVERIFY(dark > 40 && light > 80); // hatched
-        QVERIFY(bench_->save("viewport-deviation"));
+        QVERIFY(rig_->save("viewport-deviation"));
         viewport_->setStandardView(StandardView::isometric);
-        bench_->settle();
-        QVERIFY(bench_->save("viewport-deviation-isometric"));
+        rig_->settle();
+        QVERIFY(rig_->save("viewport-deviation-isometric"));
         // Taken away, the part is there as before.
         viewport_->setDeviations({});
         viewport_->setStandardView(StandardView::top);
@@ -454,8 +454,8 @@ private slots:
                      qPrintable(QString("%1 mm at %2: %3").arg(value).arg(x).arg(drawn.name())));
         }
         viewport_->setStandardView(StandardView::isometric);
-        bench_->settle();
-        QVERIFY(bench_->save("viewport-deviation-dome"));
+        rig_->settle();
+        QVERIFY(rig_->save("viewport-deviation-dome"));
         viewport_->setDeviations({});
         viewport_->setWorkpieceVisible(true);
         viewport_->setToolVisible(true);
@@ -483,17 +483,17 @@ private slots:
 
     void survivesAnotherParent() {
         QTest::mouseMove(viewport_, {300, 500}); // off the cube
-        bench_->settle();
+        rig_->settle();
         const QImage before = viewport_->grabFramebuffer();
         {
             QMainWindow other; // another window: another context
             other.setCentralWidget(viewport_);
-            other.resize(bench_->window->size());
+            other.resize(rig_->window->size());
             other.show();
             QVERIFY(QTest::qWaitForWindowExposed(&other));
-            bench_->settle();
+            rig_->settle();
             after_ = viewport_->grabFramebuffer();
-            bench_->window->setCentralWidget(viewport_);
+            rig_->window->setCentralWidget(viewport_);
         }
         QCOMPARE(after_.size(), before.size());
         QRect different;
@@ -503,10 +503,10 @@ private slots:
         QVERIFY(different.isEmpty());
     }
 
-    void cleanupTestCase() { bench_.reset(); }
+    void cleanupTestCase() { rig_.reset(); }
 
 private:
-    std::unique_ptr<fixture::ViewportWindow> bench_;
+    std::unique_ptr<fixture::ViewportWindow> rig_;
     Viewport* viewport_ = nullptr;
     std::unique_ptr<RunVolume> volume_;
     QImage after_;

@@ -31,9 +31,9 @@ private slots:
 
 void TestWindow::settingsCanBeTakenBack() {
     WindowDriver driver;
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QVERIFY(makeReady(driver));
-    const double voxel = bench.setup.setup().voxel;
+    const double voxel = workbench.setup.setup().voxel;
     QCOMPARE(voxel, 0.5);
     auto* field = driver.visible<QWidget>("voxelField");
     QVERIFY(field != nullptr);
@@ -42,24 +42,24 @@ void TestWindow::settingsCanBeTakenBack() {
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(field, "1");
     QTest::keyClick(field, Qt::Key_Return);
-    QTRY_COMPARE(bench.setup.setup().voxel, 1.0);
-    QVERIFY(!bench.bench.embedded());
+    QTRY_COMPARE(workbench.setup.setup().voxel, 1.0);
+    QVERIFY(!workbench.workpiece.embedded());
     QVERIFY(driver.step(JobStep::material));
     QVERIFY(driver.step(JobStep::stock));
     driver.window().setFocus();
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QTRY_COMPARE(bench.setup.setup().voxel, voxel);
-    QVERIFY(bench.bench.embedded()); // it still stands as it was
+    QTRY_COMPARE(workbench.setup.setup().voxel, voxel);
+    QVERIFY(workbench.workpiece.embedded()); // it still stands as it was
     driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    QTRY_COMPARE(bench.setup.setup().voxel, 1.0);
+    QTRY_COMPARE(workbench.setup.setup().voxel, 1.0);
     QVERIFY(driver.step(JobStep::stock));
     field->setFocus();
     QTest::qWait(1100);
     for (int i = 0; i < 3; ++i) QTest::keyClick(field, Qt::Key_Up);
-    QTRY_COMPARE(bench.setup.setup().voxel, 1.3);
+    QTRY_COMPARE(workbench.setup.setup().voxel, 1.3);
     driver.window().setFocus();
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QTRY_COMPARE(bench.setup.setup().voxel, 1.0);
+    QTRY_COMPARE(workbench.setup.setup().voxel, 1.0);
 }
 
 void TestWindow::unitAndThemeChangeAtOnce() {
@@ -219,11 +219,11 @@ void TestWindow::unsavedWorkIsThereAfterAnEndFromOutside() {
     QVERIFY(driver.restart(true));
     driver.shoot("13-recover");
     QVERIFY(driver.clickOn("recoverButton"));
-    Workbench& bench = driver.window().workbench();
-    QVERIFY(driver.waitFor([&] { return bench.model.model() != nullptr; }));
-    QCOMPARE(bench.model.model()->bodies.size(), std::size_t{1});
-    QTRY_VERIFY(bench.document.unsaved());
-    QVERIFY(bench.document.isUnnamed());
+    Workbench& workbench = driver.window().workbench();
+    QVERIFY(driver.waitFor([&] { return workbench.model.model() != nullptr; }));
+    QCOMPARE(workbench.model.model()->bodies.size(), std::size_t{1});
+    QTRY_VERIFY(workbench.document.unsaved());
+    QVERIFY(workbench.document.isUnnamed());
 }
 
 /// One that is killed while the disk is busy holds its work for seconds: whoever starts Burin again at once was told of

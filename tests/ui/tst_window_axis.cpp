@@ -32,37 +32,37 @@ private slots:
 
 void TestWindowAxis::theToolStandsAsChosen() {
     WindowDriver driver;
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QVERIFY(makeReady(driver));
     QVERIFY(choose(driver, "axisChoice", 1));
     QVERIFY(driver.enter("axisLeanField", "25"));
     QVERIFY(driver.settle());
     QVERIFY(driver.waitFor(
-        [&] { return std::abs(bench.bench.bound().axis.direction.z - std::cos(25.0 * pi / 180.0)) < 1e-9; }));
+        [&] { return std::abs(workbench.workpiece.bound().axis.direction.z - std::cos(25.0 * pi / 180.0)) < 1e-9; }));
     driver.shoot("18-chosen-axis");
     QVERIFY(driver.step(JobStep::mill));
     QVERIFY(driver.clickOn("millButton"));
-    QVERIFY(driver.waitFor([&] { return bench.mill.active(); }, 5000));
-    const glm::dvec3 axis = bench.bench.bound().axis.direction;
+    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }, 5000));
+    const glm::dvec3 axis = workbench.workpiece.bound().axis.direction;
     bool stood = true;
     int ticks = 0;
-    QObject::connect(&bench.session, &SessionRunner::ticked, this, [&] {
-        if (!bench.session.state().cutting) return;
+    QObject::connect(&workbench.session, &SessionRunner::ticked, this, [&] {
+        if (!workbench.session.state().cutting) return;
         ++ticks;
-        stood = stood && glm::distance(bench.session.state().sample.proxy.axis, axis) < 1e-9;
+        stood = stood && glm::distance(workbench.session.state().sample.proxy.axis, axis) < 1e-9;
     });
     millLine(driver, {-15, 0}, {15, 0});
     QVERIFY(ticks > 10 && stood);
     driver.shoot("19-milled-leaning");
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !bench.session.running(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
 
     driver.window().viewport().setStandardView(StandardView::top);
     QTest::qWait(400);
     driver.key(Qt::Key_X, Qt::ControlModifier | Qt::ShiftModifier); // as the view looks: straight down
-    QVERIFY(driver.waitFor([&] { return bench.surroundings.axis().direction.z > 1.0 - 1e-9; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.surroundings.axis().direction.z > 1.0 - 1e-9; }, 3000));
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return glm::distance(bench.surroundings.axis().direction, axis) < 1e-9; }, 3000));
+    QVERIFY(driver.waitFor([&] { return glm::distance(workbench.surroundings.axis().direction, axis) < 1e-9; }, 3000));
     QVERIFY(driver.settle());
 }
 

@@ -50,9 +50,9 @@ QString writeNewer(const WindowDriver& driver, const QString& project) {
 
 /// Records one stroke, so that another part needs another project, and leaves it unsaved.
 bool milledAndUnsaved(WindowDriver& driver) {
-    const Workbench& bench = driver.window().workbench();
+    const Workbench& workbench = driver.window().workbench();
     return makeReady(driver, 1.0) && recordLine(driver, {-10, 0}, {10, 0}) && driver.settle() &&
-           driver.waitFor([&] { return bench.mill.takes().size() == 1 && bench.document.unsaved(); }, 10000);
+           driver.waitFor([&] { return workbench.mill.takes().size() == 1 && workbench.document.unsaved(); }, 10000);
 }
 
 } // namespace
@@ -60,7 +60,7 @@ bool milledAndUnsaved(WindowDriver& driver) {
 void TestWindowFiles::aWrongFileLeavesTheOpenProjectAsItIs() {
     WindowDriver driver;
     QVERIFY(milledAndUnsaved(driver));
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     const auto fixture = QStringLiteral(BURIN_FIXTURES "/projects/v3/");
     const QString whole = QDir(fixture).filePath(QDir(fixture).entryList({"*.burin"}).value(0));
     const QByteArray project = contentOf(whole);
@@ -84,11 +84,11 @@ void TestWindowFiles::aWrongFileLeavesTheOpenProjectAsItIs() {
     files << driver.folder().filePath("folder.burin");
     if (locked) files << unreadable; // nothing is to root
 
-    const auto open = bench.document.file();
-    const auto model = bench.model.model();
-    const auto workpiece = bench.bench.bench();
+    const auto open = workbench.document.file();
+    const auto model = workbench.model.model();
+    const auto workpiece = workbench.workpiece.milling();
     const QString title = driver.window().windowTitle();
-    const int undo = bench.undo().index();
+    const int undo = workbench.undo().index();
     QVERIFY(undo > 0);
     bool asked = false;
     for (const QString& file : files) {
@@ -100,12 +100,13 @@ void TestWindowFiles::aWrongFileLeavesTheOpenProjectAsItIs() {
                  qPrintable(driver.message()));
         QVERIFY2(!asked, qPrintable(name));
         QVERIFY(driver.settle());
-        QVERIFY2(bench.document.file() == open && bench.model.model() == model && bench.bench.bench() == workpiece,
+        QVERIFY2(workbench.document.file() == open && workbench.model.model() == model &&
+                     workbench.workpiece.milling() == workpiece,
                  qPrintable(name));
         QCOMPARE(driver.window().windowTitle(), title);
-        QCOMPARE(bench.undo().index(), undo);
-        QVERIFY(bench.document.unsaved());
-        QCOMPARE(bench.mill.takes().size(), std::size_t{1});
+        QCOMPARE(workbench.undo().index(), undo);
+        QVERIFY(workbench.document.unsaved());
+        QCOMPARE(workbench.mill.takes().size(), std::size_t{1});
     }
     driver.shoot("40-wrong-file-on-open-project");
     QVERIFY(driver.clickOn("dismissMessageButton"));
@@ -114,8 +115,8 @@ void TestWindowFiles::aWrongFileLeavesTheOpenProjectAsItIs() {
 void TestWindowFiles::theQuestionComesOnceTheFileIsKnownToBeGood() {
     WindowDriver driver;
     QVERIFY(milledAndUnsaved(driver));
-    Workbench& bench = driver.window().workbench();
-    const auto open = bench.document.file();
+    Workbench& workbench = driver.window().workbench();
+    const auto open = workbench.document.file();
     const QString part = driver.folder().filePath("other.stl");
     QVERIFY(QFile::copy(driver.folder().filePath("block.stl"), part));
     const QString fixture = QStringLiteral(BURIN_FIXTURES "/projects/v3/");
@@ -128,14 +129,14 @@ void TestWindowFiles::theQuestionComesOnceTheFileIsKnownToBeGood() {
         drop(driver.window(), file);
         QVERIFY(driver.waitFor([&] { return asked; }, 20000));
         QVERIFY(driver.settle());
-        QCOMPARE(bench.document.file(), open);
-        QCOMPARE(bench.mill.takes().size(), std::size_t{1});
+        QCOMPARE(workbench.document.file(), open);
+        QCOMPARE(workbench.mill.takes().size(), std::size_t{1});
     }
     QCOMPARE(contentOf(project), before);
     QVERIFY(!QFile::exists(driver.folder().filePath(".good.burin.working"))); // and it is not held any more
     driver.whenDialogStands([&](QWidget& dialog) { answer(dialog, "discardButton"); });
     drop(driver.window(), project);
-    QVERIFY(driver.waitFor([&] { return bench.document.file() == project.toStdString(); }, 20000));
+    QVERIFY(driver.waitFor([&] { return workbench.document.file() == project.toStdString(); }, 20000));
     QVERIFY(driver.settle());
 }
 
@@ -167,10 +168,10 @@ void TestWindowFiles::whatIsOpenAlreadyIsShown() {
     QVERIFY(saveAs(driver, file));
     driver.key(Qt::Key_F1);
     QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("recentFileButton") != nullptr; }, 5000));
-    const auto workpiece = driver.window().workbench().bench.bench();
+    const auto workpiece = driver.window().workbench().workpiece.milling();
     QVERIFY(driver.clickOn("recentFileButton"));
-    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("benchPage") != nullptr; }, 5000));
-    QCOMPARE(driver.window().workbench().bench.bench(), workpiece);
+    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("workPage") != nullptr; }, 5000));
+    QCOMPARE(driver.window().workbench().workpiece.milling(), workpiece);
 }
 
 /// Not only when that one is imported: until then the message would be about the wrong file.

@@ -120,7 +120,7 @@ QStringList TestWindowGerman::englishTexts(WindowDriver& driver) const {
 
 void TestWindowGerman::noTextOfAJobIsEnglish() {
     WindowDriver driver(usualSize, QLocale(QStringLiteral("de_DE")));
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QStringList english = englishTexts(driver);
     const auto look = [&](JobStep step, const char* name) {
         if (!driver.step(step)) return;
@@ -128,14 +128,14 @@ void TestWindowGerman::noTextOfAJobIsEnglish() {
         english += englishTexts(driver);
     };
     drop(driver.window(), writeBlock(driver, false)); // open: its notes and findings are told as well
-    QVERIFY(driver.waitFor([&] { return bench.model.model() != nullptr; }));
+    QVERIFY(driver.waitFor([&] { return workbench.model.model() != nullptr; }));
     QVERIFY(driver.settle());
     look(JobStep::part, "part");
     QVERIFY(makeReady(driver));
     QVERIFY(recordLine(driver, {-10, 0}, {10, 0}));
     QVERIFY(driver.settle());
     QVERIFY(driver.step(JobStep::path) && driver.clickOn("newPathButton"));
-    QVERIFY(driver.waitFor([&] { return bench.path.evaluated() != nullptr; }));
+    QVERIFY(driver.waitFor([&] { return workbench.path.evaluated() != nullptr; }));
     QVERIFY(postProgram(driver));
     const std::pair<JobStep, const char*> steps[] = {{JobStep::part, "part-closed"},    {JobStep::stock, "stock"},
                                                      {JobStep::material, "material"},   {JobStep::tool, "tool"},
@@ -149,7 +149,7 @@ void TestWindowGerman::noTextOfAJobIsEnglish() {
 /// In every field; a typed dot is understood as well, and what a machine reads has dots.
 void TestWindowGerman::numbersHaveTheDecimalComma() {
     WindowDriver driver(usualSize, QLocale(QStringLiteral("de_DE")));
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QVERIFY(makeReady(driver));
     QVERIFY(driver.step(JobStep::mill));
     auto* depth = driver.visible<QDoubleSpinBox>("depthOfCutField");
@@ -164,7 +164,7 @@ void TestWindowGerman::numbersHaveTheDecimalComma() {
     QVERIFY(recordLine(driver, {-10, 0}, {10, 0}));
     QVERIFY(driver.settle());
     QVERIFY(driver.step(JobStep::path) && driver.clickOn("newPathButton"));
-    QVERIFY(driver.waitFor([&] { return bench.path.evaluated() != nullptr; }));
+    QVERIFY(driver.waitFor([&] { return workbench.path.evaluated() != nullptr; }));
     QVERIFY(postProgram(driver));
     QVERIFY(driver.step(JobStep::program));
     QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));

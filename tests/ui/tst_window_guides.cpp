@@ -33,7 +33,7 @@ private slots:
 
 void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
     WindowDriver driver;
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QVERIFY(makeReady(driver));
     QVERIFY(driver.step(JobStep::mill));
     auto* kind = driver.window().findChild<QComboBox*>("guideKind");
@@ -41,30 +41,30 @@ void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
     kind->setCurrentIndex(1);
     scrollTo(driver, "addGuideButton");
     QVERIFY(driver.clickOn("addGuideButton"));
-    QVERIFY(driver.waitFor([&] { return bench.guides.guides().size() == 1; }, 3000));
-    QCOMPARE(bench.guides.guides()[0].kind, GuideKind::plane);
-    Guide plane = bench.guides.guides()[0];
+    QVERIFY(driver.waitFor([&] { return workbench.guides.guides().size() == 1; }, 3000));
+    QCOMPARE(workbench.guides.guides()[0].kind, GuideKind::plane);
+    Guide plane = workbench.guides.guides()[0];
     plane.direction = {0, 1, 0};
-    const double zero = bench.setup.setup().workOffset.y; // strokes are told from there
+    const double zero = workbench.setup.setup().workOffset.y; // strokes are told from there
     plane.point.y = zero;
-    bench.guides.change(0, plane);
+    workbench.guides.change(0, plane);
 
     QVERIFY(driver.clickOn("millButton"));
-    QVERIFY(driver.waitFor([&] { return bench.mill.active(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }, 5000));
     double farthest = 0.0, wanted = 0.0;
     bool told = false;
-    QObject::connect(&bench.session, &SessionRunner::ticked, this, [&] {
-        const SessionState& state = bench.session.state();
+    QObject::connect(&workbench.session, &SessionRunner::ticked, this, [&] {
+        const SessionState& state = workbench.session.state();
         if (state.guides[0].is != GuideNews::Is::holding) return; // a hand farther off is not caught
         told = true;
-        if (!state.cutting || std::abs(state.sample.proxy.tip.x - bench.setup.setup().workOffset.x) > 8.0) return;
+        if (!state.cutting || std::abs(state.sample.proxy.tip.x - workbench.setup.setup().workOffset.x) > 8.0) return;
         farthest = std::max(farthest, std::abs(state.sample.proxy.tip.y - zero));
         wanted = std::max(wanted, std::abs(state.sample.stylusTip.y - zero));
     });
     // On a busy machine the window is told of few ticks: a whole stroke may pass without one in its middle.
     for (std::size_t stroke = 1; stroke <= 5 && wanted <= 1.0; ++stroke) {
         millLine(driver, {-20, 1.2}, {20, 1.2});
-        QVERIFY(driver.waitFor([&] { return bench.bench.strokes().count() == stroke; }, 10000));
+        QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == stroke; }, 10000));
     }
     QVERIFY(told);
     QVERIFY2(wanted > 1.0, qPrintable(QString::number(wanted)));
@@ -75,9 +75,9 @@ void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
     driver.shoot("guides-cards");
 
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !bench.session.running(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
     driver.key(Qt::Key_G); // all of them, by the keyboard
-    QVERIFY(driver.waitFor([&] { return !bench.guides.on(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return !workbench.guides.on(); }, 3000));
     const auto* guidesSwitch = driver.window().findChild<QCheckBox*>("guidesSwitch");
     QVERIFY(driver.waitFor([&] { return !guidesSwitch->isChecked(); }, 3000));
 }

@@ -33,13 +33,13 @@ private slots:
     /// One window for all of them: each begins with nothing cut.
     void init() {
         QVERIFY(driver_->step(JobStep::mill));
-        for (std::size_t left = bench().bench.strokes().count(); left > 0; --left) {
+        for (std::size_t left = workbench().workpiece.strokes().count(); left > 0; --left) {
             driver_->key(Qt::Key_Z, Qt::ControlModifier);
             QVERIFY(strokesAre(left - 1));
         }
         QVERIFY(driver_->clickOn("strokeButton") && driver_->enter("speedField", "200"));
-        if (!bench().mill.active()) QVERIFY(driver_->clickOn("millButton"));
-        QVERIFY(driver_->waitFor([&] { return bench().mill.active(); }, 5000));
+        if (!workbench().mill.active()) QVERIFY(driver_->clickOn("millButton"));
+        QVERIFY(driver_->waitFor([&] { return workbench().mill.active(); }, 5000));
         millLine(*driver_, {-12, -9}, {12, -9}); // something to go on from
         QVERIFY(strokesAre(1));
         QVERIFY(driver_->enter("speedField", "15")); // so that what is cut by itself takes its time
@@ -64,8 +64,8 @@ private slots:
                                  5000));
         letGo();
         QTest::qWait(300);
-        QVERIFY(!cutting() && bench().mill.active());
-        const std::size_t before = bench().bench.strokes().count();
+        QVERIFY(!cutting() && workbench().mill.active());
+        const std::size_t before = workbench().workpiece.strokes().count();
         QCOMPARE(before, isCut(middle) ? std::size_t{2} : std::size_t{1});
         QVERIFY(driver_->enter("speedField", "200"));
         millLine(*driver_, {-12, 9}, {12, 9});
@@ -77,10 +77,10 @@ private slots:
     void undoNeverTakesBackSomethingElse() {
         QFETCH(Middle, middle);
         begin(middle);
-        const double removed = removedSoFar(*bench().bench.bench());
+        const double removed = removedSoFar(*workbench().workpiece.milling());
         driver_->key(Qt::Key_Z, Qt::ControlModifier);
         QTest::qWait(300);
-        QVERIFY(bench().mill.active());
+        QVERIFY(workbench().mill.active());
         if (!isCut(middle)) { // the stroke before goes, as always
             QVERIFY(strokesAre(0));
             letGo();
@@ -97,7 +97,7 @@ private slots:
         QVERIFY(strokesAre(1));
         driver_->key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(strokesAre(0));
-        QVERIFY(removedSoFar(*bench().bench.bench()) < removed);
+        QVERIFY(removedSoFar(*workbench().workpiece.milling()) < removed);
     }
 
     /// By its key, the left button still down: the tool is put away, what was cut is kept.
@@ -106,15 +106,15 @@ private slots:
         QFETCH(Middle, middle);
         begin(middle);
         QVERIFY(driver_->step(JobStep::tool));
-        QVERIFY(driver_->waitFor([&] { return !bench().session.running(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }, 5000));
         letGo();
-        QVERIFY(!bench().mill.active());
+        QVERIFY(!workbench().mill.active());
         QVERIFY(strokesAre(isCut(middle) ? 2 : 1));
         QTest::mousePress(&viewport(), Qt::LeftButton, {}, at({0, 5}));
         QTest::mouseMove(&viewport(), at({8, 5}), 50);
         QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, at({8, 5}));
         QTest::qWait(200);
-        QVERIFY(!bench().session.running());
+        QVERIFY(!workbench().session.running());
         driver_->shoot(QStringLiteral("interrupted-step-%1").arg(QTest::currentDataTag()));
     }
 
@@ -216,14 +216,14 @@ private:
         QMouseEvent move(QEvent::MouseMove, pixel, viewport().mapToGlobal(pixel), Qt::NoButton, buttons, {});
         QCoreApplication::sendEvent(&viewport(), &move);
     }
-    Workbench& bench() { return driver_->window().workbench(); }
+    Workbench& workbench() { return driver_->window().workbench(); }
     Viewport& viewport() { return driver_->window().viewport(); }
     QPoint at(const glm::dvec2& place) {
-        return viewport().project(bench().setup.setup().workOffset + glm::dvec3(place, 0.0)).toPoint();
+        return viewport().project(workbench().setup.setup().workOffset + glm::dvec3(place, 0.0)).toPoint();
     }
-    bool cutting() { return bench().session.running() && bench().session.state().cutting; }
+    bool cutting() { return workbench().session.running() && workbench().session.state().cutting; }
     bool strokesAre(std::size_t count) {
-        return driver_->waitFor([&] { return bench().bench.strokes().count() == count; }, 15000);
+        return driver_->waitFor([&] { return workbench().workpiece.strokes().count() == count; }, 15000);
     }
     QString escapeLabel() {
         auto* label = driver_->visible<QLabel>("escapeStatus");

@@ -21,42 +21,42 @@ private slots:
 
 void TestWindowJob::strokesAreMilledTakenBackSavedAndFoundAgain() {
     WindowDriver driver;
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     driver.shoot("01-welcome");
     QVERIFY(makeReady(driver));
     driver.shoot("02-embedded");
     QVERIFY(driver.step(JobStep::mill));
     QVERIFY(driver.clickOn("millButton"));
-    QVERIFY(driver.waitFor([&] { return bench.mill.active(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }, 5000));
     millLine(driver, {-20, -12}, {20, -12});
     driver.shoot("03-first-stroke");
-    QVERIFY(driver.waitFor([&] { return bench.bench.strokes().count() == 1; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == 1; }, 3000));
     millLine(driver, {-20, 0}, {20, 0});
-    QVERIFY(driver.waitFor([&] { return bench.bench.strokes().count() == 2; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == 2; }, 3000));
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return bench.bench.strokes().count() == 1; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == 1; }, 3000));
     driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY(driver.waitFor([&] { return bench.bench.strokes().count() == 2; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == 2; }, 3000));
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return bench.bench.strokes().count() == 1; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == 1; }, 3000));
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !bench.session.running(); }, 5000));
-    QCOMPARE(bench.mill.takes().size(), std::size_t{1});
-    QVERIFY(bench.setup.locked());
-    const double removed = removedSoFar(*bench.bench.bench());
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
+    QCOMPARE(workbench.mill.takes().size(), std::size_t{1});
+    QVERIFY(workbench.setup.locked());
+    const double removed = removedSoFar(*workbench.workpiece.milling());
     // One groove of a ball of 6 mm, 1 mm deep and about 40 mm long: a segment of the circle of 3.0 mm².
     const double section = 9.0 * std::acos(2.0 / 3.0) - 2.0 * std::sqrt(5.0);
     QVERIFY2(removed > 0.7 * 40.0 * section && removed < 1.3 * 40.0 * section, qPrintable(QString::number(removed)));
     QVERIFY(driver.step(JobStep::path));
     QVERIFY(driver.clickOn("newPathButton"));
-    QVERIFY(driver.waitFor([&] { return bench.path.evaluated() != nullptr; }));
+    QVERIFY(driver.waitFor([&] { return workbench.path.evaluated() != nullptr; }));
     driver.shoot("04-path");
     QVERIFY(postProgram(driver));
-    QVERIFY2(!bench.program.problem(),
-             bench.program.problem() ? qPrintable(Messages::sentence(*bench.program.problem())) : "");
-    QVERIFY(bench.program.program() != nullptr);
+    QVERIFY2(!workbench.program.problem(),
+             workbench.program.problem() ? qPrintable(Messages::sentence(*workbench.program.problem())) : "");
+    QVERIFY(workbench.program.program() != nullptr);
     driver.shoot("05-program");
-    QVERIFY(bench.program.exportable());
+    QVERIFY(workbench.program.exportable());
     const QString program = driver.folder().filePath("groove.ngc");
     chooseFile(driver, program);
     QVERIFY(driver.clickOn("exportButton"));
@@ -64,16 +64,16 @@ void TestWindowJob::strokesAreMilledTakenBackSavedAndFoundAgain() {
 
     const QString file = driver.folder().filePath("groove.burin");
     QVERIFY(saveAs(driver, file));
-    QCOMPARE(bench.document.title(), QString("groove"));
+    QCOMPARE(workbench.document.title(), QString("groove"));
     QVERIFY(driver.restart());
     driver.shoot("06-welcome-recent");
     QVERIFY(driver.clickOn("recentFileButton"));
     Workbench& again = driver.window().workbench();
-    QVERIFY(driver.waitFor([&] { return again.bench.ready(); }));
+    QVERIFY(driver.waitFor([&] { return again.workpiece.ready(); }));
     QCOMPARE(again.mill.takes().size(), std::size_t{1});
     QCOMPARE(again.mill.strokesOf(again.mill.takes().front().id), std::size_t{1});
     // Replayed from the recording: exactly what the hand left.
-    QCOMPARE(removedSoFar(*again.bench.bench()), removed);
+    QCOMPARE(removedSoFar(*again.workpiece.milling()), removed);
     QVERIFY(driver.waitFor([&] { return again.path.evaluated() != nullptr; }));
     QVERIFY(driver.settle());
     QTest::qWait(500);                  // the window asks a moment after work on the project
@@ -115,14 +115,14 @@ void TestWindowJob::aProjectsOwnMaterialIsMilled() {
         QVERIFY(project->setSetup(setup) && project->setMaterials({material}) && project->save());
     }
     QVERIFY(driver.clickOn("recentFileButton"));
-    Workbench& bench = driver.window().workbench();
-    QVERIFY(driver.waitFor([&] { return bench.bench.ready() && bench.path.evaluated(); }));
+    Workbench& workbench = driver.window().workbench();
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready() && workbench.path.evaluated(); }));
     QVERIFY(driver.settle());
-    const EmbeddedSetup& embedded = bench.bench.bench()->embedded;
+    const EmbeddedSetup& embedded = workbench.workpiece.milling()->embedded;
     QCOMPARE(embedded.workpiece.properties()[embedded.stockProperty].name, std::string("Wax of our own"));
-    QVERIFY(bench.setup.stockMaterial() != nullptr);
+    QVERIFY(workbench.setup.stockMaterial() != nullptr);
     QVERIFY(postProgram(driver));
-    QVERIFY(bench.program.exportable());
+    QVERIFY(workbench.program.exportable());
     QVERIFY2(before > 0.0 && std::abs(energy() / before - 3.0) < 0.01, qPrintable(QString::number(energy() / before)));
     QVERIFY(driver.step(JobStep::material));
     driver.shoot("34-own-material");

@@ -22,14 +22,15 @@ bool makePath(WindowDriver& driver) {
 }
 
 bool evaluatedAgain(WindowDriver& driver) {
-    Workbench& bench = driver.window().workbench();
-    return driver.waitFor([&] { return !bench.path.busy() && !bench.path.outdated() && !bench.path.problem(); });
+    Workbench& workbench = driver.window().workbench();
+    return driver.waitFor(
+        [&] { return !workbench.path.busy() && !workbench.path.outdated() && !workbench.path.problem(); });
 }
 
 /// The cutting point of the hand nearest to a place in program coordinates, seen from above.
-const PathPoint& pointNear(const Workbench& bench, const glm::dvec2& place) {
-    const std::vector<PathPoint>& points = bench.path.evaluated()->path.points;
-    const glm::dvec2 zero(bench.bench.bench()->setup.workOffset);
+const PathPoint& pointNear(const Workbench& workbench, const glm::dvec2& place) {
+    const std::vector<PathPoint>& points = workbench.path.evaluated()->path.points;
+    const glm::dvec2 zero(workbench.workpiece.milling()->setup.workOffset);
     return *std::ranges::min_element(points, {}, [&](const PathPoint& point) {
         const bool cuts = point.kind == MoveKind::cut && point.sample >= 0;
         return cuts ? glm::distance(glm::dvec2(point.pose.tip) - zero, place) : 1e9;
@@ -37,8 +38,8 @@ const PathPoint& pointNear(const Workbench& bench, const glm::dvec2& place) {
 }
 
 /// mm from a place in the setup's frame to the nearest move of the path, arcs in chords.
-double distanceToPath(const Workbench& bench, const glm::dvec3& place) {
-    const std::vector<PathPoint>& points = bench.path.evaluated()->path.points;
+double distanceToPath(const Workbench& workbench, const glm::dvec3& place) {
+    const std::vector<PathPoint>& points = workbench.path.evaluated()->path.points;
     double nearest = 1e9;
     for (std::size_t i = 1; i < points.size(); ++i) {
         std::vector<glm::dvec3> way;
@@ -61,8 +62,8 @@ double distanceToPath(const Workbench& bench, const glm::dvec3& place) {
 }
 
 /// mm on which a tool cuts.
-double cuttingLength(const Workbench& bench) {
-    const std::vector<PathPoint>& points = bench.path.evaluated()->path.points;
+double cuttingLength(const Workbench& workbench) {
+    const std::vector<PathPoint>& points = workbench.path.evaluated()->path.points;
     double length = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i)
         if (points[i].kind == MoveKind::cut) length += glm::distance(points[i - 1].pose.tip, points[i].pose.tip);
@@ -80,14 +81,14 @@ void drawAlong(WindowDriver& driver, Viewport& viewport, const std::vector<glm::
     QTest::mouseRelease(&viewport, Qt::LeftButton, {}, viewport.project(corners.back()).toPoint());
 }
 
-std::vector<std::string> editsOf(const Workbench& bench) {
+std::vector<std::string> editsOf(const Workbench& workbench) {
     std::vector<std::string> ids;
-    for (const Edit& edit : bench.path.stored()->edits) ids.emplace_back(idOf(edit.parameters));
+    for (const Edit& edit : workbench.path.stored()->edits) ids.emplace_back(idOf(edit.parameters));
     return ids;
 }
 
-std::size_t placeOf(const Workbench& bench, const char* id) {
-    const std::vector<std::string> ids = editsOf(bench);
+std::size_t placeOf(const Workbench& workbench, const char* id) {
+    const std::vector<std::string> ids = editsOf(workbench);
     return static_cast<std::size_t>(std::ranges::find(ids, id) - ids.begin());
 }
 
@@ -118,79 +119,80 @@ private slots:
 
 void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     WindowDriver driver;
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QVERIFY(makePath(driver));
     auto* viewport = driver.visible<Viewport>("viewport");
     QVERIFY(viewport != nullptr);
-    const std::vector<std::string> before = editsOf(bench);
+    const std::vector<std::string> before = editsOf(workbench);
     driver.shoot("23-path");
 
     // The path itself can be undone, and comes back as the same.
-    const std::int64_t made = bench.path.stored()->id;
+    const std::int64_t made = workbench.path.stored()->id;
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return bench.path.stored() == nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.path.stored() == nullptr; }, 3000));
     QVERIFY(driver.waitFor([&] { return driver.visible<QAbstractButton>("newPathButton") != nullptr; }, 3000));
     driver.shoot("23-path-undone");
     driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY(driver.waitFor([&] { return bench.path.stored() != nullptr; }, 3000));
-    QCOMPARE(bench.path.stored()->id, made);
-    QCOMPARE(editsOf(bench), before);
-    QVERIFY(driver.waitFor([&] { return bench.path.evaluated() != nullptr; }));
+    QVERIFY(driver.waitFor([&] { return workbench.path.stored() != nullptr; }, 3000));
+    QCOMPARE(workbench.path.stored()->id, made);
+    QCOMPARE(editsOf(workbench), before);
+    QVERIFY(driver.waitFor([&] { return workbench.path.evaluated() != nullptr; }));
     QVERIFY(evaluatedAgain(driver));
     QVERIFY(driver.settle());
 
     // A place in the groove's middle is dragged sideways by 4 mm, on its level.
-    const PathPoint middle = pointNear(bench, {0.0, 0.0});
+    const PathPoint middle = pointNear(workbench, {0.0, 0.0});
     const glm::dvec3 aside = middle.pose.tip + glm::dvec3(0.0, 4.0, 0.0);
     drag(*viewport, viewport->project(middle.pose.tip).toPoint(), viewport->project(aside).toPoint());
-    QVERIFY(driver.waitFor([&] { return placeOf(bench, "move-points") < bench.path.stored()->edits.size(); }, 3000));
-    QVERIFY(placeOf(bench, "move-points") < placeOf(bench, "hold-out"));
+    QVERIFY(driver.waitFor([&] { return placeOf(workbench, "move-points") < workbench.path.stored()->edits.size(); },
+                           3000));
+    QVERIFY(placeOf(workbench, "move-points") < placeOf(workbench, "hold-out"));
     QVERIFY(evaluatedAgain(driver));
-    const glm::dvec2 zero(bench.bench.bench()->setup.workOffset);
+    const glm::dvec2 zero(workbench.workpiece.milling()->setup.workOffset);
     // Both ends of the drag are whole pixels, half of one off at most; what is left is the smoothing's.
     const QPointF pixels =
         viewport->project(middle.pose.tip + glm::dvec3(0.0, 1.0, 0.0)) - viewport->project(middle.pose.tip);
-    const double pixel = 1.0 / std::hypot(pixels.x(), pixels.y()), missed = distanceToPath(bench, aside);
+    const double pixel = 1.0 / std::hypot(pixels.x(), pixels.y()), missed = distanceToPath(workbench, aside);
     QVERIFY2(missed < pixel + 0.03, qPrintable(QStringLiteral("%1 mm, a pixel is %2 mm").arg(missed).arg(pixel)));
-    const PathPoint& end = pointNear(bench, {-14.0, 0.0}); // farther along than the falloff
+    const PathPoint& end = pointNear(workbench, {-14.0, 0.0}); // farther along than the falloff
     QVERIFY(std::abs(end.pose.tip.y - middle.pose.tip.y) < 0.5);
     driver.shoot("24-dragged");
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return editsOf(bench) == before; }, 3000));
+    QVERIFY(driver.waitFor([&] { return editsOf(workbench) == before; }, 3000));
     QVERIFY(evaluatedAgain(driver));
-    QVERIFY(std::abs(pointNear(bench, {0.0, 0.0}).pose.tip.y - middle.pose.tip.y) < 0.05);
+    QVERIFY(std::abs(pointNear(workbench, {0.0, 0.0}).pose.tip.y - middle.pose.tip.y) < 0.05);
 
-    const double straight = cuttingLength(bench);
+    const double straight = cuttingLength(workbench);
 
     QVERIFY(driver.settle()); // the pointer has the new places
     // A stretch is chosen by two clicks and replaced by a stroke that goes round it.
-    const PathPoint from = pointNear(bench, {-6.0, 0.0}), to = pointNear(bench, {6.0, 0.0});
+    const PathPoint from = pointNear(workbench, {-6.0, 0.0}), to = pointNear(workbench, {6.0, 0.0});
     QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(from.pose.tip).toPoint());
-    QVERIFY(bench.path.selection() && bench.path.selection()->first == bench.path.selection()->last);
+    QVERIFY(workbench.path.selection() && workbench.path.selection()->first == workbench.path.selection()->last);
     const QPoint dot = viewport->mapTo(&driver.window(), viewport->project(from.pose.tip).toPoint());
     const auto isMarked = [&] { return driver.window().grab().toImage().pixelColor(dot).green() > 215; };
     QVERIFY(driver.waitFor(isMarked, 5000)); // yellow; the line is orange
     driver.shoot("25-chosen-place");
     // So is a moment nearby whose own point simplification left out.
-    const std::vector<PathPoint>& left = bench.path.evaluated()->path.points;
+    const std::vector<PathPoint>& left = workbench.path.evaluated()->path.points;
     const Moment leftOut{from.source, from.sample + 5};
     QVERIFY(std::ranges::find(left, leftOut.tick, &PathPoint::sample) == left.end());
-    bench.path.clearSelection();
+    workbench.path.clearSelection();
     QVERIFY(driver.waitFor([&] { return !isMarked(); }, 5000));
-    bench.path.select(leftOut);
+    workbench.path.select(leftOut);
     QVERIFY(driver.waitFor(isMarked, 5000));
-    bench.path.select({from.source, from.sample});
+    workbench.path.select({from.source, from.sample});
     QTest::mouseClick(viewport, Qt::LeftButton, Qt::ShiftModifier, viewport->project(to.pose.tip).toPoint());
-    QVERIFY(bench.path.selection()->last > bench.path.selection()->first + 20);
+    QVERIFY(workbench.path.selection()->last > workbench.path.selection()->first + 20);
     QVERIFY(driver.waitFor([&] { return driver.visible<QPushButton>("drawStretchButton")->isEnabled(); }, 3000));
     QVERIFY(driver.clickOn("drawStretchButton"));
     std::vector<glm::dvec3> corners{from.pose.tip, from.pose.tip + glm::dvec3(0.0, 5.0, 0.0),
                                     to.pose.tip + glm::dvec3(0.0, 5.0, 0.0), to.pose.tip};
-    const auto replaced = [&] { return placeOf(bench, "replace-stretch") < bench.path.stored()->edits.size(); };
+    const auto replaced = [&] { return placeOf(workbench, "replace-stretch") < workbench.path.stored()->edits.size(); };
     drawAlong(driver, *viewport, corners, "25-drawing");
     QVERIFY(driver.waitFor(replaced, 3000));
     QVERIFY(evaluatedAgain(driver));
-    const double length = cuttingLength(bench);
+    const double length = cuttingLength(workbench);
     QVERIFY2(std::abs(length - straight - 10.0) < 1.0, qPrintable(QString::number(length - straight)));
     driver.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(driver.waitFor([&] { return !replaced(); }, 3000));
@@ -202,9 +204,10 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     drawAlong(driver, *viewport, corners, "25-drawing-back");
     QVERIFY(driver.waitFor(replaced, 3000));
     QVERIFY(evaluatedAgain(driver));
-    QVERIFY2(std::abs(cuttingLength(bench) - length) < 1.0, qPrintable(QString::number(cuttingLength(bench) - length)));
+    QVERIFY2(std::abs(cuttingLength(workbench) - length) < 1.0,
+             qPrintable(QString::number(cuttingLength(workbench) - length)));
     const glm::dvec3 along = glm::mix(corners[1], corners[2], 0.5);
-    const PathPoint& drawn = pointNear(bench, glm::dvec2(along) - zero);
+    const PathPoint& drawn = pointNear(workbench, glm::dvec2(along) - zero);
     QVERIFY2(std::abs(drawn.pose.tip.y - along.y) < 0.3, qPrintable(QString::number(drawn.pose.tip.y - along.y)));
     driver.key(Qt::Key_Escape);
 
@@ -212,53 +215,56 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     auto* add = driver.window().findChild<QAction*>("add-lead-in");
     QVERIFY(add != nullptr);
     add->trigger();
-    QVERIFY(driver.waitFor([&] { return placeOf(bench, "lead-in") < bench.path.stored()->edits.size(); }, 3000));
-    QVERIFY(placeOf(bench, "lead-in") > placeOf(bench, "fit-arcs") &&
-            placeOf(bench, "lead-in") < placeOf(bench, "link"));
+    QVERIFY(
+        driver.waitFor([&] { return placeOf(workbench, "lead-in") < workbench.path.stored()->edits.size(); }, 3000));
+    QVERIFY(placeOf(workbench, "lead-in") > placeOf(workbench, "fit-arcs") &&
+            placeOf(workbench, "lead-in") < placeOf(workbench, "link"));
     QVERIFY(evaluatedAgain(driver));
     // What was asked for is seen, and has the keyboard.
-    const QString card = QStringLiteral("edit%1Switch").arg(placeOf(bench, "lead-in"));
+    const QString card = QStringLiteral("edit%1Switch").arg(placeOf(workbench, "lead-in"));
     QVERIFY(driver.waitFor([&] { return driver.window().focusWidget() == driver.window().findChild<QWidget*>(card); }));
     driver.shoot("26-added");
     QVERIFY(!driver.window().focusWidget()->visibleRegion().isEmpty());
-    const std::vector<std::string> ordered = editsOf(bench);
-    const QString later = QStringLiteral("edit%1Later").arg(placeOf(bench, "lead-in"));
+    const std::vector<std::string> ordered = editsOf(workbench);
+    const QString later = QStringLiteral("edit%1Later").arg(placeOf(workbench, "lead-in"));
     QVERIFY(driver.waitFor([&] { return show(driver, later); }, 3000));
     QVERIFY(driver.clickOn(qPrintable(later)));
-    QVERIFY(driver.waitFor([&] { return bench.path.problem().has_value(); }));
+    QVERIFY(driver.waitFor([&] { return workbench.path.problem().has_value(); }));
     driver.shoot("26-wrong-order");
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return editsOf(bench) == ordered && !bench.path.problem(); }));
+    QVERIFY(driver.waitFor([&] { return editsOf(workbench) == ordered && !workbench.path.problem(); }));
     QVERIFY(evaluatedAgain(driver));
-    const QString remove = QStringLiteral("edit%1Remove").arg(placeOf(bench, "replace-stretch"));
+    const QString remove = QStringLiteral("edit%1Remove").arg(placeOf(workbench, "replace-stretch"));
     QVERIFY(driver.waitFor([&] { return show(driver, remove); }, 3000));
     QVERIFY(driver.clickOn(qPrintable(remove)));
-    QVERIFY(driver.waitFor([&] { return placeOf(bench, "replace-stretch") == bench.path.stored()->edits.size(); }));
+    QVERIFY(
+        driver.waitFor([&] { return placeOf(workbench, "replace-stretch") == workbench.path.stored()->edits.size(); }));
     QVERIFY(evaluatedAgain(driver));
 
     // A new path takes no edit away for good.
-    const std::vector<std::string> kept = editsOf(bench);
+    const std::vector<std::string> kept = editsOf(workbench);
     QVERIFY(kept != before);
-    bench.path.makeNew();
-    QVERIFY(driver.waitFor([&] { return editsOf(bench) == before; }));
+    workbench.path.makeNew();
+    QVERIFY(driver.waitFor([&] { return editsOf(workbench) == before; }));
     QVERIFY(evaluatedAgain(driver));
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return editsOf(bench) == kept; }));
+    QVERIFY(driver.waitFor([&] { return editsOf(workbench) == kept; }));
     QVERIFY(evaluatedAgain(driver));
 }
 
 void TestWindowPath::anAreaIsDrawnAndEmptied() {
     WindowDriver driver;
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QVERIFY(makePath(driver));
     auto* viewport = driver.visible<Viewport>("viewport");
     QVERIFY(viewport != nullptr);
-    const double height = pointNear(bench, {0.0, 0.0}).pose.tip.z;
-    const glm::dvec2 zero(bench.bench.bench()->setup.workOffset);
+    const double height = pointNear(workbench, {0.0, 0.0}).pose.tip.z;
+    const glm::dvec2 zero(workbench.workpiece.milling()->setup.workOffset);
 
     // The new edit asks for its outline at once: a loop round the groove's right half, not closed by the hand.
     driver.window().findChild<QAction*>("add-remove-area")->trigger();
-    const std::string outline = QStringLiteral("edit%1_outline_mm").arg(placeOf(bench, "remove-area")).toStdString();
+    const std::string outline =
+        QStringLiteral("edit%1_outline_mm").arg(placeOf(workbench, "remove-area")).toStdString();
     QVERIFY(driver.waitFor([&] {
         auto* draw = driver.window().findChild<QAbstractButton*>(QString::fromStdString(outline + "_draw"));
         return draw != nullptr && draw->isChecked();
@@ -276,12 +282,13 @@ void TestWindowPath::anAreaIsDrawnAndEmptied() {
     driver.shoot("27-area");
     QTest::mouseRelease(viewport, Qt::LeftButton, {}, at(corners.back()));
     QVERIFY(driver.waitFor([&] {
-        const auto& area = std::get<RemoveArea>(bench.path.stored()->edits[placeOf(bench, "remove-area")].parameters);
+        const auto& area =
+            std::get<RemoveArea>(workbench.path.stored()->edits[placeOf(workbench, "remove-area")].parameters);
         return area.outline.size() > 10;
     }));
     QVERIFY(evaluatedAgain(driver));
     double farthest = -1e9, nearest = 1e9;
-    for (const PathPoint& point : bench.path.evaluated()->path.points)
+    for (const PathPoint& point : workbench.path.evaluated()->path.points)
         if (point.kind == MoveKind::cut || point.kind == MoveKind::plunge) { // a ramp ends where the stroke begins
             farthest = std::max(farthest, point.pose.tip.x - zero.x);
             nearest = std::min(nearest, point.pose.tip.x - zero.x);
@@ -291,26 +298,26 @@ void TestWindowPath::anAreaIsDrawnAndEmptied() {
     driver.shoot("28-area-emptied");
     driver.key(Qt::Key_Z, Qt::ControlModifier); // the outline
     driver.key(Qt::Key_Z, Qt::ControlModifier); // the edit
-    QVERIFY(driver.waitFor([&] { return placeOf(bench, "remove-area") == bench.path.stored()->edits.size(); }));
+    QVERIFY(driver.waitFor([&] { return placeOf(workbench, "remove-area") == workbench.path.stored()->edits.size(); }));
     QVERIFY(evaluatedAgain(driver));
 }
 
 void TestWindowPath::theMirrorsPlaneIsDrawn() {
     WindowDriver driver;
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QVERIFY(makePath(driver));
     auto* viewport = driver.visible<Viewport>("viewport");
     QVERIFY(viewport != nullptr);
     driver.window().findChild<QAction*>("add-mirror")->trigger();
-    QVERIFY(driver.waitFor([&] { return placeOf(bench, "mirror") < bench.path.stored()->edits.size(); }));
+    QVERIFY(driver.waitFor([&] { return placeOf(workbench, "mirror") < workbench.path.stored()->edits.size(); }));
     QVERIFY(evaluatedAgain(driver));
     const auto mirror = [&] {
-        return std::get<Mirror>(bench.path.stored()->edits[placeOf(bench, "mirror")].parameters);
+        return std::get<Mirror>(workbench.path.stored()->edits[placeOf(workbench, "mirror")].parameters);
     };
-    const glm::dvec3 zero = bench.bench.bench()->setup.workOffset;
-    QCOMPARE(mirror().at, bench.bench.bench()->setup.stock.centre().x); // until somebody says otherwise
+    const glm::dvec3 zero = workbench.workpiece.milling()->setup.workOffset;
+    QCOMPARE(mirror().at, workbench.workpiece.milling()->setup.stock.centre().x); // until somebody says otherwise
     const auto drawLine = [&](const glm::dvec2& from, const glm::dvec2& to) {
-        const double height = pointNear(bench, {0.0, 0.0}).pose.tip.z;
+        const double height = pointNear(workbench, {0.0, 0.0}).pose.tip.z;
         const auto at = [&](const glm::dvec2& place) {
             return viewport->project(glm::dvec3(glm::dvec2(zero) + place, height)).toPoint();
         };
@@ -318,7 +325,7 @@ void TestWindowPath::theMirrorsPlaneIsDrawn() {
     };
     const auto rightEnd = [&] {
         double farthest = -1e9;
-        for (const PathPoint& point : bench.path.evaluated()->path.points)
+        for (const PathPoint& point : workbench.path.evaluated()->path.points)
             if (point.kind == MoveKind::cut) farthest = std::max(farthest, point.pose.tip.x - zero.x);
         return farthest;
     };
@@ -326,7 +333,7 @@ void TestWindowPath::theMirrorsPlaneIsDrawn() {
 
     // By the shortcut: a line along Y, roughly, makes a plane across X.
     driver.key(Qt::Key_D, Qt::ControlModifier | Qt::ShiftModifier);
-    const QString button = QStringLiteral("edit%1_at_mm_draw").arg(placeOf(bench, "mirror"));
+    const QString button = QStringLiteral("edit%1_at_mm_draw").arg(placeOf(workbench, "mirror"));
     auto* draw = driver.window().findChild<QAbstractButton*>(button);
     QVERIFY(draw != nullptr && !draw->toolTip().isEmpty());
     QVERIFY(driver.waitFor([&] { return draw->isChecked(); }, 3000));
@@ -338,7 +345,7 @@ void TestWindowPath::theMirrorsPlaneIsDrawn() {
     driver.shoot("31-mirror");
 
     // By its button: a line along X makes a plane across Y. Esc leaves everything as it is.
-    const QString again = QStringLiteral("edit%1_at_mm_draw").arg(placeOf(bench, "mirror"));
+    const QString again = QStringLiteral("edit%1_at_mm_draw").arg(placeOf(workbench, "mirror"));
     QVERIFY(driver.waitFor([&] { return show(driver, again); }, 3000));
     QVERIFY(driver.clickOn(qPrintable(again)));
     driver.key(Qt::Key_Escape);

@@ -20,11 +20,11 @@ namespace {
 
 /// Records a stroke round the middle of the stock's top: three quarters of a circle, mm.
 bool recordCircle(WindowDriver& driver, double radius) {
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     Viewport& viewport = driver.window().viewport();
     if (!driver.step(JobStep::mill) || !driver.clickOn("millButton")) return false;
-    if (!driver.waitFor([&] { return bench.mill.active(); }, 5000)) return false;
-    const glm::dvec3 zero = bench.setup.setup().workOffset;
+    if (!driver.waitFor([&] { return workbench.mill.active(); }, 5000)) return false;
+    const glm::dvec3 zero = workbench.setup.setup().workOffset;
     const auto at = [&](int degrees) {
         const double angle = degrees * M_PI / 180.0;
         return viewport.project(zero + radius * glm::dvec3(std::cos(angle), std::sin(angle), 0.0)).toPoint();
@@ -34,9 +34,9 @@ bool recordCircle(WindowDriver& driver, double radius) {
     QTest::mousePress(&viewport, Qt::LeftButton, {}, at(0));
     for (int degrees = 0; degrees <= 270; degrees += 3) QTest::mouseMove(&viewport, at(degrees), 15);
     QTest::mouseRelease(&viewport, Qt::LeftButton, {}, at(270));
-    if (!driver.waitFor([&] { return bench.bench.strokes().count() == 1; }, 10000)) return false;
+    if (!driver.waitFor([&] { return workbench.workpiece.strokes().count() == 1; }, 10000)) return false;
     driver.key(Qt::Key_Escape);
-    return driver.waitFor([&] { return !bench.session.running(); }, 5000);
+    return driver.waitFor([&] { return !workbench.session.running(); }, 5000);
 }
 
 QString escapeLabel(WindowDriver& driver) {
@@ -52,12 +52,12 @@ private slots:
     /// A straight groove has few points; whatever is clicked between them is what is meant.
     void aPlaceBetweenTwoPointsIsChosen() {
         WindowDriver driver;
-        Workbench& bench = driver.window().workbench();
+        Workbench& workbench = driver.window().workbench();
         QVERIFY(makeReady(driver) && recordLine(driver, {-15, 0}, {15, 0}) && newPath(driver));
         // A path that is evaluated again meanwhile has other points.
-        QVERIFY(driver.waitFor([&] { return !bench.path.busy() && !bench.path.outdated(); }));
+        QVERIFY(driver.waitFor([&] { return !workbench.path.busy() && !workbench.path.outdated(); }));
         auto* viewport = driver.visible<Viewport>("viewport");
-        const std::shared_ptr<const EvaluatedPath> evaluated = bench.path.evaluated();
+        const std::shared_ptr<const EvaluatedPath> evaluated = workbench.path.evaluated();
         const std::vector<PathPoint>& points = evaluated->path.points;
         std::size_t longest = 0;
         double length = 0.0;
@@ -72,8 +72,8 @@ private slots:
         for (const double share : {0.25, 0.4, 0.7}) {
             const glm::dvec3 meant = glm::mix(points[longest - 1].pose.tip, points[longest].pose.tip, share);
             QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(meant).toPoint());
-            QVERIFY(bench.path.selection());
-            const auto chosen = pointsOf(bench.path.evaluated()->path, *bench.path.selection());
+            QVERIFY(workbench.path.selection());
+            const auto chosen = pointsOf(workbench.path.evaluated()->path, *workbench.path.selection());
             QVERIFY(!chosen.empty());
             const double off = glm::distance(chosen.front().front().pose.tip, meant);
             QVERIFY2(off < 0.3, qPrintable(QString::number(off))); // a pixel is as long
@@ -84,8 +84,8 @@ private slots:
         const QString told = driver.visible<QLabel>("pathSelection")->text();
         const auto time = QRegularExpression(QStringLiteral("([0-9.]+) s(?: |$)")).match(told);
         QVERIFY2(time.hasMatch(), qPrintable(told));
-        const TakeInfo& take = bench.mill.takes().front();
-        const double ticks = static_cast<double>(bench.path.selection()->first) * take.tickPeriod;
+        const TakeInfo& take = workbench.mill.takes().front();
+        const double ticks = static_cast<double>(workbench.path.selection()->first) * take.tickPeriod;
         const double missed = *take.seconds - static_cast<double>(take.sampleCount) * take.tickPeriod;
         QVERIFY2(std::abs(time.captured(1).toDouble() - ticks) < 0.051 + std::max(0.0, missed), qPrintable(told));
         driver.shoot("46-place-between");
@@ -95,15 +95,15 @@ private slots:
     /// hand; the chord's middle, where nothing is drawn, means nothing. Esc does what the status line says of it.
     void aPlaceOnAFittedArcIsChosen() {
         WindowDriver driver;
-        Workbench& bench = driver.window().workbench();
+        Workbench& workbench = driver.window().workbench();
         QVERIFY(makeReady(driver));
         Viewport& viewport = driver.window().viewport();
         viewport.setStandardView(StandardView::top);
         QTest::qWait(400); // the view turns
         QVERIFY(recordCircle(driver, 9.0));
         QVERIFY(newPath(driver)); // fits arcs
-        QVERIFY(driver.waitFor([&] { return !bench.path.busy() && !bench.path.outdated(); }));
-        const std::shared_ptr<const EvaluatedPath> evaluated = bench.path.evaluated();
+        QVERIFY(driver.waitFor([&] { return !workbench.path.busy() && !workbench.path.outdated(); }));
+        const std::shared_ptr<const EvaluatedPath> evaluated = workbench.path.evaluated();
         const std::vector<PathPoint>& points = evaluated->path.points;
         std::size_t largest = 0;
         Arc arc;
@@ -128,19 +128,19 @@ private slots:
                 const glm::dvec3 meant(arc.centre.x + turn.startRadius * std::cos(angle),
                                        arc.centre.y + turn.startRadius * std::sin(angle), arc.from.z);
                 QTest::mouseClick(&viewport, Qt::LeftButton, {}, viewport.project(meant).toPoint());
-                QVERIFY(bench.path.selection());
+                QVERIFY(workbench.path.selection());
                 const double ticks = static_cast<double>(points[largest].sample - points[largest - 1].sample);
                 const double told =
-                    static_cast<double>(bench.path.selection()->first - points[largest - 1].sample) / ticks;
+                    static_cast<double>(workbench.path.selection()->first - points[largest - 1].sample) / ticks;
                 const double pixel = 0.4 / (turn.startRadius * std::abs(turn.sweep)); // mm, of the arc
                 QVERIFY2(std::abs(told - share) < pixel + 1.0 / ticks, qPrintable(QString::number(told)));
-                const auto chosen = pointsOf(bench.path.evaluated()->path, *bench.path.selection());
+                const auto chosen = pointsOf(workbench.path.evaluated()->path, *workbench.path.selection());
                 QVERIFY(!chosen.empty() && glm::distance(chosen.front().front().pose.tip, meant) < 0.4);
             }
             QTRY_COMPARE(escapeLabel(driver), QStringLiteral("Esc: clear the selection"));
             driver.shoot(view == StandardView::top ? "picking-arc-top" : "picking-arc-aslant");
             driver.key(Qt::Key_Escape);
-            QVERIFY(driver.waitFor([&] { return !bench.path.selection(); }, 2000));
+            QVERIFY(driver.waitFor([&] { return !workbench.path.selection(); }, 2000));
             QTRY_COMPARE(escapeLabel(driver), QString());
         }
     }

@@ -37,9 +37,9 @@ pid_t importProgram() {
 /// Holds the import program as soon as the window knows the preview: the fine mesh then can't come until it goes on.
 class HeldImport : public QObject {
 public:
-    explicit HeldImport(Workbench& bench) {
-        connect(&bench.model, &Controller::changed, this, [this, &bench] {
-            if (held_ != 0 || !bench.model.preview()) return;
+    explicit HeldImport(Workbench& workbench) {
+        connect(&workbench.model, &Controller::changed, this, [this, &workbench] {
+            if (held_ != 0 || !workbench.model.preview()) return;
             held_ = importProgram();
             if (held_ != 0) ::kill(held_, SIGSTOP);
         });
@@ -96,26 +96,26 @@ private slots:
 
 void TestWindowPreview::aPartIsSeenBeforeItsMesh() {
     WindowDriver driver;
-    Workbench& bench = driver.window().workbench();
-    const HeldImport import(bench);
+    Workbench& workbench = driver.window().workbench();
+    const HeldImport import(workbench);
     drop(driver.window(), part);
     QVERIFY(seesPreview(driver, import));
     QTest::qWait(400); // the camera's flight
     driver.shoot("60-preview");
-    QVERIFY(driver.visible<QWidget>("benchPage") != nullptr);
+    QVERIFY(driver.visible<QWidget>("workPage") != nullptr);
     QVERIFY(driver.visible<QLabel>("taskStatus")->text().contains(QStringLiteral("preview")));
     QVERIFY(coveredPixels(driver) > 20000);
     // It is no part: there is nothing to set up, to embed or to mill.
-    QVERIFY(!bench.model.model());
-    QVERIFY(!bench.setup.hasPart());
+    QVERIFY(!workbench.model.model());
+    QVERIFY(!workbench.setup.hasPart());
     QVERIFY(!menuAction(driver, "embedAction")->isEnabled());
     QVERIFY(!viewOf(driver).pick(QRectF(viewOf(driver).rect()).center()));
     const CameraView before = viewOf(driver).cameraView();
 
     import.goOn();
-    QVERIFY(driver.waitFor([&] { return bench.model.model() && !viewOf(driver).showsPreview(); }, 120000));
-    QVERIFY(!bench.model.preview());
-    QVERIFY(bench.setup.hasPart());
+    QVERIFY(driver.waitFor([&] { return workbench.model.model() && !viewOf(driver).showsPreview(); }, 120000));
+    QVERIFY(!workbench.model.preview());
+    QVERIFY(workbench.setup.hasPart());
     QVERIFY(sameView(viewOf(driver).cameraView(), before));
     QTest::qWait(400);
     QVERIFY(sameView(viewOf(driver).cameraView(), before));
@@ -125,27 +125,27 @@ void TestWindowPreview::aPartIsSeenBeforeItsMesh() {
 void TestWindowPreview::stoppingBringsTheOpenJobBack() {
     WindowDriver driver;
     QVERIFY(makeReady(driver, 1.0) && driver.settle());
-    Workbench& bench = driver.window().workbench();
-    const auto model = bench.model.model();
-    const auto workpiece = bench.bench.bench();
-    const int undo = bench.undo().index();
+    Workbench& workbench = driver.window().workbench();
+    const auto model = workbench.model.model();
+    const auto workpiece = workbench.workpiece.milling();
+    const int undo = workbench.undo().index();
     viewOf(driver).setStandardView(StandardView::front);
     QTest::qWait(600);
     const CameraView view = viewOf(driver).cameraView();
     const QImage picture = viewOf(driver).grabFramebuffer();
 
-    const HeldImport import(bench);
+    const HeldImport import(workbench);
     drop(driver.window(), part);
     QVERIFY(seesPreview(driver, import));
     QTest::qWait(400);
     driver.shoot("62-preview-over-job");
-    QVERIFY(bench.model.model() == model && bench.bench.bench() == workpiece);
+    QVERIFY(workbench.model.model() == model && workbench.workpiece.milling() == workpiece);
     QVERIFY(!sameView(viewOf(driver).cameraView(), view));
     QVERIFY(driver.clickOn("cancelTaskButton"));
     QVERIFY(driver.waitFor([&] { return !viewOf(driver).showsPreview(); }, 20000));
     QVERIFY(driver.settle());
-    QVERIFY(bench.model.model() == model && bench.bench.bench() == workpiece);
-    QCOMPARE(bench.undo().index(), undo);
+    QVERIFY(workbench.model.model() == model && workbench.workpiece.milling() == workpiece);
+    QCOMPARE(workbench.undo().index(), undo);
     QCOMPARE(viewOf(driver).cameraView().focus, view.focus);
     QCOMPARE(viewOf(driver).cameraView().distance, view.distance);
     QTest::qWait(600);
@@ -155,11 +155,11 @@ void TestWindowPreview::stoppingBringsTheOpenJobBack() {
 void TestWindowPreview::fromTheWelcomePageAndBack() {
     WindowDriver driver;
     const HeldImport import(driver.window().workbench());
-    QVERIFY(driver.visible<QWidget>("benchPage") == nullptr);
+    QVERIFY(driver.visible<QWidget>("workPage") == nullptr);
     drop(driver.window(), part);
     QVERIFY(seesPreview(driver, import));
     QVERIFY(driver.clickOn("cancelTaskButton"));
-    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("benchPage") == nullptr; }, 20000));
+    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("workPage") == nullptr; }, 20000));
     QVERIFY(driver.waitFor([&] { return !viewOf(driver).showsPreview(); }, 5000));
 }
 

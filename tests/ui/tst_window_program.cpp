@@ -34,11 +34,12 @@ bool mill(WindowDriver& driver) {
 }
 
 bool post(WindowDriver& driver) {
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     if (!driver.step(JobStep::path)) return false;
-    if (!bench.path.stored() && !driver.clickOn("newPathButton")) return false;
-    if (bench.path.stored() && bench.path.outdated() && !driver.clickOn("updatePathButton")) return false;
-    if (!driver.waitFor([&] { return bench.path.evaluated() && !bench.path.outdated() && !bench.path.busy(); }))
+    if (!workbench.path.stored() && !driver.clickOn("newPathButton")) return false;
+    if (workbench.path.stored() && workbench.path.outdated() && !driver.clickOn("updatePathButton")) return false;
+    if (!driver.waitFor(
+            [&] { return workbench.path.evaluated() && !workbench.path.outdated() && !workbench.path.busy(); }))
         return false;
     return postProgram(driver);
 }
@@ -90,11 +91,11 @@ void TestWindowProgram::theRestIsExportedFromTheSelectedLine() {
     WindowDriver driver;
     QVERIFY(!menuAction(driver, "restartAction")->isEnabled());
     QVERIFY(mill(driver) && post(driver));
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
     auto* text = driver.visible<QPlainTextEdit>("programText");
-    const std::string whole = bench.program.program()->text;
-    const NcMotion* longest = longestCut(bench.program.program()->parsed);
+    const std::string whole = workbench.program.program()->text;
+    const NcMotion* longest = longestCut(workbench.program.program()->parsed);
     QVERIFY(longest != nullptr);
     const NcMotion cut = *longest;
     text->setTextCursor(QTextCursor(text->document()->findBlockByNumber(static_cast<int>(cut.line) - 1)));
@@ -135,8 +136,8 @@ void TestWindowProgram::theRestIsExportedFromTheSelectedLine() {
     const NcMotion* again = longestCut(*rest);
     QVERIFY(again != nullptr && again->to == cut.to && again->feed == cut.feed);
     QVERIFY(again->tool == cut.tool && again->spindleSpeed == cut.spindleSpeed);
-    QVERIFY(bench.program.program()->text == whole); // it stays the program of the project
-    QVERIFY(bench.program.exportable());
+    QVERIFY(workbench.program.program()->text == whole); // it stays the program of the project
+    QVERIFY(workbench.program.exportable());
 
     // It replaces nothing of the project.
     const QString project = driver.folder().filePath("kept.burin");
@@ -157,25 +158,25 @@ void TestWindowProgram::aRefusedRestIsExportedWithAReason() {
     WindowDriver driver;
     QPlainTextEdit* text = textToEdit(driver);
     QVERIFY(text != nullptr);
-    Workbench& bench = driver.window().workbench();
-    const NcMotion* longest = longestCut(bench.program.program()->parsed);
+    Workbench& workbench = driver.window().workbench();
+    const NcMotion* longest = longestCut(workbench.program.program()->parsed);
     QVERIFY(longest != nullptr);
     const NcMotion cut = *longest;
     const auto line = [&](std::uint32_t number) {
         return QTextCursor(text->document()->findBlockByNumber(static_cast<int>(number) - 1));
     };
     // Where a word of its own tells how the next move goes: after a G1 between arcs nobody could read it.
-    const auto& motions = bench.program.program()->parsed.motions;
+    const auto& motions = workbench.program.program()->parsed.motions;
     const auto leaves = std::find_if(motions.begin(), motions.end(),
                                      [&](const NcMotion& motion) { return motion.rapid() && motion.line > cut.line; });
     QVERIFY(leaves != motions.end());
     text->setTextCursor(line(leaves->line));
     QTest::keyClicks(text, "G1 Z-50 F100");
     QTest::keyClick(text, Qt::Key_Return);
-    QVERIFY(driver.waitFor([&] { return bench.program.edited() && driver.visible("checkTextButton") != nullptr; }));
+    QVERIFY(driver.waitFor([&] { return workbench.program.edited() && driver.visible("checkTextButton") != nullptr; }));
     QVERIFY(driver.clickOn("checkTextButton"));
     QVERIFY(driver.settle());
-    QVERIFY(driver.waitFor([&] { return bench.program.refused(); }));
+    QVERIFY(driver.waitFor([&] { return workbench.program.refused(); }));
 
     const QString file = driver.folder().filePath("rest.ngc");
     bool locked = false, asked = false;
@@ -211,14 +212,14 @@ void TestWindowProgram::aRefusedRestIsExportedWithAReason() {
     QVERIFY2(rest.contains("REFUSED BY THE CHECK AND EXPORTED ALL THE SAME"), qPrintable(rest.left(800)));
     QVERIFY(rest.contains("(Reason: the part is scrap, it shows the clamps)"));
     QVERIFY(rest.contains(QString("RESTART at line %1").arg(cut.line)) && rest.contains("Z-50"));
-    QVERIFY(bench.program.refused()); // the program itself stays as it is
+    QVERIFY(workbench.program.refused()); // the program itself stays as it is
 }
 
 /// By mouse and keys, with an undo; the verdict of a program is that of the machine as it was.
 void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
     WindowDriver driver;
     QVERIFY(mill(driver) && post(driver));
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     const QString own = driver.folder().filePath("data/burin/machines/linuxcnc-mill-copy.json");
     QVERIFY(driver.visible<QLabel>("machineNote")->accessibleName().startsWith("Typical values"));
     bool typicalIsLocked = false, tooLittleIsRefused = false, isSaved = false;
@@ -277,7 +278,7 @@ void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
     QVERIFY(driver.clickOn("machinesButton"));
     QVERIFY(typicalIsLocked && tooLittleIsRefused && isSaved);
     QVERIFY(samePointIsRefused && homeIsLocked);
-    QCOMPARE(bench.target.target().machine, std::string("linuxcnc-mill-copy"));
+    QCOMPARE(workbench.target.target().machine, std::string("linuxcnc-mill-copy"));
     Result<MachineProfile> kept = loadMachine("linuxcnc-mill-copy");
     QVERIFY(kept && kept->name == "Mill in the shop" && kept->maximumFeed == 3500.0);
     QCOMPARE(kept->sources.at("spindle_power_w"), std::string("nameplate"));
@@ -290,11 +291,11 @@ void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
     QVERIFY(kept->sources.contains("maximum_feed_mm_per_min")); // the user's own value now
     QVERIFY(driver.waitFor(
         [&] { return driver.visible<QLabel>("machineNote")->accessibleName() == "Your own machine."; }, 3000));
-    QVERIFY(bench.program.outdated());
+    QVERIFY(workbench.program.outdated());
 
     // The values as they were, by undo: use, values, copy.
     for (int i = 0; i < 2; ++i) driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(bench.target.target().machine, std::string("linuxcnc-mill"));
+    QCOMPARE(workbench.target.target().machine, std::string("linuxcnc-mill"));
     kept = loadMachine("linuxcnc-mill-copy");
     QVERIFY(kept && kept->maximumFeed != 3500.0);
     driver.key(Qt::Key_Z, Qt::ControlModifier);
@@ -320,14 +321,14 @@ void TestWindowProgram::aMachineThatIsGoneHasAStandIn() {
     WindowDriver driver;
     QVERIFY(saveMachine(copyOf(*loadMachine("haas-mill"), "gone", "Gone"), false));
     QVERIFY(mill(driver));
-    Workbench& bench = driver.window().workbench();
-    bench.target.load({"gone", {}, NcUnits::millimetre});
-    QCOMPARE(bench.target.machine().id, std::string("gone"));
-    bench.target.deleteMachine("gone");
+    Workbench& workbench = driver.window().workbench();
+    workbench.target.load({"gone", {}, NcUnits::millimetre});
+    QCOMPARE(workbench.target.machine().id, std::string("gone"));
+    workbench.target.deleteMachine("gone");
     QVERIFY(post(driver));
     const QString note = driver.visible<QLabel>("machineNote")->accessibleName();
     QVERIFY2(note.contains("gone") && note.contains("LinuxCNC"), qPrintable(note));
-    QVERIFY(bench.program.exportable());
+    QVERIFY(workbench.program.exportable());
     driver.shoot("49-machine-that-is-gone");
 }
 
@@ -336,17 +337,17 @@ void TestWindowProgram::aMachineThatIsGoneHasAStandIn() {
 void TestWindowProgram::aPostOutlastsAChangeOfTheMachine() {
     WindowDriver driver;
     QVERIFY(mill(driver) && post(driver));
-    Workbench& bench = driver.window().workbench();
-    const auto before = bench.program.program();
-    QVERIFY(bench.target.machine().id != "haas-mill");
-    QVERIFY(driver.clickOn("postButton") && bench.program.busy());
-    bench.target.chooseMachine("haas-mill");
-    QVERIFY(bench.program.busy()); // nobody has to click once more
-    QVERIFY(driver.waitFor([&] { return !bench.program.busy(); }));
-    QVERIFY(!bench.program.problem());
-    QVERIFY(bench.program.program() != before && bench.program.exportable());
-    QCOMPARE(bench.program.program()->dialect, bench.target.dialect());
-    QVERIFY(driver.settle() && bench.program.exportable());
+    Workbench& workbench = driver.window().workbench();
+    const auto before = workbench.program.program();
+    QVERIFY(workbench.target.machine().id != "haas-mill");
+    QVERIFY(driver.clickOn("postButton") && workbench.program.busy());
+    workbench.target.chooseMachine("haas-mill");
+    QVERIFY(workbench.program.busy()); // nobody has to click once more
+    QVERIFY(driver.waitFor([&] { return !workbench.program.busy(); }));
+    QVERIFY(!workbench.program.problem());
+    QVERIFY(workbench.program.program() != before && workbench.program.exportable());
+    QCOMPARE(workbench.program.program()->dialect, workbench.target.dialect());
+    QVERIFY(driver.settle() && workbench.program.exportable());
     // The file's ending is that of the control.
     QString proposed;
     driver.whenDialogStands([&](QWidget& dialog) {
@@ -356,34 +357,34 @@ void TestWindowProgram::aPostOutlastsAChangeOfTheMachine() {
     QVERIFY(driver.clickOn("exportButton"));
     QVERIFY2(proposed.endsWith(".nc"), qPrintable(proposed));
     // What is typed meanwhile drops it: the text is another one.
-    QVERIFY(driver.clickOn("postButton") && bench.program.busy());
-    bench.target.chooseMachine("linuxcnc-mill");
-    bench.program.editText(bench.program.storedText() + "(mine)\n");
+    QVERIFY(driver.clickOn("postButton") && workbench.program.busy());
+    workbench.target.chooseMachine("linuxcnc-mill");
+    workbench.program.editText(workbench.program.storedText() + "(mine)\n");
     QVERIFY(driver.settle());
-    QVERIFY(bench.program.edited() && !bench.program.busy());
-    QVERIFY(bench.program.storedText().endsWith("(mine)\n"));
+    QVERIFY(workbench.program.edited() && !workbench.program.busy());
+    QVERIFY(workbench.program.storedText().endsWith("(mine)\n"));
 }
 
 void TestWindowProgram::aCheckOutlastsAChangeOfTheMachine() {
     WindowDriver driver;
     QPlainTextEdit* text = textToEdit(driver);
     QVERIFY(text != nullptr);
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
     QTest::keyClicks(text, "(mine)");
     QTest::keyClick(text, Qt::Key_Return);
-    QVERIFY(driver.waitFor([&] { return bench.program.edited(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.program.edited(); }, 3000));
     QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
     auto* check = driver.visible<QPushButton>("checkTextButton");
     QVERIFY(driver.waitFor([&] { return check->isEnabled(); }, 3000));
-    QVERIFY(driver.clickOn("checkTextButton") && bench.program.busy());
-    const MachineProfile other = copyOf(bench.target.machine(), "slower", "Slower");
+    QVERIFY(driver.clickOn("checkTextButton") && workbench.program.busy());
+    const MachineProfile other = copyOf(workbench.target.machine(), "slower", "Slower");
     QVERIFY(saveMachine(other, false));
-    bench.target.chooseMachine("slower");
-    QVERIFY(bench.program.busy());
-    QVERIFY(driver.waitFor([&] { return !bench.program.busy(); }) && driver.settle());
-    QVERIFY(!bench.program.problem() && !bench.program.edited() && bench.program.exportable());
-    QVERIFY(bench.program.program()->text.find("(mine)") != std::string::npos);
+    workbench.target.chooseMachine("slower");
+    QVERIFY(workbench.program.busy());
+    QVERIFY(driver.waitFor([&] { return !workbench.program.busy(); }) && driver.settle());
+    QVERIFY(!workbench.program.problem() && !workbench.program.edited() && workbench.program.exportable());
+    QVERIFY(workbench.program.program()->text.find("(mine)") != std::string::npos);
 }
 
 /// By a key, as a window of its own, after a restart, and back into the panel.
@@ -427,8 +428,9 @@ void TestWindowProgram::theTextOpensNextToTheView() {
 
     QVERIFY(saveAs(driver, driver.folder().filePath("docked.burin")));
     QVERIFY(driver.restart() && driver.clickOn("recentFileButton"));
-    Workbench& bench = driver.window().workbench();
-    QVERIFY(driver.waitFor([&] { return bench.bench.ready() && bench.path.evaluated(); }) && driver.settle());
+    Workbench& workbench = driver.window().workbench();
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready() && workbench.path.evaluated(); }) &&
+            driver.settle());
     QVERIFY(driver.step(JobStep::program));
     QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
     dock = driver.visible<QDockWidget>("programDock");
@@ -516,7 +518,7 @@ void TestWindowProgram::aNewTextToolAndValuesStandOnOneLine() {
     QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
     const auto* text = driver.visible<QPlainTextEdit>("programText");
     auto* viewport = driver.visible<Viewport>("viewport");
-    const glm::dvec3 zero = driver.window().workbench().bench.bench()->setup.workOffset;
+    const glm::dvec3 zero = driver.window().workbench().workpiece.milling()->setup.workOffset;
     const NcMotion* cut = longestCut(program.program()->parsed);
     QVERIFY(cut != nullptr);
     QTest::mouseClick(viewport, Qt::LeftButton, {},
@@ -604,11 +606,11 @@ void TestWindowProgram::textThatTheCheckRefusedSurvives() {
     QVERIFY(saveAs(driver, file));
     QVERIFY(driver.restart());
     QVERIFY(driver.clickOn("recentFileButton"));
-    Workbench& bench = driver.window().workbench();
-    QVERIFY(driver.waitFor([&] { return bench.bench.ready() && bench.path.evaluated(); }));
+    Workbench& workbench = driver.window().workbench();
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready() && workbench.path.evaluated(); }));
     QVERIFY(driver.settle());
-    QVERIFY(bench.program.refused() && !bench.program.exportable()); // and what the check said is known again
-    QVERIFY(bench.program.storedText().contains("\nG1 Z-50 F100\n"));
+    QVERIFY(workbench.program.refused() && !workbench.program.exportable()); // and what the check said is known again
+    QVERIFY(workbench.program.storedText().contains("\nG1 Z-50 F100\n"));
 }
 
 void TestWindowProgram::textThatWasNotCheckedSurvivesAnEndFromOutside() {
@@ -621,29 +623,29 @@ void TestWindowProgram::textThatWasNotCheckedSurvivesAnEndFromOutside() {
     QVERIFY(driver.waitFor([&] { return driver.window().workbench().program.edited(); }, 3000));
     QVERIFY(driver.restart(true));
     QVERIFY(driver.clickOn("recoverButton"));
-    Workbench& bench = driver.window().workbench();
-    QVERIFY(driver.waitFor([&] { return bench.bench.ready() && bench.path.evaluated(); }));
+    Workbench& workbench = driver.window().workbench();
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready() && workbench.path.evaluated(); }));
     QVERIFY(driver.settle());
-    QVERIFY(bench.program.edited() && !bench.program.exportable());
-    QVERIFY(bench.program.storedText().startsWith("(half a thought)\n"));
+    QVERIFY(workbench.program.edited() && !workbench.program.exportable());
+    QVERIFY(workbench.program.storedText().startsWith("(half a thought)\n"));
     QVERIFY(driver.step(JobStep::program));
     QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
     QVERIFY(driver.clickOn("checkTextButton"));
-    QVERIFY(driver.waitFor([&] { return bench.program.exportable(); }));
+    QVERIFY(driver.waitFor([&] { return workbench.program.exportable(); }));
 }
 
 void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     WindowDriver driver;
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QVERIFY(mill(driver));
     QVERIFY(post(driver));
-    QVERIFY(bench.program.exportable());
+    QVERIFY(workbench.program.exportable());
     QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
     auto* text = driver.visible<QPlainTextEdit>("programText");
     auto* viewport = driver.visible<Viewport>("viewport");
     QVERIFY(text && viewport);
-    const ParsedProgram& program = bench.program.program()->parsed;
-    const glm::dvec3 zero = bench.bench.bench()->setup.workOffset;
+    const ParsedProgram& program = workbench.program.program()->parsed;
+    const glm::dvec3 zero = workbench.workpiece.milling()->setup.workOffset;
 
     // A click on a move in the viewport leads to its line.
     const NcMotion* cut = longestCut(program);
@@ -689,7 +691,7 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QTest::mouseClick(deviation, Qt::LeftButton, {}, {10, 10});
     QVERIFY(driver.waitFor([&] { return deviation->isChecked(); }, 3000));
     QTest::qWait(200);
-    const Box part = bench.model.model()->box();
+    const Box part = workbench.model.model()->box();
     QTest::mouseMove(viewport, viewport->project({part.centre().x, part.centre().y, part.high.z}).toPoint());
     QVERIFY(driver.waitFor(
         [&] { return driver.visible<QLabel>("deviationUnderPointer")->text().contains(QStringLiteral("left")); },
@@ -709,9 +711,9 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
     QTest::keyClicks(text, "G999");
     QTest::keyClick(text, Qt::Key_Return);
-    QVERIFY(driver.waitFor([&] { return bench.program.edited(); }, 3000));
-    QVERIFY(!bench.program.lint().empty() && bench.program.lint().front().line == 1);
-    QVERIFY(!bench.program.exportable());
+    QVERIFY(driver.waitFor([&] { return workbench.program.edited(); }, 3000));
+    QVERIFY(!workbench.program.lint().empty() && workbench.program.lint().front().line == 1);
+    QVERIFY(!workbench.program.exportable());
     driver.shoot("20-lint");
     while (text->toPlainText() != posted)
         QTest::keyClick(text, Qt::Key_Z, Qt::ControlModifier); // the editor's own undo
@@ -721,11 +723,11 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
     page8->ensureWidgetVisible(driver.visible("checkTextButton"));
     QCoreApplication::processEvents();
-    QVERIFY(driver.waitFor([&] { return bench.program.lint().empty(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.program.lint().empty(); }, 3000));
     QVERIFY(driver.clickOn("checkTextButton"));
     QVERIFY(driver.settle());
-    QVERIFY(driver.waitFor([&] { return bench.program.exportable(); }, 3000));
-    QVERIFY(bench.program.program()->text.find("(a word of mine)") != std::string::npos);
+    QVERIFY(driver.waitFor([&] { return workbench.program.exportable(); }, 3000));
+    QVERIFY(workbench.program.program()->text.find("(a word of mine)") != std::string::npos);
     QVERIFY(driver.clickOn("editTextButton"));
 
     // A clamp across the groove: refused, until there is a reason.
@@ -733,14 +735,14 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     auto* page = driver.visible<QScrollArea>("stockPage");
     page->ensureWidgetVisible(driver.window().findChild<QWidget*>("addObstacleButton"));
     QVERIFY(driver.clickOn("addObstacleButton"));
-    QVERIFY(driver.waitFor([&] { return bench.surroundings.obstacles().size() == 1; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.surroundings.obstacles().size() == 1; }, 3000));
     for (const auto& [field, value] :
          {std::pair{"obstacle0PlaceX", "5"}, {"obstacle0PlaceZ", "-1"}, {"obstacle0SizeZ", "8"}})
         QVERIFY2(driver.enter(field, value), field);
-    QVERIFY(driver.waitFor([&] { return boundAlike(bench.bench.bound(), bench.surroundings.wanted()); }));
+    QVERIFY(driver.waitFor([&] { return boundAlike(workbench.workpiece.bound(), workbench.surroundings.wanted()); }));
     QVERIFY(driver.settle());
     QVERIFY(post(driver));
-    QVERIFY(bench.program.refused() && !bench.program.exportable());
+    QVERIFY(workbench.program.refused() && !workbench.program.exportable());
     driver.shoot("21-refused");
     driver.whenDialogStands([](QWidget& dialog) {
         auto* reason = dialog.findChild<QLineEdit*>("reasonField");
@@ -752,7 +754,7 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     });
     QVERIFY(driver.clickOn("overrideButton"));
     QVERIFY(driver.settle());
-    QVERIFY(bench.program.exportable());
+    QVERIFY(workbench.program.exportable());
     QVERIFY(driver.waitFor([&] { return text->toPlainText().contains("(Reason: the clamp is moved by hand)"); }, 3000));
     driver.shoot("22-wanted-all-the-same");
     // A reason makes no check pass.

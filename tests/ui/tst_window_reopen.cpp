@@ -46,12 +46,13 @@ bool same(const CameraView& one, const CameraView& other) {
 
 /// Mills a stroke, posts it, saves the project and ends the program.
 bool postAndLeave(WindowDriver& driver) {
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     if (!makeReady(driver) || !recordLine(driver, {-15, 0}, {15, 0}) || !driver.settle()) return false;
     if (!driver.step(JobStep::path) || !driver.clickOn("newPathButton")) return false;
-    if (!driver.waitFor([&] { return bench.path.evaluated() && !bench.path.outdated() && !bench.path.busy(); }))
+    if (!driver.waitFor(
+            [&] { return workbench.path.evaluated() && !workbench.path.outdated() && !workbench.path.busy(); }))
         return false;
-    if (!postProgram(driver) || !bench.program.exportable()) return false;
+    if (!postProgram(driver) || !workbench.program.exportable()) return false;
     return saveAs(driver, driver.folder().filePath("posted.burin")) && driver.restart();
 }
 
@@ -72,9 +73,9 @@ QString figure(const WindowDriver& driver, const char* name) {
 }
 
 bool reopen(WindowDriver& driver) {
-    const Workbench& bench = driver.window().workbench();
+    const Workbench& workbench = driver.window().workbench();
     if (!driver.clickOn("recentFileButton")) return false;
-    return driver.waitFor([&] { return bench.bench.ready(); }) && driver.settle();
+    return driver.waitFor([&] { return workbench.workpiece.ready(); }) && driver.settle();
 }
 
 } // namespace
@@ -128,16 +129,16 @@ void TestWindowReopen::aWorkpieceIsThereWithoutAStroke() {
     }
     QVERIFY(reopen(driver));
     QVERIFY(driver.step(JobStep::stock) && driver.enter("topMarginField", QStringLiteral("4")));
-    QVERIFY(driver.settle() && !driver.window().workbench().bench.embedded());
+    QVERIFY(driver.settle() && !driver.window().workbench().workpiece.embedded());
     driver.key(Qt::Key_S, Qt::ControlModifier);
     QVERIFY(driver.waitFor([&] { return !driver.window().workbench().document.unsaved(); }, 10000));
     QVERIFY(driver.restart());
 
-    const Workbench& bench = driver.window().workbench();
+    const Workbench& workbench = driver.window().workbench();
     QVERIFY(driver.clickOn("recentFileButton"));
-    QVERIFY(driver.waitFor([&] { return bench.model.model() != nullptr; }) && driver.settle());
+    QVERIFY(driver.waitFor([&] { return workbench.model.model() != nullptr; }) && driver.settle());
     QTest::qWait(200);
-    QVERIFY(!bench.bench.embedded() && !bench.bench.embedding());
+    QVERIFY(!workbench.workpiece.embedded() && !workbench.workpiece.embedding());
 }
 
 void TestWindowReopen::lookingAroundIsNothingToSave() {
@@ -168,29 +169,30 @@ void TestWindowReopen::whatCanBeUndoneIsSaid() {
 
 void TestWindowReopen::aProgramThatPassedIsPassedAgain() {
     WindowDriver driver;
-    Workbench* bench = &driver.window().workbench();
+    Workbench* workbench = &driver.window().workbench();
     QVERIFY(makeReady(driver) && recordLine(driver, {-15, 0}, {15, 0}) && driver.settle());
     QVERIFY(driver.step(JobStep::path) && driver.clickOn("newPathButton"));
-    QVERIFY(driver.waitFor([&] { return bench->path.evaluated() && !bench->path.busy() && !bench->path.outdated(); }));
+    QVERIFY(driver.waitFor(
+        [&] { return workbench->path.evaluated() && !workbench->path.busy() && !workbench->path.outdated(); }));
     QVERIFY(postProgram(driver));
     QVERIFY(told(driver, Notice::Kind::passed));
     const QString sentence = verdict(driver)->sentence(), removed = figure(driver, "removedVolume"),
                   time = figure(driver, "machiningTime");
-    const std::string text = bench->program.program()->text;
+    const std::string text = workbench->program.program()->text;
     QVERIFY(!removed.isEmpty() && !time.isEmpty());
     QVERIFY(saveAs(driver, driver.folder().filePath("posted.burin")));
     QVERIFY(driver.restart());
 
     QVERIFY(reopen(driver));
-    bench = &driver.window().workbench();
+    workbench = &driver.window().workbench();
     driver.shoot("43-verdict-reopened");
     QVERIFY(driver.visible("programPanel") != nullptr);
-    QVERIFY(driver.waitFor([&] { return bench->path.evaluated() && driver.settle(); }));
+    QVERIFY(driver.waitFor([&] { return workbench->path.evaluated() && driver.settle(); }));
     QVERIFY(told(driver, Notice::Kind::passed));
     QCOMPARE(verdict(driver)->sentence(), sentence);
     QCOMPARE(figure(driver, "removedVolume"), removed);
     QCOMPARE(figure(driver, "machiningTime"), time);
-    QVERIFY(!bench->document.unsaved());
+    QVERIFY(!workbench->document.unsaved());
 
     const QString exported = driver.folder().filePath("again.ngc");
     chooseFile(driver, exported);

@@ -231,23 +231,24 @@ void TestWindowReversals::mouseStrokesMakeAProgramThatNeverStepsBack() {
     qInfo() << "seed" << seed;
     std::mt19937_64 random(seed);
     WindowDriver driver;
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QVERIFY(makeReady(driver));
     QVERIFY(driver.step(JobStep::mill));
     QVERIFY(driver.clickOn("millButton"));
-    QVERIFY(driver.waitFor([&] { return bench.mill.active(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }, 5000));
     for (std::size_t i = 0; i < strokeCount; ++i) {
         draw(driver, randomStroke(random));
-        QVERIFY(driver.waitFor([&] { return bench.bench.strokes().count() == i + 1; }, 10000));
+        QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == i + 1; }, 10000));
     }
     driver.shoot("reversals-strokes");
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !bench.session.running(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
     QVERIFY(driver.step(JobStep::path));
     QVERIFY(driver.clickOn("newPathButton"));
-    QVERIFY(driver.waitFor([&] { return bench.path.evaluated() && !bench.path.outdated() && !bench.path.busy(); }));
-    const double budget = bench.path.evaluated()->errorBudget;
-    const glm::dvec3 zero = bench.bench.bench()->setup.workOffset;
+    QVERIFY(driver.waitFor(
+        [&] { return workbench.path.evaluated() && !workbench.path.outdated() && !workbench.path.busy(); }));
+    const double budget = workbench.path.evaluated()->errorBudget;
+    const glm::dvec3 zero = workbench.workpiece.milling()->setup.workOffset;
     const QString file = driver.folder().filePath("strokes.burin");
     QVERIFY(saveAs(driver, file));
 
@@ -269,10 +270,10 @@ void TestWindowReversals::mouseStrokesMakeAProgramThatNeverStepsBack() {
             QVERIFY(units != nullptr);
             units->setFocus();
             QTest::keyClick(units, Qt::Key_Down);
-            QTRY_VERIFY(bench.target.target().units == NcUnits::inch);
+            QTRY_VERIFY(workbench.target.target().units == NcUnits::inch);
         }
         QVERIFY(postProgram(driver));
-        const QString text = QString::fromStdString(bench.program.program()->text);
+        const QString text = QString::fromStdString(workbench.program.program()->text);
         QVERIFY(text.contains(inch ? "G20" : "G21"));
         const auto runs = feedRuns(text);
         std::ptrdiff_t moves = 0;

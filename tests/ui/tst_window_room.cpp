@@ -79,17 +79,17 @@ void TestWindowRoom::noTextOfAJobIsCut() {
     const bool german = language == QLatin1String("de");
     if (german) QVERIFY(Messages::install(QLocale(language)));
     WindowDriver driver(size, german ? QLocale(QStringLiteral("de_DE")) : QLocale::c());
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     cut_.clear();
     look(driver, "welcome");
     drop(driver.window(), writeBlock(driver, false)); // open, so that there are notes and findings
-    QVERIFY(driver.waitFor([&] { return bench.model.model() != nullptr; }) && driver.settle());
+    QVERIFY(driver.waitFor([&] { return workbench.model.model() != nullptr; }) && driver.settle());
     lookAtSteps(driver, "begun");
 
     QVERIFY(makeReady(driver));
     QVERIFY(recordLine(driver, {-10, 0}, {10, 0}) && driver.settle());
     QVERIFY(driver.step(JobStep::path) && driver.clickOn("newPathButton"));
-    QVERIFY(driver.waitFor([&] { return bench.path.evaluated() != nullptr; }));
+    QVERIFY(driver.waitFor([&] { return workbench.path.evaluated() != nullptr; }));
     QVERIFY(postProgram(driver));
     lookAtSteps(driver, "done");
     lookIntoChoices(driver); // of the program, the machines among them
@@ -102,11 +102,11 @@ void TestWindowRoom::noTextOfAJobIsCut() {
     QTest::keyClicks(text, "G1 Z-50 F100");
     QTest::keyClick(text, Qt::Key_Return);
     QTest::keyClicks(text, "G999");
-    QVERIFY(driver.waitFor([&] { return bench.program.edited(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.program.edited(); }, 3000));
     driver.key(Qt::Key_F7);
     look(driver, "docked");
     QVERIFY(driver.step(JobStep::mill) && driver.clickOn("millButton"));
-    QVERIFY(driver.waitFor([&] { return bench.mill.active(); }));
+    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }));
     look(driver, "milling");
     cut_.removeDuplicates();
     QVERIFY2(cut_.isEmpty(), qPrintable(QLatin1Char('\n') + cut_.join(QLatin1Char('\n'))));

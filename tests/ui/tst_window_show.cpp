@@ -16,17 +16,18 @@ private slots:
 
 void TestWindowShow::theVirtualOperatorShowsHowItIsDone() {
     WindowDriver driver;
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QVERIFY(driver.clickOn("welcomeShowMeButton"));
-    QVERIFY(
-        driver.waitFor([&] { return bench.session.running() && bench.session.state().recordedSeconds > 20.0; }, 60000));
+    QVERIFY(driver.waitFor(
+        [&] { return workbench.session.running() && workbench.session.state().recordedSeconds > 20.0; }, 60000));
     driver.shoot("14-show-me");
     QVERIFY(driver.clickOn("showMeButton")); // stops it
-    QVERIFY(driver.waitFor([&] { return !bench.session.running() && !bench.showMe.showing(); }, 5000));
-    QVERIFY(driver.waitFor([&] { return !bench.mill.takes().empty() && bench.mill.takes().front().complete; }));
-    QVERIFY(bench.mill.takes().front().sampleCount >= 20000); // what was recorded stays
-    QVERIFY(driver.waitFor([&] { return bench.path.evaluated() != nullptr || bench.path.problem(); }));
-    QVERIFY2(!bench.path.problem(), bench.path.problem() ? qPrintable(Messages::sentence(*bench.path.problem())) : "");
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running() && !workbench.showMe.showing(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.mill.takes().empty() && workbench.mill.takes().front().complete; }));
+    QVERIFY(workbench.mill.takes().front().sampleCount >= 20000); // what was recorded stays
+    QVERIFY(driver.waitFor([&] { return workbench.path.evaluated() != nullptr || workbench.path.problem(); }));
+    QVERIFY2(!workbench.path.problem(),
+             workbench.path.problem() ? qPrintable(Messages::sentence(*workbench.path.problem())) : "");
     driver.shoot("15-shown-path");
 }
 

@@ -20,10 +20,10 @@ private slots:
 
 void TestWindowSteps::eachStepTellsWhatItHolds() {
     WindowDriver driver(QSize(1280, 800));
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     driver.shoot("small-01-welcome");
     QVERIFY(driver.clickOn("samplePartButton"));
-    QVERIFY(driver.waitFor([&] { return bench.model.model() != nullptr; }));
+    QVERIFY(driver.waitFor([&] { return workbench.model.model() != nullptr; }));
     const std::pair<JobStep, const char*> before[] = {{JobStep::part, "part"},           {JobStep::stock, "stock"},
                                                       {JobStep::material, "material"},   {JobStep::tool, "tool"},
                                                       {JobStep::allowance, "allowance"}, {JobStep::mill, "mill"},
@@ -40,20 +40,20 @@ void TestWindowSteps::eachStepTellsWhatItHolds() {
     QVERIFY(driver.visible<QWidget>("millMissing") != nullptr);
     QVERIFY(driver.step(JobStep::stock));
     QVERIFY(driver.clickOn("embedButton"));
-    QVERIFY(driver.waitFor([&] { return bench.bench.ready(); }));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready(); }));
     QVERIFY(driver.step(JobStep::mill));
     QVERIFY(driver.clickOn("millButton"));
-    QVERIFY(driver.waitFor([&] { return bench.mill.active(); }));
+    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }));
     QTest::qWait(300);
     driver.shoot("small-03-mill");
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !bench.mill.active(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.mill.active(); }, 5000));
 }
 
 /// A guess in what is protected must not look like a step that is done.
 void TestWindowSteps::aDoubtfulPartIsObjectedTo() {
     WindowDriver driver(QSize(1280, 800));
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     const auto progress = [&] { return driver.visible<QWidget>("stepStock")->accessibleDescription(); };
     QVERIFY(makeReady(driver, 1.0));
     QVERIFY(progress().startsWith(QStringLiteral("done")));
@@ -66,12 +66,12 @@ void TestWindowSteps::aDoubtfulPartIsObjectedTo() {
     };
     const std::vector<QPoint> before = places();
 
-    const auto sound = bench.model.model();
+    const auto sound = workbench.model.model();
     drop(driver.window(), writeBlock(driver, false));
-    QVERIFY(driver.waitFor([&] { return bench.model.model() != sound; }));
+    QVERIFY(driver.waitFor([&] { return workbench.model.model() != sound; }));
     QVERIFY(driver.step(JobStep::stock) && driver.settle());
     QVERIFY(driver.clickOn("embedButton"));
-    QVERIFY(driver.waitFor([&] { return bench.bench.ready(); }) && driver.settle());
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready(); }) && driver.settle());
     driver.shoot("small-04-doubtful");
     QVERIFY2(progress().startsWith(QStringLiteral("has a problem")), qPrintable(progress()));
     auto* const notice = driver.visible<Notice>("findingsNotice");
@@ -84,12 +84,12 @@ void TestWindowSteps::aDoubtfulPartIsObjectedTo() {
 /// Stock comes before material in the job: who goes through the steps from left to right loses nothing.
 void TestWindowSteps::choosingAMaterialKeepsTheWorkpiece() {
     WindowDriver driver(QSize(1280, 800));
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QVERIFY(makeReady(driver, 1.0));
-    const auto workpiece = bench.bench.bench();
-    const auto bounds = bench.bench.bounds();
+    const auto workpiece = workbench.workpiece.milling();
+    const auto bounds = workbench.workpiece.bounds();
     const auto materialCut = [&] {
-        const EmbeddedSetup& embedded = bench.bench.bench()->embedded;
+        const EmbeddedSetup& embedded = workbench.workpiece.milling()->embedded;
         return embedded.workpiece.properties()[embedded.stockProperty].id;
     };
     QCOMPARE(materialCut(), std::string("machinable-wax"));
@@ -101,24 +101,24 @@ void TestWindowSteps::choosingAMaterialKeepsTheWorkpiece() {
     QTest::keyClick(choice, Qt::Key_Home);
     const std::string chosen = choice->currentData().toString().toStdString();
     QVERIFY(chosen != "machinable-wax");
-    QVERIFY(driver.waitFor([&] { return bench.bench.embedded() && materialCut() == chosen; }, 5000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.embedded() && materialCut() == chosen; }, 5000));
     QVERIFY(driver.settle());
-    QCOMPARE(bench.bench.bench(), workpiece);
-    QCOMPARE(bench.bench.bounds(), bounds);
+    QCOMPARE(workbench.workpiece.milling(), workpiece);
+    QCOMPARE(workbench.workpiece.bounds(), bounds);
     QCOMPARE(workpiece->workpieceVolume(), volume);
-    QVERIFY(bench.bench.ready());
+    QVERIFY(workbench.workpiece.ready());
     driver.shoot("small-05-other-material");
     QVERIFY(driver.visible<QWidget>("stepStock")->accessibleDescription().startsWith(QStringLiteral("done")));
 
     driver.window().setFocus();
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return bench.bench.embedded() && materialCut() == "machinable-wax"; }, 5000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.embedded() && materialCut() == "machinable-wax"; }, 5000));
     driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY(driver.waitFor([&] { return bench.bench.embedded() && materialCut() == chosen; }, 5000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.embedded() && materialCut() == chosen; }, 5000));
     QVERIFY(driver.settle());
     QVERIFY(recordLine(driver, {-10, 0}, {10, 0})); // and it is milled as any other
     QVERIFY(driver.settle());
-    QVERIFY(removedSoFar(*bench.bench.bench()) > 1.0);
+    QVERIFY(removedSoFar(*workbench.workpiece.milling()) > 1.0);
 }
 
 QTEST_MAIN(TestWindowSteps)

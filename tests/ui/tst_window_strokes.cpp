@@ -61,7 +61,7 @@ private slots:
         QTest::qWait(400); // the view turns
         QVERIFY(driver_->step(JobStep::mill));
         QVERIFY(driver_->clickOn("millButton"));
-        QVERIFY(driver_->waitFor([&] { return bench().mill.active(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return workbench().mill.active(); }, 5000));
         trace_ = std::make_unique<CutTrace>(*driver_);
     }
     void cleanup() {
@@ -102,14 +102,14 @@ private slots:
         driver_->key(Qt::Key_Escape);
         QTest::mouseRelease(&viewport(), Qt::LeftButton, Qt::NoModifier, at({5, 10}));
         QTest::qWait(500); // as long as the tool needs to get there
-        QVERIFY(strokesAre(1) && bench().mill.active());
-        QCOMPARE(bench().bench.strokes().count(), std::size_t{1});
+        QVERIFY(strokesAre(1) && workbench().mill.active());
+        QCOMPARE(workbench().workpiece.strokes().count(), std::size_t{1});
         driver_->key(Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(driver_->waitFor([&] { return bench().bench.strokes().count() == 0; }, 3000));
+        QVERIFY(driver_->waitFor([&] { return workbench().workpiece.strokes().count() == 0; }, 3000));
         QVERIFY(driver_->waitFor([&] { return !canRepeat(); }, 2000));
         driver_->key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(driver_->waitFor(canRepeat, 3000));
-        QCOMPARE(bench().bench.strokes().count(), std::size_t{1});
+        QCOMPARE(workbench().workpiece.strokes().count(), std::size_t{1});
     }
 
     void xAndYLockAStrokeUntilPressedAgain() {
@@ -137,7 +137,7 @@ private slots:
         QTest::mouseMove(&viewport(), from);
         QTest::qWait(300);
         QTest::mousePress(&viewport(), Qt::LeftButton, Qt::NoModifier, from);
-        QVERIFY(driver_->waitFor([&] { return bench().session.state().cutting; }, 5000));
+        QVERIFY(driver_->waitFor([&] { return workbench().session.state().cutting; }, 5000));
         QPoint pointer = from;
         while (glm::distance(placeAt(pointer), placeAt(from)) < 25.0) {
             pointer += (pointer.x() - from.x() > pointer.y() - from.y()) ? QPoint(0, 1) : QPoint(1, 0);
@@ -152,13 +152,13 @@ private slots:
                      qPrintable(QString::number(distanceToLine(place, a, b))));
         QVERIFY(glm::distance(glm::dvec2(trace_->last().back()), glm::dvec2(b)) < halfTrail);
         driver_->key(Qt::Key_Escape);
-        QVERIFY(driver_->waitFor([&] { return !bench().session.running(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }, 5000));
         const QString file = driver_->folder().filePath("sweep.burin"), copy = driver_->folder().filePath("copy.burin");
         QVERIFY(saveAs(*driver_, file));
         QVERIFY(QFile::copy(file, copy)); // the window has the file itself
         const Result<Project> project = Project::open(copy.toStdString());
         QVERIFY(project);
-        const Result<Take> take = project->take(bench().mill.takes().front().id);
+        const Result<Take> take = project->take(workbench().mill.takes().front().id);
         QVERIFY(take);
         double fastest = 0.0;
         for (std::size_t i = 10; i < take->samples.size(); ++i) {
@@ -196,7 +196,7 @@ private slots:
     void aRasterFillsARectangleAsOneStroke() {
         driver_->key(Qt::Key_T);
         QVERIFY(driver_->enter("stepOverField", "2"));
-        const double before = removedSoFar(*bench().bench.bench());
+        const double before = removedSoFar(*workbench().workpiece.milling());
         const QPoint from = at({-14, -7}), to = at({13, 6});
         const glm::dvec3 a = placeAt(from), b = placeAt(to);
         QTest::mouseMove(&viewport(), from);
@@ -221,13 +221,13 @@ private slots:
             QVERIFY2(off < halfTrail, qPrintable(QString::number(off)));
         }
         driver_->key(Qt::Key_Escape);
-        QVERIFY(driver_->waitFor([&] { return !bench().session.running(); }, 5000));
-        const double removed = removedSoFar(*bench().bench.bench()) - before;
+        QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }, 5000));
+        const double removed = removedSoFar(*workbench().workpiece.milling()) - before;
         const double length = std::abs(b.x - a.x), reach = 2.0 * std::sqrt(9.0 - 4.0);
         QVERIFY(removed > length * width * (1.0 - (3.0 - std::sqrt(8.0))));
         QVERIFY(removed < (length + reach) * (width + reach) * 1.0);
-        QCOMPARE(bench().mill.takes().size(), std::size_t{1});
-        QCOMPARE(bench().mill.strokesOf(bench().mill.takes()[0].id), std::size_t{1});
+        QCOMPARE(workbench().mill.takes().size(), std::size_t{1});
+        QCOMPARE(workbench().mill.strokesOf(workbench().mill.takes()[0].id), std::size_t{1});
     }
 
     void escapeEndsARasterThenMilling() {
@@ -241,18 +241,18 @@ private slots:
         QTest::mouseRelease(&viewport(), Qt::LeftButton, Qt::NoModifier, to);
         QTest::qWait(300);
         QCOMPARE(trace_->count(), std::size_t{0});
-        QVERIFY(bench().mill.active());
+        QVERIFY(workbench().mill.active());
         QTest::mousePress(&viewport(), Qt::LeftButton, Qt::NoModifier, from);
         QTest::mouseMove(&viewport(), to);
         QTest::mouseRelease(&viewport(), Qt::LeftButton, Qt::NoModifier, to);
-        QVERIFY(driver_->waitFor([&] { return bench().session.state().cutting; }, 3000));
+        QVERIFY(driver_->waitFor([&] { return workbench().session.state().cutting; }, 3000));
         QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("stop the tool")); }, 2000));
         driver_->key(Qt::Key_Escape);
-        QVERIFY(driver_->waitFor([&] { return !bench().session.state().cutting; }, 2000));
+        QVERIFY(driver_->waitFor([&] { return !workbench().session.state().cutting; }, 2000));
         QVERIFY(strokesAre(1)); // what was cut of it
-        QVERIFY(bench().mill.active());
+        QVERIFY(workbench().mill.active());
         driver_->key(Qt::Key_Escape);
-        QVERIFY(driver_->waitFor([&] { return !bench().mill.active(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return !workbench().mill.active(); }, 5000));
     }
 
     /// The keyboard is in a field: Esc takes back what is typed there, then puts the tool away.
@@ -266,10 +266,10 @@ private slots:
         QTest::keyClick(field, Qt::Key_Escape);
         QCOMPARE(field->text(), before);
         QTest::qWait(100);
-        QVERIFY(bench().mill.active());
+        QVERIFY(workbench().mill.active());
         QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("stop milling")); }, 2000));
         QTest::keyClick(field, Qt::Key_Escape);
-        QVERIFY(driver_->waitFor([&] { return !bench().mill.active(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return !workbench().mill.active(); }, 5000));
         QVERIFY(driver_->waitFor([&] { return escapeLabel().isEmpty(); }, 2000));
     }
 
@@ -290,25 +290,25 @@ private slots:
         QVERIFY(driver_->visible<QLabel>("recordingStatus") != nullptr);
         driver_->shoot("strokes-recording");
         driver_->key(Qt::Key_Escape);
-        QVERIFY(driver_->waitFor([&] { return !bench().session.running(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }, 5000));
         QVERIFY(driver_->waitFor([&] { return driver_->visible<QLabel>("recordingStatus") == nullptr; }, 2000));
         // All that was cut is in the take: cut again from it, as when a project is opened, it is the same workpiece.
-        const double removed = removedSoFar(*bench().bench.bench());
+        const double removed = removedSoFar(*workbench().workpiece.milling());
         QVERIFY(removed > 0.0);
         QVERIFY(saveAs(*driver_, driver_->folder().filePath("strokes.burin")));
         const QString file = driver_->folder().filePath("strokes.burin");
         trace_.reset(); // of the window that goes
         QVERIFY(driver_->restart());
         driver_->window().openFile(file);
-        QVERIFY(driver_->waitFor([&] { return bench().bench.ready() && !bench().bench.embedding(); }));
-        QCOMPARE(removedSoFar(*bench().bench.bench()), removed);
+        QVERIFY(driver_->waitFor([&] { return workbench().workpiece.ready() && !workbench().workpiece.embedding(); }));
+        QCOMPARE(removedSoFar(*workbench().workpiece.milling()), removed);
     }
 
     /// A take whose only stroke is taken back is none: not in the list, not in the path, nor in the program; redo
     /// brings it back. Saved and reopened without it, it stays away.
     void undoOfATakesFirstStrokeLeavesNoTraceOfIt() {
-        const PathController& path = bench().path;
-        const ProgramController& program = bench().program;
+        const PathController& path = workbench().path;
+        const ProgramController& program = workbench().program;
         millLine(*driver_, {-12, -4}, {12, -4});
         QVERIFY(strokesAre(1));
         QVERIFY(driver_->step(JobStep::path));
@@ -328,21 +328,21 @@ private slots:
         driver_->shoot("strokes-first-undone");
         driver_->key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(driver_->waitFor([&] { return takesAre(2) && path.outdated() && program.outdated(); }, 5000));
-        QCOMPARE(bench().mill.strokesOf(bench().mill.takes()[1].id), std::size_t{1});
+        QCOMPARE(workbench().mill.strokesOf(workbench().mill.takes()[1].id), std::size_t{1});
         driver_->key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(driver_->waitFor([&] { return takesAre(1); }, 5000));
 
-        const double removed = removedSoFar(*bench().bench.bench());
+        const double removed = removedSoFar(*workbench().workpiece.milling());
         const QString file = driver_->folder().filePath("strokes.burin");
         QVERIFY(saveAs(*driver_, file));
         trace_.reset(); // of the window that goes
         QVERIFY(driver_->restart());
         driver_->window().openFile(file);
-        QVERIFY(driver_->waitFor([&] { return bench().bench.ready() && !bench().bench.embedding(); }));
+        QVERIFY(driver_->waitFor([&] { return workbench().workpiece.ready() && !workbench().workpiece.embedding(); }));
         QVERIFY(driver_->waitFor([&] { return takesAre(1); }, 5000));
-        QCOMPARE(removedSoFar(*bench().bench.bench()), removed);
+        QCOMPARE(removedSoFar(*workbench().workpiece.milling()), removed);
         QVERIFY(driver_->waitFor(
-            [&] { return bench().path.evaluated() && !bench().path.outdated() && !bench().path.busy(); }));
+            [&] { return workbench().path.evaluated() && !workbench().path.outdated() && !workbench().path.busy(); }));
     }
 
     /// As long as nothing is recorded the setup can be changed, and a path can't be made: so it is again.
@@ -350,16 +350,16 @@ private slots:
         millLine(*driver_, {-12, -4}, {12, -4});
         QVERIFY(strokesAre(1));
         driver_->key(Qt::Key_Escape);
-        QVERIFY(driver_->waitFor([&] { return !bench().session.running(); }, 5000));
-        QVERIFY(bench().setup.locked() && bench().path.hasTakes());
+        QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }, 5000));
+        QVERIFY(workbench().setup.locked() && workbench().path.hasTakes());
         driver_->key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(driver_->waitFor([&] { return takesAre(0); }, 5000));
-        QVERIFY(!bench().setup.locked() && !bench().path.hasTakes());
+        QVERIFY(!workbench().setup.locked() && !workbench().path.hasTakes());
         driver_->key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(driver_->waitFor([&] { return takesAre(1); }, 5000));
-        QVERIFY(bench().setup.locked() && bench().path.hasTakes());
+        QVERIFY(workbench().setup.locked() && workbench().path.hasTakes());
         // A path of it goes and comes with it.
-        const PathController& path = bench().path;
+        const PathController& path = workbench().path;
         QVERIFY(driver_->step(JobStep::path));
         QVERIFY(driver_->clickOn("newPathButton"));
         QVERIFY(driver_->waitFor([&] { return path.evaluated() && !path.outdated() && !path.busy(); }));
@@ -385,14 +385,14 @@ private slots:
         driver_->key(Qt::Key_F1);
         driver_->key(Qt::Key_Escape);
         QVERIFY(driver_->visible<QWidget>("viewport") != nullptr);
-        QVERIFY(bench().mill.active()); // that Esc was the page's
+        QVERIFY(workbench().mill.active()); // that Esc was the page's
     }
 
     void aMessageLeavesTheViewCubeFree() {
         viewport().setStandardView(StandardView::isometric);
         QTest::qWait(400); // the view turns
         const QString name = QStringLiteral("a name that is so long that it takes the whole width of the view.step");
-        emit bench().failed(Error{ErrorCode::fileNotReadable, name.toStdString(), "", "and a reason of its own"});
+        emit workbench().failed(Error{ErrorCode::fileNotReadable, name.toStdString(), "", "and a reason of its own"});
         QVERIFY(!driver_->message().isEmpty());
         QTest::qWait(50);
         const QPoint cube = viewport().mapTo(&driver_->window(), QPoint(viewport().width() - 60, 60)); // its middle
@@ -426,7 +426,7 @@ private slots:
         const QPoint before = field->mapTo(&driver_->window(), QPoint());
         const double looked = viewport().sight({1.0, 1.0}).rayDirection.z;
         setEnabledKeepingFocus(field, false);
-        emit bench().failed(Error{ErrorCode::fileNotReadable, "nothing.step", "", ""});
+        emit workbench().failed(Error{ErrorCode::fileNotReadable, "nothing.step", "", ""});
         QTest::qWait(50);
         QVERIFY(!driver_->message().isEmpty());
         QCOMPARE(field->mapTo(&driver_->window(), QPoint()), before);
@@ -452,9 +452,9 @@ private slots:
     }
 
 private:
-    Workbench& bench() { return driver_->window().workbench(); }
+    Workbench& workbench() { return driver_->window().workbench(); }
     Viewport& viewport() { return driver_->window().viewport(); }
-    glm::dvec3 zero() { return bench().setup.setup().workOffset; }
+    glm::dvec3 zero() { return workbench().setup.setup().workOffset; }
     /// Pixel over a place on the stock's top, mm from its middle.
     QPoint at(const glm::dvec2& place) { return viewport().project(zero() + glm::dvec3(place, 0.0)).toPoint(); }
     /// The place on the stock's top under a pixel: where its sight meets z = 0.
@@ -464,9 +464,9 @@ private:
         return from - sight.rayDirection * (from.z / sight.rayDirection.z);
     }
     bool strokesAre(std::size_t count) {
-        return driver_->waitFor([&] { return bench().bench.strokes().count() == count; }, 15000);
+        return driver_->waitFor([&] { return workbench().workpiece.strokes().count() == count; }, 15000);
     }
-    bool takesAre(std::size_t count) { return bench().mill.takes().size() == count; }
+    bool takesAre(std::size_t count) { return workbench().mill.takes().size() == count; }
     QString lockSentence() {
         auto* lock = driver_->visible<Notice>("millLock");
         return lock != nullptr ? lock->sentence() : QString();

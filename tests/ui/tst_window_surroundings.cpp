@@ -28,18 +28,18 @@ bool scrollTo(WindowDriver& driver, const char* page, const char* name) {
 /// How far the tip got along X from program zero while it cut, mm.
 class Farthest {
 public:
-    explicit Farthest(Workbench& bench) : bench_(bench) {
-        connection_ = QObject::connect(&bench.session, &SessionRunner::ticked, [this] {
-            const SessionState& state = bench_.session.state();
+    explicit Farthest(Workbench& workbench) : workbench_(workbench) {
+        connection_ = QObject::connect(&workbench.session, &SessionRunner::ticked, [this] {
+            const SessionState& state = workbench_.session.state();
             if (state.cutting)
-                farthest_ = std::max(farthest_, state.sample.proxy.tip.x - bench_.setup.setup().workOffset.x);
+                farthest_ = std::max(farthest_, state.sample.proxy.tip.x - workbench_.setup.setup().workOffset.x);
         });
     }
     ~Farthest() { QObject::disconnect(connection_); }
     double get() const { return farthest_; }
 
 private:
-    Workbench& bench_;
+    Workbench& workbench_;
     QMetaObject::Connection connection_;
     double farthest_ = -1e9;
 };
@@ -54,31 +54,31 @@ private slots:
 
 void TestWindowSurroundings::theToolKeepsOutOfAFixture() {
     WindowDriver driver;
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QVERIFY(makeReady(driver));
     // A clamp on the stock's top, from 5 mm right of its middle on; the tool keeps 1 mm from it.
     QVERIFY(scrollTo(driver, "stockPage", "addObstacleButton"));
     QVERIFY(driver.clickOn("addObstacleButton"));
-    QVERIFY(driver.waitFor([&] { return bench.surroundings.obstacles().size() == 1; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.surroundings.obstacles().size() == 1; }, 3000));
     for (const auto& [field, value] :
          {std::pair{"obstacle0PlaceX", "5"}, {"obstacle0PlaceZ", "0"}, {"obstacle0SizeZ", "8"}})
         QVERIFY2(driver.enter(field, value), field);
     QVERIFY(driver.waitFor(
-        [&] { return std::abs(boundsOf(*bench.surroundings.obstacles()[0].obstacle).size().z - 8.0) < 1e-9; }));
+        [&] { return std::abs(boundsOf(*workbench.surroundings.obstacles()[0].obstacle).size().z - 8.0) < 1e-9; }));
     QVERIFY(driver.settle());
-    QVERIFY(driver.waitFor([&] { return boundAlike(bench.bench.bound(), bench.surroundings.wanted()); }));
+    QVERIFY(driver.waitFor([&] { return boundAlike(workbench.workpiece.bound(), workbench.surroundings.wanted()); }));
     driver.shoot("16-fixture");
 
     QVERIFY(driver.step(JobStep::mill));
     QVERIFY(driver.clickOn("millButton"));
-    QVERIFY(driver.waitFor([&] { return bench.mill.active(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }, 5000));
     bool told = false;
     const auto* hint = driver.window().findChild<Notice*>("millHint");
-    const auto listening = QObject::connect(&bench.session, &SessionRunner::ticked, this, [&] {
+    const auto listening = QObject::connect(&workbench.session, &SessionRunner::ticked, this, [&] {
         told = told || hint->sentence().contains(QStringLiteral("Fixture 1"));
     });
     {
-        const Farthest farthest(bench);
+        const Farthest farthest(workbench);
         millLine(driver, {-20, 0}, {20, 0});
         // Its radius and the margin before the clamp's face.
         QVERIFY2(farthest.get() > -5.0 && farthest.get() < 5.0 - 3.0 - 1.0 + 0.05,
@@ -90,23 +90,23 @@ void TestWindowSurroundings::theToolKeepsOutOfAFixture() {
 
     QVERIFY(scrollTo(driver, "millPage", "bound0Switch"));
     QTest::mouseClick(driver.window().findChild<QCheckBox*>("bound0Switch"), Qt::LeftButton, {}, QPoint(8, 8));
-    QVERIFY(driver.waitFor([&] { return !bench.surroundings.obstacles()[0].on; }, 3000));
-    QVERIFY(bench.mill.recording()); // switching ends nothing
+    QVERIFY(driver.waitFor([&] { return !workbench.surroundings.obstacles()[0].on; }, 3000));
+    QVERIFY(workbench.mill.recording()); // switching ends nothing
     {
-        const Farthest farthest(bench);
+        const Farthest farthest(workbench);
         millLine(driver, {-20, 3}, {20, 3});
         QVERIFY2(farthest.get() > 15.0, qPrintable(QString::number(farthest.get())));
     }
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !bench.session.running(); }, 5000));
-    bench.guides.add(GuideKind::levels);
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
+    workbench.guides.add(GuideKind::levels);
 
     const QString file = driver.folder().filePath("clamped.burin");
     QVERIFY(saveAs(driver, file));
     QVERIFY(driver.restart());
     QVERIFY(driver.clickOn("recentFileButton"));
     Workbench& again = driver.window().workbench();
-    QVERIFY(driver.waitFor([&] { return again.bench.ready(); }));
+    QVERIFY(driver.waitFor([&] { return again.workpiece.ready(); }));
     QVERIFY(driver.settle());
     QCOMPARE(again.surroundings.obstacles().size(), std::size_t{1});
     QVERIFY(!again.surroundings.obstacles()[0].on);

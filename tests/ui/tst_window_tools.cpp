@@ -19,21 +19,23 @@ namespace {
 
 /// Makes the path of the tool in force.
 bool makePath(WindowDriver& driver) {
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     return driver.step(JobStep::path) && driver.clickOn("newPathButton") &&
-           driver.waitFor([&] { return bench.path.evaluated() && !bench.path.outdated(); }) && driver.settle();
+           driver.waitFor([&] { return workbench.path.evaluated() && !workbench.path.outdated(); }) && driver.settle();
 }
 
 bool useTool(WindowDriver& driver, const char* id) {
-    Workbench& bench = driver.window().workbench();
-    bench.tool.choose(id);
-    return driver.waitFor([&] { return bench.bench.ready() && bench.bench.bench()->tool.id == id; }) && driver.settle();
+    Workbench& workbench = driver.window().workbench();
+    workbench.tool.choose(id);
+    return driver.waitFor([&] {
+        return workbench.workpiece.ready() && workbench.workpiece.milling()->tool.id == id;
+    }) && driver.settle();
 }
 
-QStringList toolChanges(const Workbench& bench) {
+QStringList toolChanges(const Workbench& workbench) {
     QStringList tools;
-    auto match =
-        QRegularExpression("^T(\\d+) M6", QRegularExpression::MultilineOption).globalMatch(bench.program.storedText());
+    auto match = QRegularExpression("^T(\\d+) M6", QRegularExpression::MultilineOption)
+                     .globalMatch(workbench.program.storedText());
     while (match.hasNext()) tools.append(match.next().captured(1));
     return tools;
 }
@@ -51,14 +53,14 @@ private slots:
 
 void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
     WindowDriver driver;
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QVERIFY(makeReady(driver));
-    QCOMPARE(bench.tool.current().id, std::string("ball-6"));
+    QCOMPARE(workbench.tool.current().id, std::string("ball-6"));
     QVERIFY(recordLine(driver, {-15, -5}, {15, -5}));
     QVERIFY(makePath(driver));
-    const auto ball = bench.path.evaluated();
+    const auto ball = workbench.path.evaluated();
     QVERIFY(postProgram(driver));
-    QCOMPARE(toolChanges(bench), QStringList{"3"});
+    QCOMPARE(toolChanges(workbench), QStringList{"3"});
     const auto listed = [&](const char* name) { // "" where there is no such row
         const auto* row = driver.visible<QCheckBox>(name);
         return row != nullptr ? row->accessibleName() : QString();
@@ -69,7 +71,7 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
 
     // The other tool: no path of it yet, and the program says so.
     QVERIFY(useTool(driver, "flat-10"));
-    QVERIFY(bench.path.stored() == nullptr && !bench.program.outdated());
+    QVERIFY(workbench.path.stored() == nullptr && !workbench.program.outdated());
     QVERIFY(recordLine(driver, {-15, 5}, {15, 5}));
     QVERIFY(driver.step(JobStep::program));
     QTRY_VERIFY(listed("programPath1Switch").contains(QStringLiteral("10 mm")));
@@ -77,14 +79,14 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
             !driver.visible<QCheckBox>("programPath1Switch")->isChecked());
     QCOMPARE(driver.visible<ElidedLabel>("programPath1News")->text(), QStringLiteral("no path"));
     driver.shoot("29-tool-without-path");
-    QVERIFY(bench.program.outdated());
+    QVERIFY(workbench.program.outdated());
     QVERIFY(makePath(driver));
-    QVERIFY(bench.path.evaluated()->path.toolId == "flat-10");
+    QVERIFY(workbench.path.evaluated()->path.toolId == "flat-10");
     QVERIFY(driver.step(JobStep::program));
     QTRY_VERIFY(driver.visible("programPath1Switch") != nullptr && driver.visible("programPath1Switch")->isEnabled());
     QVERIFY(postProgram(driver));
-    QCOMPARE(toolChanges(bench), (QStringList{"7", "3"})); // the larger tool first
-    QVERIFY(bench.program.exportable());
+    QCOMPARE(toolChanges(workbench), (QStringList{"7", "3"})); // the larger tool first
+    QVERIFY(workbench.program.exportable());
     driver.shoot("30-two-tools");
     // The list has the order of the program, and nothing has moved.
     QVERIFY2(listed("programPath0Switch").contains(QStringLiteral("10 mm")), qPrintable(listed("programPath0Switch")));
@@ -93,26 +95,26 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
 
     // One left out: the program of the other is judged by its own tool, whichever is in force.
     QVERIFY(driver.clickOn("programPath0Switch"));
-    QVERIFY(bench.program.outdated());
+    QVERIFY(workbench.program.outdated());
     QVERIFY(postProgram(driver));
-    QCOMPARE(toolChanges(bench), QStringList{"3"});
-    QCOMPARE(bench.program.program()->tools.front().id, std::string("ball-6"));
-    QVERIFY(bench.program.exportable());
+    QCOMPARE(toolChanges(workbench), QStringList{"3"});
+    QCOMPARE(workbench.program.program()->tools.front().id, std::string("ball-6"));
+    QVERIFY(workbench.program.exportable());
     QVERIFY(driver.clickOn("programPath0Switch"));
 
     // What is changed while it is posted makes it out of date when it comes; taken back, it is what is wanted again.
-    const auto before = bench.program.program();
+    const auto before = workbench.program.program();
     QVERIFY(driver.clickOn("postButton"));
-    bench.target.chooseUnits(NcUnits::inch);
-    QVERIFY(driver.waitFor([&] { return bench.program.program() != before && !bench.program.busy(); }));
-    QVERIFY(bench.program.outdated() && !bench.program.exportable());
+    workbench.target.chooseUnits(NcUnits::inch);
+    QVERIFY(driver.waitFor([&] { return workbench.program.program() != before && !workbench.program.busy(); }));
+    QVERIFY(workbench.program.outdated() && !workbench.program.exportable());
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QTRY_VERIFY(bench.program.exportable());
-    const double tolerance = bench.program.gougeTolerance();
-    bench.program.setGougeTolerance(0.5 * tolerance);
-    QVERIFY(!bench.program.exportable());
-    bench.program.setGougeTolerance(tolerance);
-    QVERIFY(bench.program.exportable());
+    QTRY_VERIFY(workbench.program.exportable());
+    const double tolerance = workbench.program.gougeTolerance();
+    workbench.program.setGougeTolerance(0.5 * tolerance);
+    QVERIFY(!workbench.program.exportable());
+    workbench.program.setGougeTolerance(tolerance);
+    QVERIFY(workbench.program.exportable());
 
     // Inches, and back.
     QVERIFY(driver.waitFor([&] { return driver.visible<QComboBox>("programUnits") != nullptr; }, 3000));
@@ -120,47 +122,47 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
     QTRY_COMPARE(units->currentIndex(), 0); // panels follow a moment later
     units->setFocus();
     QTest::keyClick(units, Qt::Key_Down);
-    QTRY_VERIFY(bench.target.target().units == NcUnits::inch);
+    QTRY_VERIFY(workbench.target.target().units == NcUnits::inch);
     QVERIFY(postProgram(driver));
-    QVERIFY(bench.program.storedText().contains("G20") && bench.program.exportable());
+    QVERIFY(workbench.program.storedText().contains("G20") && workbench.program.exportable());
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QTRY_VERIFY(bench.target.target().units == NcUnits::millimetre);
+    QTRY_VERIFY(workbench.target.target().units == NcUnits::millimetre);
 
     // Each tool keeps its path and its edits.
     QVERIFY(useTool(driver, "ball-6"));
-    QVERIFY(driver.waitFor([&] { return bench.path.evaluated() && !bench.path.outdated(); }));
-    QCOMPARE(bench.path.evaluated()->path.points.size(), ball->path.points.size());
+    QVERIFY(driver.waitFor([&] { return workbench.path.evaluated() && !workbench.path.outdated(); }));
+    QCOMPARE(workbench.path.evaluated()->path.points.size(), ball->path.points.size());
     QVERIFY(driver.waitFor([&] { return driver.settle(); }));
 }
 
 /// Two tools that milled before a path was asked for: none is left out of the program, and one undo takes both back.
 void TestWindowTools::oneClickMakesThePathsOfAllTools() {
     WindowDriver driver;
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QVERIFY(makeReady(driver));
     QVERIFY(recordLine(driver, {-15, -5}, {15, -5}));
     QVERIFY(useTool(driver, "flat-10"));
     QVERIFY(recordLine(driver, {-15, 5}, {15, 5}));
     QVERIFY(makePath(driver));
-    QCOMPARE(bench.path.jobPaths().size(), std::size_t{2});
-    QVERIFY(bench.path.toolsWithoutPath().empty());
+    QCOMPARE(workbench.path.jobPaths().size(), std::size_t{2});
+    QVERIFY(workbench.path.toolsWithoutPath().empty());
     QVERIFY(postProgram(driver));
-    QCOMPARE(toolChanges(bench), (QStringList{"7", "3"}));
+    QCOMPARE(toolChanges(workbench), (QStringList{"7", "3"}));
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QTRY_VERIFY(bench.path.jobPaths().empty());
-    QCOMPARE(bench.path.toolsWithoutPath().size(), std::size_t{2});
+    QTRY_VERIFY(workbench.path.jobPaths().empty());
+    QCOMPARE(workbench.path.toolsWithoutPath().size(), std::size_t{2});
     driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    QTRY_COMPARE(bench.path.jobPaths().size(), std::size_t{2});
+    QTRY_COMPARE(workbench.path.jobPaths().size(), std::size_t{2});
 
     // A tool that has not milled: the panel says so, and leads to those that have.
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QTRY_VERIFY(bench.path.jobPaths().empty());
+    QTRY_VERIFY(workbench.path.jobPaths().empty());
     QVERIFY(useTool(driver, "flat-3"));
     QVERIFY(driver.step(JobStep::path));
     QTRY_VERIFY(driver.visible<QComboBox>("pathTool") != nullptr);
     driver.shoot("29-tool-that-has-not-milled");
     QVERIFY(driver.clickOn("newPathButton"));
-    QTRY_COMPARE(bench.path.jobPaths().size(), std::size_t{2});
+    QTRY_COMPARE(workbench.path.jobPaths().size(), std::size_t{2});
     const QList<StepButton*> steps = driver.window().findChildren<StepButton*>();
     const auto pathStep = std::ranges::find(steps, JobStep::path, &StepButton::step);
     QVERIFY(pathStep != steps.end()); // nothing is left to do
@@ -170,21 +172,22 @@ void TestWindowTools::oneClickMakesThePathsOfAllTools() {
     QCOMPARE(choice->count(), 2);
     choice->setFocus();
     QTest::keyClick(choice, Qt::Key_End);
-    QTRY_COMPARE(bench.tool.current().id, std::string("flat-10"));
-    QVERIFY(driver.waitFor([&] { return bench.path.evaluated() && !bench.path.busy(); }));
+    QTRY_COMPARE(workbench.tool.current().id, std::string("flat-10"));
+    QVERIFY(driver.waitFor([&] { return workbench.path.evaluated() && !workbench.path.busy(); }));
 }
 
 /// Two tools in one groove: the larger one is milled first, whichever was recorded first.
 void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     WindowDriver driver;
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     QVERIFY(makeReady(driver, 0.2));
     QVERIFY(recordLine(driver, {-15, 0}, {15, 0}));
     QVERIFY(makePath(driver));
-    const glm::dvec3 zero = bench.bench.bench()->setup.workOffset;
-    const double top = bench.bench.bench()->setup.stock.high.z;
+    const glm::dvec3 zero = workbench.workpiece.milling()->setup.workOffset;
+    const double top = workbench.workpiece.milling()->setup.stock.high.z;
     const auto levelled = [&] {
-        return driver.waitFor([&] { return bench.path.evaluated() && !bench.path.outdated() && !bench.path.busy(); });
+        return driver.waitFor(
+            [&] { return workbench.path.evaluated() && !workbench.path.outdated() && !workbench.path.busy(); });
     };
     /// Of the cut that goes over a place along X, from program zero.
     const auto cutOver = [&](const EvaluatedPath& path, double x) {
@@ -196,7 +199,7 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
         return PathPoint{};
     };
     const auto postedOver = [&](double x) { // mm/min, of the ball's cut there in the program's own text
-        for (const NcMotion& motion : bench.program.program()->parsed.motions)
+        for (const NcMotion& motion : workbench.program.program()->parsed.motions)
             if ((motion.kind == NcMotionKind::line || motion.kind == NcMotionKind::arc) && motion.tool == 3 &&
                 motion.from[Axis::z] < -0.5 && motion.to[Axis::z] < -0.5 &&
                 (motion.from[Axis::x] - x) * (motion.to[Axis::x] - x) <= 0)
@@ -208,14 +211,15 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     LevelFeed level;
     level.goal = LevelFeed::Goal::removal;
     level.target = 50.0; // mm³/s
-    bench.path.addEdit({level});
+    workbench.path.addEdit({level});
     QVERIFY(levelled());
-    const EvaluatedPath alone = *bench.path.evaluated();
+    const EvaluatedPath alone = *workbench.path.evaluated();
     const double depth = top - cutOver(alone, 0.0).pose.tip.z, side = 3.0 - depth;
     const double section = 9.0 * std::acos(side / 3.0) - side * std::sqrt(9.0 - side * side);
     const double inStock = 60.0 * level.target / section;
-    const double air = std::min(bench.bench.bench()->machine.maximumFeed,
-                                alone.path.spindleSpeed * bench.bench.bench()->tool.fluteCount * level.largestChip);
+    const double air =
+        std::min(workbench.workpiece.milling()->machine.maximumFeed,
+                 alone.path.spindleSpeed * workbench.workpiece.milling()->tool.fluteCount * level.largestChip);
     QVERIFY2(std::abs(cutOver(alone, 0.0).feed / inStock - 1.0) < 0.2 && air > 2.0 * inStock,
              qPrintable(QString("%1 %2 %3").arg(cutOver(alone, 0.0).feed).arg(inStock).arg(air)));
 
@@ -224,11 +228,11 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     QVERIFY(recordLine(driver, {-15, 0}, {15, 0}));
     QVERIFY(makePath(driver));
     const auto isBehind = [&](const std::shared_ptr<const EvaluatedPath>& large) {
-        const auto others = bench.path.others();
+        const auto others = workbench.path.others();
         return others.size() == 1 && others.front()->path.toolId == "ball-6" &&
                others.front()->after == std::vector{large};
     };
-    QVERIFY(driver.waitFor([&] { return isBehind(bench.path.evaluated()); }));
+    QVERIFY(driver.waitFor([&] { return isBehind(workbench.path.evaluated()); }));
     driver.shoot("32-other-tools-path");
     const auto* shown = menuAction(driver, "showOtherPathsAction");
     QVERIFY(shown != nullptr && shown->isChecked() && !shown->toolTip().isEmpty());
@@ -244,10 +248,10 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     // The ball's feed is that of a groove that is there; the program's text says the same.
     QVERIFY(useTool(driver, "ball-6"));
     QVERIFY(levelled());
-    const double behind = cutOver(*bench.path.evaluated(), 0.0).feed;
+    const double behind = cutOver(*workbench.path.evaluated(), 0.0).feed;
     QVERIFY2(behind > 0.9 * air && behind <= air + 1e-6, qPrintable(QString("%1 %2").arg(behind).arg(air)));
     QVERIFY(postProgram(driver));
-    QVERIFY(bench.program.exportable());
+    QVERIFY(workbench.program.exportable());
     QVERIFY2(std::abs(postedOver(0.0) - behind) < 1.0, qPrintable(QString::number(postedOver(0.0))));
 
     // Without the large tool's path the program has the ball cut all of it.
@@ -255,7 +259,7 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     QVERIFY(driver.waitFor([&] { return driver.visible("programPath1Switch") != nullptr; }, 3000));
     QVERIFY(driver.clickOn("programPath0Switch"));
     QVERIFY(postProgram(driver));
-    QVERIFY(bench.program.exportable());
+    QVERIFY(workbench.program.exportable());
     QVERIFY2(std::abs(postedOver(0.0) - cutOver(alone, 0.0).feed) < 1.0, qPrintable(QString::number(postedOver(0.0))));
     QVERIFY(driver.clickOn("programPath0Switch"));
 
@@ -265,10 +269,10 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     RemoveArea left;
     for (const glm::dvec2& corner : {glm::dvec2(-30, -30), glm::dvec2(0, -30), glm::dvec2(0, 30), glm::dvec2(-30, 30)})
         left.outline.push_back(zero + glm::dvec3(corner, 0.0));
-    bench.path.addEdit({left});
+    workbench.path.addEdit({left});
     QVERIFY(levelled());
-    QVERIFY(driver.waitFor([&] { return isBehind(bench.path.evaluated()); }));
-    const EvaluatedPath& again = *bench.path.others().front();
+    QVERIFY(driver.waitFor([&] { return isBehind(workbench.path.evaluated()); }));
+    const EvaluatedPath& again = *workbench.path.others().front();
     QVERIFY2(std::abs(cutOver(again, -10.0).feed / inStock - 1.0) < 0.2,
              qPrintable(QString::number(cutOver(again, -10.0).feed)));
     QVERIFY2(cutOver(again, 8.0).feed > 0.9 * air, qPrintable(QString::number(cutOver(again, 8.0).feed)));
@@ -276,19 +280,19 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     // Nothing is left of the large tool's path: the ball has it all to do, and its panel says why.
     RemoveArea right = left;
     for (glm::dvec3& corner : right.outline) corner.x = 2.0 * zero.x - corner.x;
-    bench.path.addEdit({right});
-    QVERIFY(driver.waitFor([&] { return bench.path.problem() && !bench.path.busy(); }));
+    workbench.path.addEdit({right});
+    QVERIFY(driver.waitFor([&] { return workbench.path.problem() && !workbench.path.busy(); }));
     QVERIFY(useTool(driver, "ball-6"));
     QVERIFY(levelled());
-    QVERIFY(std::abs(cutOver(*bench.path.evaluated(), 8.0).feed / inStock - 1.0) < 0.2);
+    QVERIFY(std::abs(cutOver(*workbench.path.evaluated(), 8.0).feed / inStock - 1.0) < 0.2);
     QVERIFY(driver.step(JobStep::path));
     QVERIFY(driver.waitFor([&] { return driver.visible("pathNotice") != nullptr; }, 3000));
     QTRY_VERIFY(driver.visible<Notice>("pathNotice")->sentence().contains(QStringLiteral("10 mm")));
     QVERIFY(driver.visible<Notice>("pathNotice")->kind() == Notice::Kind::warning);
     driver.shoot("33-path-before-impossible");
-    QCOMPARE(bench.path.toolsMissingBefore(), std::vector<std::string>{"flat-10"});
+    QCOMPARE(workbench.path.toolsMissingBefore(), std::vector<std::string>{"flat-10"});
     QVERIFY(useTool(driver, "ball-10")); // without a path, nothing is missing before it
-    QVERIFY(bench.path.stored() == nullptr && bench.path.toolsMissingBefore().empty());
+    QVERIFY(workbench.path.stored() == nullptr && workbench.path.toolsMissingBefore().empty());
 }
 
 QTEST_MAIN(TestWindowTools)

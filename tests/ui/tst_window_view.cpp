@@ -54,7 +54,7 @@ private slots:
 void TestWindowView::aClickInTheParallelTopViewCutsThere() {
     WindowDriver driver;
     QVERIFY(makeReady(driver));
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     Viewport& viewport = driver.window().viewport();
     QVERIFY(driver.step(JobStep::mill));
     driver.key(Qt::Key_1);
@@ -64,7 +64,7 @@ void TestWindowView::aClickInTheParallelTopViewCutsThere() {
     QTest::qWait(300);
     const QRect borders = difference(stock, viewport.grabFramebuffer());
     driver.key(Qt::Key_2, Qt::ControlModifier);
-    const Box box = bench.setup.setup().stock;
+    const Box box = workbench.setup.setup().stock;
     const double scale = box.size().x / borders.width(); // mm a pixel
     QVERIFY(std::abs(box.size().y / borders.height() - scale) < 0.01 * scale);
 
@@ -76,25 +76,25 @@ void TestWindowView::aClickInTheParallelTopViewCutsThere() {
     QTest::qWait(300);
     QTest::mousePress(&viewport, Qt::LeftButton, Qt::NoModifier, at);
     QTest::qWait(600);
-    QVERIFY(bench.session.state().cutting);
-    const glm::dvec3 tip = bench.session.state().sample.proxy.tip;
+    QVERIFY(workbench.session.state().cutting);
+    const glm::dvec3 tip = workbench.session.state().sample.proxy.tip;
     driver.shoot("30-top-view");
     QTest::mouseRelease(&viewport, Qt::LeftButton, Qt::NoModifier, at);
     QVERIFY(glm::distance(glm::dvec2(tip), expected) < 1.5 * scale);
     QVERIFY(tip.z < box.high.z);
-    QVERIFY(driver.waitFor([&] { return !bench.session.state().cutting; }, 3000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.state().cutting; }, 3000));
     QTest::qWait(300); // an Esc before the tool has risen ends the stroke alone
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !bench.session.running(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
 }
 
 void TestWindowView::thePartAndThePlaceOfAPressAreSeenThroughTheStock() {
     WindowDriver driver;
     QVERIFY(makeReady(driver));
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     Viewport& viewport = driver.window().viewport();
     QVERIFY(startMilling(driver));
-    const Box part = bench.model.model()->box(), stock = bench.setup.setup().stock;
+    const Box part = workbench.model.model()->box(), stock = workbench.setup.setup().stock;
     const glm::dvec3 place(part.centre().x - 5.0, part.low.y + 6.0, stock.high.z);
     const auto bareView = [&] { // the tool keeps its place, the pointer is elsewhere
         QEvent leave(QEvent::Leave);
@@ -121,7 +121,7 @@ void TestWindowView::thePartAndThePlaceOfAPressAreSeenThroughTheStock() {
     QVERIFY(drawn({part.high.x, part.low.y, part.low.z + 8.0}) > 40); // an upright edge
     QVERIFY(drawn({part.high.x - 9.0, part.low.y, part.low.z}) > 40);
     // A millimetre deep, as the depth of cut says, or as deep as the part lets it.
-    const double radius = bench.bench.bench()->tool.cutter.radius();
+    const double radius = workbench.workpiece.milling()->tool.cutter.radius();
     const double depth = std::min(1.0, stock.high.z - part.high.z);
     QVERIFY(drawn({place.x - radius, place.y, stock.high.z - depth}) > 25);
     QVERIFY(drawn({place.x, place.y - radius, stock.high.z - depth}) > 25);
@@ -133,9 +133,10 @@ void TestWindowView::thePartAndThePlaceOfAPressAreSeenThroughTheStock() {
     QTest::mouseRelease(&viewport, Qt::LeftButton, Qt::NoModifier, viewport.project(place).toPoint());
     const QPoint foot = (viewport.project({part.high.x - 9.0, part.low.y, part.low.z}) * ratio).toPoint();
     QVERIFY(apart(cutting.pixelColor(foot), bare.pixelColor(foot)) < 12);
-    QVERIFY(driver.waitFor([&] { return bench.bench.strokes().count() == 1; }, 5000)); // else Esc ends the stroke
+    QVERIFY(
+        driver.waitFor([&] { return workbench.workpiece.strokes().count() == 1; }, 5000)); // else Esc ends the stroke
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !bench.session.running(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
 }
 
 void TestWindowView::theProjectionIsRemembered() {
@@ -179,7 +180,7 @@ void TestWindowView::theSliderShowsThePartThroughTheWorkpiece() {
     const int through = bluish();
     driver.shoot("33-transparent");
     QVERIFY(through > opaque + 15);
-    // The stock beside the part is still seen: without it, the bench is.
+    // The stock beside the part is still seen: without it, the rig is.
     const Box stock = driver.window().workbench().setup.setup().stock;
     const QPoint foot = (viewport.project({stock.high.x, stock.centre().y, stock.low.z + 2.0}) * ratio).toPoint();
     const QColor glass = viewport.grabFramebuffer().pixelColor(foot);
@@ -201,9 +202,9 @@ void TestWindowView::theSliderShowsThePartThroughTheWorkpiece() {
 void TestWindowView::aSectionShowsWhatIsInside() {
     WindowDriver driver;
     QVERIFY(makeReady(driver));
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     Viewport& viewport = driver.window().viewport();
-    const Box part = bench.model.model()->box(), stock = bench.setup.setup().stock;
+    const Box part = workbench.model.model()->box(), stock = workbench.setup.setup().stock;
     const double ratio = viewport.devicePixelRatioF();
     const auto isPart = [&](const glm::dvec3& place) {
         const QColor colour = viewport.grabFramebuffer().pixelColor((viewport.project(place) * ratio).toPoint());
@@ -243,9 +244,9 @@ void TestWindowView::aSectionShowsWhatIsInside() {
     QTest::qWait(700);
     QVERIFY(isPart({inPart.x, field->value(), inPart.z}));
     // Milling goes on, and the cut face follows.
-    const double before = bench.bench.bench()->workpieceVolume();
+    const double before = workbench.workpiece.milling()->workpieceVolume();
     QVERIFY(recordLine(driver, {-15.0, 5.0}, {15.0, 5.0}));
-    QVERIFY(bench.bench.bench()->workpieceVolume() < before);
+    QVERIFY(workbench.workpiece.milling()->workpieceVolume() < before);
     driver.shoot("35-section-milled");
     driver.key(Qt::Key_S);
     QTest::qWait(700);

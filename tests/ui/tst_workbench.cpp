@@ -185,30 +185,30 @@ private slots:
     }
 
     void anStlFileIsReadInItsUnit() {
-        Workbench bench;
+        Workbench workbench;
         const std::filesystem::path file = BURIN_FIXTURES "/models/pocket-test.stl";
-        bench.importPart(file, false);
-        QTRY_VERIFY_WITH_TIMEOUT(bench.model.model() && !bench.model.importing(), 20000);
-        const auto before = bench.model.model();
-        bench.importPart(file, false, 25.4);
-        QTRY_VERIFY_WITH_TIMEOUT(bench.model.model() != before && !bench.model.importing(), 20000);
-        QCOMPARE(bench.model.model()->unitScale, 25.4);
-        QVERIFY(std::abs(bench.model.model()->volume() / before->volume() - 25.4 * 25.4 * 25.4) < 1.0);
-        bench.surroundings.importFile(file, 25.4); // a fixture
-        QTRY_COMPARE_WITH_TIMEOUT(bench.surroundings.obstacles().size(), std::size_t{1}, 20000);
-        const Box fixture = boundsOf(*bench.surroundings.obstacles().front().obstacle);
+        workbench.importPart(file, false);
+        QTRY_VERIFY_WITH_TIMEOUT(workbench.model.model() && !workbench.model.importing(), 20000);
+        const auto before = workbench.model.model();
+        workbench.importPart(file, false, 25.4);
+        QTRY_VERIFY_WITH_TIMEOUT(workbench.model.model() != before && !workbench.model.importing(), 20000);
+        QCOMPARE(workbench.model.model()->unitScale, 25.4);
+        QVERIFY(std::abs(workbench.model.model()->volume() / before->volume() - 25.4 * 25.4 * 25.4) < 1.0);
+        workbench.surroundings.importFile(file, 25.4); // a fixture
+        QTRY_COMPARE_WITH_TIMEOUT(workbench.surroundings.obstacles().size(), std::size_t{1}, 20000);
+        const Box fixture = boundsOf(*workbench.surroundings.obstacles().front().obstacle);
         QVERIFY(glm::distance(fixture.size(), 25.4 * before->box().size()) < 1e-3);
     }
     void anImportCanBeStopped() {
-        Workbench bench;
+        Workbench workbench;
         std::optional<Error> error;
-        connect(&bench, &Workbench::failed, this, [&](const Error& told) { error = told; });
-        bench.importPart(resourceDirectory() / "samples/mouse.step", false);
-        QTRY_VERIFY(bench.model.importing());
-        bench.tasks().cancelAll();
+        connect(&workbench, &Workbench::failed, this, [&](const Error& told) { error = told; });
+        workbench.importPart(resourceDirectory() / "samples/mouse.step", false);
+        QTRY_VERIFY(workbench.model.importing());
+        workbench.tasks().cancelAll();
         QTRY_VERIFY(error.has_value());
         QCOMPARE(error->code, ErrorCode::cancelled);
-        QVERIFY(bench.model.model() == nullptr);
+        QVERIFY(workbench.model.model() == nullptr);
     }
     void theVoxelSuitsThePartsSize() {
         const auto box = [](double length) { return Box{glm::dvec3(0.0), glm::dvec3(length, 1.0, 1.0)}; };
@@ -220,14 +220,14 @@ private slots:
     void aNewProjectIsOnTheDiskFromTheStart() {
         std::filesystem::path file;
         {
-            Workbench bench;
-            bench.document.createNew(false);
-            QTRY_VERIFY(bench.document.isOpen());
-            QVERIFY(bench.document.isUnnamed());
-            file = bench.document.file();
-            bench.tool.choose("flat-6");
-            QTRY_VERIFY(bench.document.unsaved());
-            QVERIFY(bench.document.leftWork().left.empty()); // it is at work itself
+            Workbench workbench;
+            workbench.document.createNew(false);
+            QTRY_VERIFY(workbench.document.isOpen());
+            QVERIFY(workbench.document.isUnnamed());
+            file = workbench.document.file();
+            workbench.tool.choose("flat-6");
+            QTRY_VERIFY(workbench.document.unsaved());
+            QVERIFY(workbench.document.leftWork().left.empty()); // it is at work itself
         }
         Workbench next;
         const std::vector<LeftWork> left = next.document.leftWork().left;
@@ -243,16 +243,16 @@ private slots:
         QVERIFY(next.document.leftWork().left.empty()); // it was not wanted
     }
     void aFailedOpenLeavesWhatIsOpen() {
-        Workbench bench;
-        bench.document.createNew(false);
-        QTRY_VERIFY(bench.document.isOpen());
-        const std::filesystem::path file = bench.document.file();
+        Workbench workbench;
+        workbench.document.createNew(false);
+        QTRY_VERIFY(workbench.document.isOpen());
+        const std::filesystem::path file = workbench.document.file();
         std::optional<Error> error;
-        connect(&bench, &Workbench::failed, this, [&](const Error& told) { error = told; });
-        bench.document.openFile(folder_->filePath("none.burin").toStdString(), true);
+        connect(&workbench, &Workbench::failed, this, [&](const Error& told) { error = told; });
+        workbench.document.openFile(folder_->filePath("none.burin").toStdString(), true);
         QTRY_VERIFY(error.has_value());
         QCOMPARE(error->code, ErrorCode::fileNotFound);
-        QCOMPARE(bench.document.file(), file);
+        QCOMPARE(workbench.document.file(), file);
     }
 
 private:

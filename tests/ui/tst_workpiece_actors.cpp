@@ -23,7 +23,7 @@ using namespace burin::test;
 namespace {
 
 using Colour = std::array<int, 3>;
-constexpr Colour background{255, 0, 255}; // nothing on the bench looks like it
+constexpr Colour background{255, 0, 255}; // nothing on the rig looks like it
 constexpr int side = 400;                 // pixels
 
 /// A window without a display, and the workpiece in it.

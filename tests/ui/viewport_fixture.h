@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tests/places.h"
-#include "tests/ui/bench_fixture.h"
+#include "tests/ui/workbench_fixture.h"
 #include "ui/scene/viewport.h"
 
 #include <QApplication>

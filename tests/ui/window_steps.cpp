@@ -43,13 +43,13 @@ QString writeBlock(const WindowDriver& driver, bool closed) {
 }
 
 bool makeReady(WindowDriver& driver, double voxel) {
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     drop(driver.window(), writeBlock(driver));
-    if (!driver.waitFor([&] { return bench.model.model() != nullptr; })) return false;
+    if (!driver.waitFor([&] { return workbench.model.model() != nullptr; })) return false;
     if (!driver.step(JobStep::stock) || !driver.settle() || !driver.enter("voxelField", QString::number(voxel)) ||
-        !driver.waitFor([&] { return bench.setup.setup().voxel == voxel; }) || !driver.clickOn("embedButton"))
+        !driver.waitFor([&] { return workbench.setup.setup().voxel == voxel; }) || !driver.clickOn("embedButton"))
         return false;
-    return driver.waitFor([&] { return bench.bench.ready(); }) && driver.settle();
+    return driver.waitFor([&] { return workbench.workpiece.ready(); }) && driver.settle();
 }
 
 void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to) {
@@ -72,12 +72,12 @@ void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to
 }
 
 bool recordLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to) {
-    Workbench& bench = driver.window().workbench();
+    Workbench& workbench = driver.window().workbench();
     if (!driver.step(JobStep::mill) || !driver.clickOn("millButton")) return false;
-    if (!driver.waitFor([&] { return bench.mill.active(); }, 5000)) return false;
+    if (!driver.waitFor([&] { return workbench.mill.active(); }, 5000)) return false;
     millLine(driver, from, to);
     driver.key(Qt::Key_Escape);
-    return driver.waitFor([&] { return !bench.session.running(); }, 5000);
+    return driver.waitFor([&] { return !workbench.session.running(); }, 5000);
 }
 
 bool newPath(WindowDriver& driver) {
@@ -124,8 +124,8 @@ bool answer(QWidget& dialog, const char* button) {
     return found != nullptr;
 }
 
-double removedSoFar(const Bench& bench) {
-    return bench.embedded.stockVolume - bench.workpieceVolume();
+double removedSoFar(const MillingContext& milling) {
+    return milling.embedded.stockVolume - milling.workpieceVolume();
 }
 
 } // namespace burin::testing

@@ -32,6 +32,6 @@ bool newPath(WindowDriver& driver);
 /// Posts the program and waits for its check. False: nothing new came of it.
 bool postProgram(WindowDriver& driver);
 /// mm³ that the workpiece has lost.
-double removedSoFar(const Bench& bench);
+double removedSoFar(const MillingContext& milling);
 
 } // namespace burin::testing

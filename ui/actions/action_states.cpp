@@ -19,42 +19,42 @@ ActionStates::ActionStates(Actions& actions, Workbench& workbench, QObject* pare
 }
 
 void ActionStates::update() {
-    const Workbench& bench = workbench_;
-    const bool showing = bench.showMe.showing();
-    enable(ActionId::save, bench.document.isOpen());
-    enable(ActionId::saveAs, bench.document.isOpen());
-    enable(ActionId::exportProgram, bench.program.exportable());
-    enable(ActionId::embed, bench.setup.usable() && !bench.setup.locked() && !bench.bench.embedding());
+    const Workbench& workbench = workbench_;
+    const bool showing = workbench.showMe.showing();
+    enable(ActionId::save, workbench.document.isOpen());
+    enable(ActionId::saveAs, workbench.document.isOpen());
+    enable(ActionId::exportProgram, workbench.program.exportable());
+    enable(ActionId::embed, workbench.setup.usable() && !workbench.setup.locked() && !workbench.workpiece.embedding());
     enable(ActionId::addFixtureFile,
-           bench.setup.hasPart() && !bench.surroundings.locked() && !bench.surroundings.importing());
-    enable(ActionId::axisOfView, bench.setup.hasPart() && !bench.surroundings.locked());
-    enable(ActionId::millMode, bench.bench.ready() && !showing);
-    enable(ActionId::raster, bench.bench.ready() && !showing);
-    enable(ActionId::showMe, bench.setup.usable() && !showing && !bench.mill.active());
+           workbench.setup.hasPart() && !workbench.surroundings.locked() && !workbench.surroundings.importing());
+    enable(ActionId::axisOfView, workbench.setup.hasPart() && !workbench.surroundings.locked());
+    enable(ActionId::millMode, workbench.workpiece.ready() && !showing);
+    enable(ActionId::raster, workbench.workpiece.ready() && !showing);
+    enable(ActionId::showMe, workbench.setup.usable() && !showing && !workbench.mill.active());
     enable(ActionId::stopShow, showing);
-    enable(ActionId::nearestEdge, bench.guides.hasEdges() && !bench.guides.full());
-    enable(ActionId::levelAbove, bench.mill.active());
-    enable(ActionId::levelBelow, bench.mill.active());
+    enable(ActionId::nearestEdge, workbench.guides.hasEdges() && !workbench.guides.full());
+    enable(ActionId::levelAbove, workbench.mill.active());
+    enable(ActionId::levelBelow, workbench.mill.active());
     for (const ActionId id :
          {ActionId::clutch, ActionId::recentre, ActionId::alignHand, ActionId::finerHand, ActionId::coarserHand})
-        enable(id, bench.hand.hasDevice());
-    enable(ActionId::rateControl, bench.hand.canRate());
+        enable(id, workbench.hand.hasDevice());
+    enable(ActionId::rateControl, workbench.hand.canRate());
     enable(ActionId::newPath,
-           (bench.path.hasTakes() || !bench.path.toolsWithoutPath().empty()) && bench.bench.embedded());
-    enable(ActionId::evaluatePath, bench.path.stored() != nullptr && bench.bench.embedded());
-    enable(ActionId::drawStretch, bench.path.selection().has_value());
-    enable(ActionId::drawEdit,
-           bench.path.evaluated() && bench.path.stored() != nullptr && lastDrawn(bench.path.stored()->edits));
-    enable(ActionId::post, bench.program.postable());
-    enable(ActionId::findInProgram, !bench.program.storedText().isEmpty());
-    enable(ActionId::overrideCheck, bench.program.refused() && !bench.program.busy());
-    enable(ActionId::restart, bench.program.restartable());
+           (workbench.path.hasTakes() || !workbench.path.toolsWithoutPath().empty()) && workbench.workpiece.embedded());
+    enable(ActionId::evaluatePath, workbench.path.stored() != nullptr && workbench.workpiece.embedded());
+    enable(ActionId::drawStretch, workbench.path.selection().has_value());
+    enable(ActionId::drawEdit, workbench.path.evaluated() && workbench.path.stored() != nullptr &&
+                                   lastDrawn(workbench.path.stored()->edits));
+    enable(ActionId::post, workbench.program.postable());
+    enable(ActionId::findInProgram, !workbench.program.storedText().isEmpty());
+    enable(ActionId::overrideCheck, workbench.program.refused() && !workbench.program.busy());
+    enable(ActionId::restart, workbench.program.restartable());
     updateUndo();
-    actions_[ActionId::millMode]->setChecked(bench.mill.active());
-    actions_[ActionId::guides]->setChecked(bench.guides.on());
-    actions_[ActionId::clutch]->setChecked(bench.hand.clutched());
-    actions_[ActionId::rateControl]->setChecked(bench.hand.canRate() &&
-                                                bench.hand.settings().control == WorkspaceControl::rate);
+    actions_[ActionId::millMode]->setChecked(workbench.mill.active());
+    actions_[ActionId::guides]->setChecked(workbench.guides.on());
+    actions_[ActionId::clutch]->setChecked(workbench.hand.clutched());
+    actions_[ActionId::rateControl]->setChecked(workbench.hand.canRate() &&
+                                                workbench.hand.settings().control == WorkspaceControl::rate);
 }
 
 void ActionStates::updateUndo() {

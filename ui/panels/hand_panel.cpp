@@ -148,7 +148,7 @@ void HandPanel::Fields::showButton(ChoiceBox* choice, const QString& none, int f
 
 void HandPanel::Fields::refreshMovement(const QString& noDevice) {
     setEnabledKeepingFocus(scale_, state.hasDevice);
-    scale_->showValue(state.hasDevice ? state.scale : 1.0); // the mouse points at the bench itself
+    scale_->showValue(state.hasDevice ? state.scale : 1.0); // the mouse points at the workpiece itself
     clutch_->setChecked(state.clutched);
     enableUnless(clutch_, noDevice, HandPanel::tr("The hand moves, the tool stays"));
     enableUnless(align_, noDevice,

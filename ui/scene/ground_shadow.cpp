@@ -105,7 +105,7 @@ void GroundShadow::setContent(const Box& content) {
 void GroundShadow::refresh() {
     actor_->SetVisibility(!content_.empty());
     if (content_.empty()) return;
-    const double below = 2e-3 * std::max(content_.size().x, content_.size().y); // over the grid, under the bench
+    const double below = 2e-3 * std::max(content_.size().x, content_.size().y); // over the grid, under the workpiece
     const Shadow shadow(content_, content_.low.z - below, colour_);
     vtkPolyDataMapper::SafeDownCast(actor_->GetMapper())->SetInputData(shadow.data());
 }

@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// The soft shadow on the table around what stands there: it tells where the bench ends and the ground begins. Seen
+/// The soft shadow on the table around what stands there: it tells where the workpiece ends and the ground begins. Seen
 /// from above only.
 class GroundShadow {
 public:

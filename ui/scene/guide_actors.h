@@ -28,7 +28,7 @@ public:
     /// Makes a surface somewhere else, and hands it over here; may forget what it was asked before.
     using SurfaceMaker = std::function<void(const GuideMarks& marks, double distance, Shaped then)>;
 
-    /// @param seen draws after the bench, with its depths; @param through draws over everything
+    /// @param seen draws after the workpiece, with its depths; @param through draws over everything
     GuideActors(vtkRenderer& seen, vtkRenderer& through, SurfaceMaker maker);
     ~GuideActors();
 

@@ -37,7 +37,7 @@ public:
     /// Makes the surface of an obstacle somewhere else, and hands it over here.
     using SurfaceMaker = std::function<void(std::shared_ptr<const Obstacle> obstacle, Made then)>;
 
-    /// @param solids draws the bench, @param films what is seen through, with the bench's depths
+    /// @param solids draws the workpiece, @param films what is seen through, with the workpiece's depths
     ObstacleActors(vtkRenderer& solids, vtkRenderer& films, SurfaceMaker maker);
     ~ObstacleActors();
 

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "core/cad/model.h"
-#include "ui/scene/bench_lights.h"
 #include "ui/scene/part_cells.h"
 #include "ui/scene/shaded_mesh.h"
 #include "ui/scene/sight.h"
+#include "ui/scene/view_lights.h"
 
 #include <vtkActor.h>
 #include <vtkPlane.h>
@@ -46,7 +46,7 @@ CoarseBodies coarseBodies(const std::vector<ShadedBody>& bodies, double size);
 /// The bare part: bodies in their colours, smooth, with feature edges. And its ghost, seen through the stock.
 class PartActors {
 public:
-    /// @param solids draws the bench, @param marks what nothing hides
+    /// @param solids draws the workpiece, @param marks what nothing hides
     PartActors(vtkRenderer& solids, vtkRenderer& marks) : solids_(solids), marks_(marks) {}
 
     void setBodies(std::vector<ShadedBody> bodies);

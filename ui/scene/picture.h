@@ -24,7 +24,7 @@ struct PictureSection {
     double position = 0.0; ///< mm along it, setup frame
 };
 
-/// What a picture of the bench shows, setup frame, mm.
+/// What a picture of the workpiece shows, setup frame, mm.
 struct PictureContent {
     VolumeSnapshot workpiece;          ///< not empty
     std::shared_ptr<const Model> part; ///< seen where the workpiece is seen through. Null: none

@@ -4,7 +4,7 @@
 
 #include "core/base/units.h"
 #include "ui/scene/actors.h"
-#include "ui/scene/bench_lights.h"
+#include "ui/scene/view_lights.h"
 
 namespace burin {
 
@@ -37,7 +37,7 @@ Box boundsOf(const ModelPreview& preview, double margin) {
 PreviewStage::PreviewStage(vtkRenderWindow& window)
     : part_(*renderer_, *renderer_), grid_(*renderer_), shadow_(*renderer_), scaleBar_(*renderer_) {
     renderer_->DrawOff();
-    addBenchLights(*renderer_);
+    addViewLights(*renderer_);
     window.AddRenderer(renderer_);
 }
 

@@ -20,7 +20,7 @@ std::vector<ShadedBody> shadedBodies(const ModelPreview& preview);
 /// Part and stock to be: what the picture of a preview holds, mm. @param margin of that stock, mm
 Box boundsOf(const ModelPreview& preview, double margin);
 
-/// A part that is still being read, on a bench of its own with a camera of its own: nothing of the open project is
+/// A part that is still being read, on a workpiece of its own with a camera of its own: nothing of the open project is
 /// mixed with it. Thread: user interface.
 class PreviewStage {
 public:

@@ -5,7 +5,7 @@
 #include "core/volume/operations/ray_cast.h"
 #include "ui/scene/actors.h"
 #include "ui/scene/aim_camera.h"
-#include "ui/scene/bench_lights.h"
+#include "ui/scene/view_lights.h"
 
 #include <array>
 
@@ -29,20 +29,20 @@ Box drawnBy(vtkRenderer& renderer) {
 Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, GuideActors::SurfaceMaker surfaces,
              ObstacleActors::SurfaceMaker obstacles)
     : preview_(window)
-    , part_(*bench_, *marks_)
-    , workpiece_(*bench_, *films_, std::move(workpieceReady))
-    , tool_(*bench_, *films_)
-    , livePath_(*bench_)
-    , otherPaths_(*bench_)
-    , editedPath_(*bench_)
-    , deviations_(*bench_)
-    , grid_(*bench_)
-    , shadow_(*bench_)
-    , stock_(*bench_)
-    , scaleBar_(*bench_)
-    , obstacles_(*bench_, *films_, std::move(obstacles))
+    , part_(*solids_, *marks_)
+    , workpiece_(*solids_, *films_, std::move(workpieceReady))
+    , tool_(*solids_, *films_)
+    , livePath_(*solids_)
+    , otherPaths_(*solids_)
+    , editedPath_(*solids_)
+    , deviations_(*solids_)
+    , grid_(*solids_)
+    , shadow_(*solids_)
+    , stock_(*solids_)
+    , scaleBar_(*solids_)
+    , obstacles_(*solids_, *films_, std::move(obstacles))
     , guides_(*films_, *marks_, std::move(surfaces))
-    , section_(*bench_, *marks_)
+    , section_(*solids_, *marks_)
     , ghost_(*marks_)
     , touch_(*marks_)
     , moveMark_(*marks_)
@@ -51,21 +51,21 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , force_(*marks_)
     , cube_(window, 3) {
     window.SetNumberOfLayers(4);
-    addBenchLights(*bench_);
-    addBenchLights(*marks_);
-    addBenchLights(*films_);
+    addViewLights(*solids_);
+    addViewLights(*marks_);
+    addViewLights(*films_);
     films_->SetLayer(1);
     films_->PreserveDepthBufferOn();
-    films_->SetActiveCamera(bench_->GetActiveCamera());
+    films_->SetActiveCamera(solids_->GetActiveCamera());
     marks_->SetLayer(2);
-    marks_->SetActiveCamera(bench_->GetActiveCamera());
-    window.AddRenderer(bench_);
+    marks_->SetActiveCamera(solids_->GetActiveCamera());
+    window.AddRenderer(solids_);
     window.AddRenderer(films_);
     window.AddRenderer(marks_);
 }
 
 void Scene::setPalette(const Palette& palette) {
-    setBackdrop(*bench_, palette.sceneTop, palette.sceneBottom);
+    setBackdrop(*solids_, palette.sceneTop, palette.sceneBottom);
     preview_.setPalette(palette);
     part_.setColours(palette.part, palette.pathHalo);
     workpiece_.setPartColour(bytes(palette.part));
@@ -98,12 +98,12 @@ void Scene::setPart(std::vector<ShadedBody> bodies, const Box& box) {
 
 void Scene::setPreview(std::vector<ShadedBody> bodies, const Box& content) {
     preview_.set(std::move(bodies), content);
-    for (vtkRenderer* layer : {bench_.Get(), films_.Get(), marks_.Get()}) layer->DrawOff();
+    for (vtkRenderer* layer : {solids_.Get(), films_.Get(), marks_.Get()}) layer->DrawOff();
 }
 
 void Scene::clearPreview() {
     preview_.clear();
-    bench_->DrawOn(); // the others' turn comes with the next paint
+    solids_->DrawOn(); // the others' turn comes with the next paint
     refresh();
 }
 
@@ -267,15 +267,15 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible() || moveMark_.visible() ||
                     outlines_.visible() || strokePlans_.visible() || touch_.visible() || section_.plane().has_value());
 
-    aimCamera(*bench_, drawnBounds(), view);
-    const DepthCue cue = depthCue(*bench_);
+    aimCamera(*solids_, drawnBounds(), view);
+    const DepthCue cue = depthCue(*solids_);
     part_.setDepthCue(cue);
     workpiece_.setDepthCue(cue);
     return workpieceSeen() ? workpiece_.takeCutShown() : std::nullopt;
 }
 
 Box Scene::drawnBounds() {
-    Box bounds = drawnBy(*bench_);
+    Box bounds = drawnBy(*solids_);
     for (vtkRenderer* layer : {films_.Get(), marks_.Get()})
         if (layer->GetDraw() != 0) bounds.include(drawnBy(*layer));
     return bounds;

@@ -32,10 +32,9 @@
 
 namespace burin {
 
-/// Everything that stands on the bench, and in its stead what there is to see of a part that is being read, in one VTK
-/// window of four layers: the bench, the guides with the bench's
-/// depths, the marks that must never be hidden (ghost, coupling, force, guides seen through), the view cube. Knows no
-/// Qt widget. Thread: user interface.
+/// Everything that stands on the workpiece, and in its stead what there is to see of a part that is being read, in one
+/// VTK window of four layers: the workpiece, the guides with the workpiece's depths, the marks that must never be
+/// hidden (ghost, coupling, force, guides seen through), the view cube. Knows no Qt widget. Thread: user interface.
 class Scene {
 public:
     /// @param workpieceReady called on a worker's thread when there is more of the workpiece to draw
@@ -104,7 +103,7 @@ private:
     DepthCue depthCue(vtkRenderer& renderer) const;
     std::vector<CutPlace> cuts() const; ///< those that nothing may hide
 
-    vtkNew<vtkRenderer> bench_, films_, marks_;
+    vtkNew<vtkRenderer> solids_, films_, marks_;
     PreviewStage preview_;
     PartActors part_;
     WorkpieceActors workpiece_;

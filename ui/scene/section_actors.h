@@ -23,7 +23,7 @@ namespace burin {
 /// A section plane: the face that it cuts, in the materials' colours, its outline, and a handle that moves it.
 class SectionActors {
 public:
-    /// @param solids draws the bench, @param marks what nothing hides
+    /// @param solids draws the workpiece, @param marks what nothing hides
     SectionActors(vtkRenderer& solids, vtkRenderer& marks);
 
     void setPalette(const Palette& palette);

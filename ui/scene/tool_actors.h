@@ -27,7 +27,7 @@ void setPose(vtkMatrix4x4& matrix, const ToolPose& pose);
 /// fade and what is behind them is seen through them; in an alarm they never do.
 class ToolActors {
 public:
-    /// @param solids draws the bench, @param films what is seen through, with the bench's depths
+    /// @param solids draws the workpiece, @param films what is seen through, with the workpiece's depths
     ToolActors(vtkRenderer& solids, vtkRenderer& films) : solids_(solids), films_(films) {}
 
     void setPalette(const Palette& palette);

@@ -136,7 +136,8 @@ public:
     InteractiveTool* interactiveTool() const; ///< null: the camera alone
     /// Sight through a place of the widget (device-independent pixels).
     ViewportEvent sight(const QPointF& position) const;
-    /// The place of workpiece or part that appears there, mm, setup frame; nothing: the bench alone does, or a preview.
+    /// The place of workpiece or part that appears there, mm, setup frame; nothing: the workpiece alone does, or a
+    /// preview.
     std::optional<glm::dvec3> pick(const QPointF& position) const;
     /// Where a place in the setup frame appears, device-independent pixels.
     QPointF project(const glm::dvec3& place) const;

@@ -3,8 +3,8 @@
 #include "ui/scene/workpiece_actors.h"
 
 #include "ui/scene/actors.h"
-#include "ui/scene/bench_lights.h"
 #include "ui/scene/glass_prop.h"
+#include "ui/scene/view_lights.h"
 #include "ui/scene/workpiece_mesher.h"
 
 #include <vtkActor.h>

@@ -4,7 +4,7 @@
 
 #include "core/volume/surface/surface.h"
 #include "ui/scene/bare_bricks.h"
-#include "ui/scene/bench_lights.h"
+#include "ui/scene/view_lights.h"
 
 #include <vtkPlane.h>
 #include <vtkRenderer.h>
@@ -24,7 +24,7 @@ public:
 
     /// @param ready called when there is something new to draw: post a wake-up, no more. On the worker's thread; and
     ///        from `update` when one paint can't take everything over
-    /// @param solids draws the bench, @param films what is seen through, with the bench's depths
+    /// @param solids draws the workpiece, @param films what is seen through, with the workpiece's depths
     WorkpieceActors(vtkRenderer& solids, vtkRenderer& films, std::function<void()> ready);
     /// Waits for the tile that the worker is at, some milliseconds; takes the actors out of the renderer.
     ~WorkpieceActors();

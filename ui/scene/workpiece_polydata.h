@@ -15,7 +15,7 @@ namespace burin {
 
 using RgbColour = std::array<std::uint8_t, 3>; ///< sRGB
 
-/// The part where it is bare, whatever it is made of: nothing else on the bench is blue.
+/// The part where it is bare, whatever it is made of: nothing else on the workpiece is blue.
 inline constexpr RgbColour barePartColour{74, 144, 217};
 
 /// A surface for VTK: points and normals in single precision, an sRGB colour a point. Any thread.

@@ -27,7 +27,7 @@ DeviationTolerance toleranceOf(const Workbench& workbench) {
 
 DeviationPresenter::DeviationPresenter(Workbench& workbench, Viewport& viewport, DeviationCard& card,
                                        ScenePresenter& scene, QObject* parent)
-    : Presenter(workbench, {&workbench.program, &workbench.mill, &workbench.bench}, parent)
+    : Presenter(workbench, {&workbench.program, &workbench.mill, &workbench.workpiece}, parent)
     , viewport_(viewport)
     , card_(card)
     , scene_(scene) {
@@ -49,7 +49,7 @@ void DeviationPresenter::setUnit(LengthUnit unit) {
 
 void DeviationPresenter::present() {
     const ProgramController& program = workbench_.program;
-    const bool fits = program.program() && !program.edited() && !program.outdated() && workbench_.bench.bench();
+    const bool fits = program.program() && !program.edited() && !program.outdated() && workbench_.workpiece.milling();
     const bool otherScale = take(fits ? program.program() : nullptr);
     const bool other = std::exchange(otherMap_, false) || otherScale;
     const bool drawn = shown_ && on_ && mapped_ && !workbench_.mill.active();
@@ -105,7 +105,7 @@ void DeviationPresenter::adopt(std::shared_ptr<const Mapped> made) {
 }
 
 double DeviationPresenter::voxel() const {
-    return workbench_.bench.bench()->setup.voxel;
+    return workbench_.workpiece.milling()->setup.voxel;
 }
 
 void DeviationPresenter::pointAt(const QPointF& position) {

@@ -5,7 +5,7 @@
 namespace burin {
 
 GuidePresenter::GuidePresenter(Workbench& workbench, GuidePanel& panel, QObject* parent)
-    : Presenter(workbench, {&workbench.guides, &workbench.bench, &workbench.mill, &workbench.setup}, parent)
+    : Presenter(workbench, {&workbench.guides, &workbench.workpiece, &workbench.mill, &workbench.setup}, parent)
     , panel_(panel) {
     GuideController& guides = workbench.guides;
     connect(&workbench.session, &SessionRunner::ticked, this, &Presenter::presentSoon);
@@ -38,7 +38,7 @@ void GuidePresenter::present() {
     state.full = guides.full();
     state.edges = guides.hasEdges();
     state.live = workbench_.mill.active();
-    if (workbench_.bench.bench()) state.zero = workbench_.bench.bench()->setup.workOffset;
+    if (workbench_.workpiece.milling()) state.zero = workbench_.workpiece.milling()->setup.workOffset;
     if (state.live) state.news = workbench_.session.state().guides;
     panel_.setState(state);
 }

@@ -22,8 +22,8 @@ Box roomAround(const Box& stock) {
 
 GuideScenePresenter::GuideScenePresenter(Workbench& workbench, Viewport& viewport, const Actions& actions,
                                          QObject* parent)
-    : Presenter(workbench, {&workbench.guides, &workbench.bench, &workbench.mill, &workbench.setup, &workbench.showMe},
-                parent)
+    : Presenter(workbench,
+                {&workbench.guides, &workbench.workpiece, &workbench.mill, &workbench.setup, &workbench.showMe}, parent)
     , viewport_(viewport)
     , actions_(actions) {
     connect(&workbench.session, &SessionRunner::ticked, this, &Presenter::presentSoon);
@@ -65,7 +65,7 @@ void GuideScenePresenter::keepPass() {
 }
 
 GuideMark GuideScenePresenter::markOf(std::size_t place) {
-    const Bench& bench = *workbench_.bench.bench();
+    const MillingContext& milling = *workbench_.workpiece.milling();
     GuideMark mark;
     mark.guide = workbench_.guides.guides()[place];
     const bool live = workbench_.mill.active();
@@ -75,13 +75,13 @@ GuideMark GuideScenePresenter::markOf(std::size_t place) {
         mark.level = news.level;
     }
     mark.label = (mark.holds ? QStringLiteral("● ") : QStringLiteral("○ ")) +
-                 guideLine(mark.guide, bench.setup.workOffset, unit());
+                 guideLine(mark.guide, milling.setup.workOffset, unit());
     if (live && mark.guide.kind == GuideKind::axis) lean(mark);
     return mark;
 }
 
 void GuideScenePresenter::lean(GuideMark& mark) {
-    const std::shared_ptr<const ClearanceField> field = workbench_.bench.field();
+    const std::shared_ptr<const ClearanceField> field = workbench_.workpiece.field();
     if (!field) return;
     const ToolPose& tool = workbench_.session.state().sample.proxy;
     mark.axis = leaning_.lean(&mark.guide, *field, tool, tool.tip, framePeriod);
@@ -94,13 +94,13 @@ void GuideScenePresenter::present() {
     keepPass();
     GuideMarks marks;
     const bool wanted = actions_[ActionId::showGuides]->isChecked() && workbench_.guides.on() &&
-                        workbench_.bench.embedded() && !workbench_.showMe.showing() &&
+                        workbench_.workpiece.embedded() && !workbench_.showMe.showing() &&
                         (step_ == JobStep::mill || workbench_.mill.active());
     if (wanted) {
-        const Bench& bench = *workbench_.bench.bench();
-        marks.room = roomAround(bench.setup.stock);
-        marks.tips = bench.tipRegion();
-        if (workbench_.bench.fieldComplete()) marks.field = workbench_.bench.field();
+        const MillingContext& milling = *workbench_.workpiece.milling();
+        marks.room = roomAround(milling.setup.stock);
+        marks.tips = milling.tipRegion();
+        if (workbench_.workpiece.fieldComplete()) marks.field = workbench_.workpiece.field();
         marks.lastPass = lastPass_;
         const std::vector<Guide>& guides = workbench_.guides.guides();
         for (std::size_t i = 0; i < guides.size(); ++i)

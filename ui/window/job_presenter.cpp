@@ -42,9 +42,9 @@ JobStepState JobPresenter::stock() const {
     };
     const QString text = side(size.x) + QStringLiteral(" × ") + side(size.y) + QStringLiteral(" × ") + side(size.z) +
                          QLatin1Char(' ') + unitText(unit());
-    if (workbench_.bench.embedding()) return {StepProgress::current, tr("embedding")};
-    if (!workbench_.bench.embedded()) return {StepProgress::ready, text};
-    if (!std::ranges::all_of(workbench_.bench.bench()->embedded.findings, &EmbeddingFinding::harmless))
+    if (workbench_.workpiece.embedding()) return {StepProgress::current, tr("embedding")};
+    if (!workbench_.workpiece.embedded()) return {StepProgress::ready, text};
+    if (!std::ranges::all_of(workbench_.workpiece.milling()->embedded.findings, &EmbeddingFinding::harmless))
         return {StepProgress::objected, tr("part doubtful")};
     return {StepProgress::done, text};
 }
@@ -59,7 +59,7 @@ JobStepState JobPresenter::material() const {
 JobStepState JobPresenter::tool() const {
     if (!workbench_.setup.hasPart()) return {StepProgress::missing, tr("no part yet")};
     const Tool& tool = workbench_.tool.current();
-    return {workbench_.bench.fieldBusy() ? StepProgress::current : StepProgress::done, toolName(tool)};
+    return {workbench_.workpiece.fieldBusy() ? StepProgress::current : StepProgress::done, toolName(tool)};
 }
 
 JobStepState JobPresenter::allowance() const {
@@ -73,9 +73,9 @@ JobStepState JobPresenter::mill() const {
     if (mill.recording()) return {StepProgress::current, tr("recording")};
     if (const int count = static_cast<int>(mill.takes().size()); count > 0)
         return {StepProgress::done, count == 1 ? tr("1 take") : tr("%n takes", nullptr, count)};
-    if (workbench_.bench.ready()) return {StepProgress::ready, tr("no take yet")};
-    if (workbench_.bench.lacksBounds()) return {StepProgress::missing, tr("no boundary")};
-    return {StepProgress::missing, workbench_.bench.embedded() ? tr("wait for the boundary") : tr("embed first")};
+    if (workbench_.workpiece.ready()) return {StepProgress::ready, tr("no take yet")};
+    if (workbench_.workpiece.lacksBounds()) return {StepProgress::missing, tr("no boundary")};
+    return {StepProgress::missing, workbench_.workpiece.embedded() ? tr("wait for the boundary") : tr("embed first")};
 }
 
 JobStepState JobPresenter::path() const {

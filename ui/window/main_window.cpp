@@ -101,25 +101,25 @@ void MainWindow::layOut() {
     work_->setStretchFactor(0, 1);
     work_->setStretchFactor(1, 0);
     work_->handle(1)->setToolTip(tr("Drag to make the panel wider or narrower"));
-    bench_ = new QWidget;
-    bench_->setObjectName(QStringLiteral("benchPage"));
-    auto* bench = new QVBoxLayout(bench_);
-    bench->setContentsMargins(0, 0, 0, 0);
-    bench->setSpacing(0);
-    bench->addWidget(jobLine_);
-    bench->addWidget(work_, 1);
+    workPage_ = new QWidget;
+    workPage_->setObjectName(QStringLiteral("workPage"));
+    auto* steps = new QVBoxLayout(workPage_);
+    steps->setContentsMargins(0, 0, 0, 0);
+    steps->setSpacing(0);
+    steps->addWidget(jobLine_);
+    steps->addWidget(work_, 1);
 
     pages_ = new QStackedWidget;
     pages_->setObjectName(QStringLiteral("pages"));
     pages_->addWidget(welcome_);
-    pages_->addWidget(bench_);
+    pages_->addWidget(workPage_);
     setCentralWidget(pages_);
     connect(pages_, &QStackedWidget::currentChanged, this, &MainWindow::followPage);
     followPage();
 }
 
 void MainWindow::followPage() {
-    const bool working = pages_->currentWidget() == bench_;
+    const bool working = pages_->currentWidget() == workPage_;
     const bool leadsBack = !working && workbench_.document.isOpen();
     constexpr int cube = static_cast<int>(ViewCubeRoom::side + 2.0 * ViewCubeRoom::margin);
     message_->layOver(working ? static_cast<QWidget*>(viewport_) : welcome_, working ? cube : 0);
@@ -133,7 +133,7 @@ void MainWindow::followPreview() {
     if (shown == std::exchange(previewShown_, shown)) return;
     if (shown && pages_->currentWidget() == welcome_) {
         fromWelcome_ = true;
-        showBench(true);
+        showWorkSteps(true);
         showStep(JobStep::part);
     } else if (!shown && std::exchange(fromWelcome_, false) && !workbench_.document.isOpen()) {
         showWelcome();
@@ -141,7 +141,7 @@ void MainWindow::followPreview() {
 }
 
 void MainWindow::followProgram() {
-    programDock_->setUsed(presenters_ && pages_->currentWidget() == bench_ &&
+    programDock_->setUsed(presenters_ && pages_->currentWidget() == workPage_ &&
                           presenters_->job.shown() == JobStep::program);
 }
 
@@ -185,7 +185,7 @@ void MainWindow::lookForLeftWork() {
 /// From the welcome page to the project, where one is open.
 void MainWindow::goBack() {
     if (!workbench_.document.isOpen()) return;
-    showBench(true);
+    showWorkSteps(true);
     if (leftFrom_ && leftFrom_->isVisible()) leftFrom_->setFocus();
 }
 
@@ -203,8 +203,8 @@ void MainWindow::escape() {
     }
 }
 
-void MainWindow::showBench(bool shown) {
-    pages_->setCurrentWidget(shown ? bench_ : welcome_);
+void MainWindow::showWorkSteps(bool shown) {
+    pages_->setCurrentWidget(shown ? workPage_ : welcome_);
     if (shown) viewport_->setFocus();
 }
 
@@ -225,7 +225,7 @@ void MainWindow::showStep(JobStep step) {
 LeftAt MainWindow::leftAt() const {
     LeftAt left;
     left.step = presenters_->job.shown();
-    left.embedded = workbench_.bench.embedded();
+    left.embedded = workbench_.workpiece.embedded();
     left.tool = workbench_.tool.current().id;
     left.mill = presenters_->millMode.settings();
     left.camera = viewport_->cameraView();
@@ -246,7 +246,7 @@ void MainWindow::goTo(const LeftAt& left) {
 
 void MainWindow::tellAboutOpened() {
     message_->dismiss();
-    showBench(true);
+    showWorkSteps(true);
     showStep(workbench_.model.model() ? JobStep::mill : JobStep::part);
     const DocumentController& document = workbench_.document;
     if (!document.keptAside().empty())

@@ -48,7 +48,7 @@ private:
     void connectWorkbench();
     void connectWelcome();
     void showStep(JobStep step);
-    void showBench(bool shown);
+    void showWorkSteps(bool shown);
     void showWelcome();
     void followPage();
     void followPreview();
@@ -80,7 +80,7 @@ private:
     QStackedWidget* pages_ = nullptr;
     WelcomePage* welcome_ = nullptr;
     QSplitter* work_ = nullptr; ///< the view, and the panel beside it
-    QWidget* bench_ = nullptr;
+    QWidget* workPage_ = nullptr;
     Viewport* viewport_ = nullptr;
     ViewBar* viewBar_ = nullptr;
     QMainWindow* view_ = nullptr; ///< both, with room for docks

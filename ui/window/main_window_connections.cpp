@@ -86,7 +86,7 @@ void MainWindow::connectWorkbench() {
     connect(&flow_, &DocumentFlow::refused, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::error, sentence); });
     connect(&flow_, &DocumentFlow::begun, message_, &MessageStrip::dismiss);
-    connect(&flow_, &DocumentFlow::alreadyOpen, this, [this] { showBench(true); });
+    connect(&flow_, &DocumentFlow::alreadyOpen, this, [this] { showWorkSteps(true); });
     connect(&workbench_.hand, &HandController::batteryLow, this, &MainWindow::tellAboutBattery);
     workbench_.styluses.start();
     connect(&workbench_.document, &DocumentController::changed, this, &MainWindow::updateTitle);

@@ -49,7 +49,7 @@ void MillMode::setSettings(const MillToolSettings& settings) {
 
 void MillMode::begin() {
     if (workbench_.mill.stylus() == nullptr) return; // a device leads the tool, and the mouse the camera
-    tool_ = std::make_unique<MillTool>(*workbench_.mill.stylus(), workbench_.bench.bench()->tool,
+    tool_ = std::make_unique<MillTool>(*workbench_.mill.stylus(), workbench_.workpiece.milling()->tool,
                                        [this] { return workbench_.session.workpiece(); });
     tool_->setGrain([this](const glm::dvec3& place) { return pixelDiagonal(viewport_, place); });
     tool_->setSettings(settings_);
@@ -66,10 +66,10 @@ void MillMode::begin() {
 }
 
 void MillMode::showAim(const std::optional<glm::dvec3>& tip) {
-    if (!tip || !workbench_.bench.bench()) return viewport_.setPressMark({});
-    const AxisMode& axis = workbench_.bench.bound().axis;
-    viewport_.setPressMark(pressPreview(workbench_.session.workpiece(), workbench_.bench.bench()->tool.cutter, *tip,
-                                        axis.free ? glm::dvec3(0.0, 0.0, 1.0) : axis.direction,
+    if (!tip || !workbench_.workpiece.milling()) return viewport_.setPressMark({});
+    const AxisMode& axis = workbench_.workpiece.bound().axis;
+    viewport_.setPressMark(pressPreview(workbench_.session.workpiece(), workbench_.workpiece.milling()->tool.cutter,
+                                        *tip, axis.free ? glm::dvec3(0.0, 0.0, 1.0) : axis.direction,
                                         workbench_.mill.allowance()));
 }
 

@@ -19,7 +19,7 @@ constexpr int hintStays = 1200; // ms: a flag that comes and goes must not make 
 
 MillPresenter::MillPresenter(Workbench& workbench, MillMode& mode, MillPanel& panel, QObject* parent)
     : Presenter(workbench,
-                {&workbench.mill, &workbench.bench, &workbench.session, &workbench.showMe, &workbench.setup,
+                {&workbench.mill, &workbench.workpiece, &workbench.session, &workbench.showMe, &workbench.setup,
                  &workbench.styluses},
                 parent)
     , mode_(mode)
@@ -117,21 +117,21 @@ QString MillPresenter::lockText() const {
 }
 
 QString MillPresenter::missing() const {
-    const BenchController& bench = workbench_.bench;
+    const WorkpieceController& workpiece = workbench_.workpiece;
     if (workbench_.showMe.showing()) return tr("The virtual operator is milling; stop it to mill yourself.");
     if (!workbench_.setup.hasPart()) return tr("Import a part first.");
-    if (bench.embedding()) return tr("The part is being embedded.");
-    if (!bench.embedded()) return tr("Embed the part in its stock first.");
-    if (bench.lacksBounds())
+    if (workpiece.embedding()) return tr("The part is being embedded.");
+    if (!workpiece.embedded()) return tr("Embed the part in its stock first.");
+    if (workpiece.lacksBounds())
         return tr("There is no boundary for the tool: choose another tool, or embed again, with larger voxels where "
                   "memory was short.");
-    if (!bench.bounds()) return tr("The boundary for the tool is being computed.");
+    if (!workpiece.bounds()) return tr("The boundary for the tool is being computed.");
     return {};
 }
 
 QString MillPresenter::hint() {
     const MillController& mill = workbench_.mill;
-    const auto& bounds = workbench_.bench.bounds();
+    const auto& bounds = workbench_.workpiece.bounds();
     if (!mill.active() || !bounds) return hint_ = {};
     const StylusDescription* stylus = mill.device() ? &*mill.device() : nullptr;
     const QString now =
@@ -146,12 +146,12 @@ void MillPresenter::present() {
     const SessionState& session = workbench_.session.state();
     MillState state;
     state.missing = missing();
-    state.ready = workbench_.bench.ready() && !workbench_.showMe.showing();
+    state.ready = workbench_.workpiece.ready() && !workbench_.showMe.showing();
     state.active = mill.active();
     state.recording = workbench_.session.running() && session.recording;
     state.recordedSeconds = session.recordedSeconds;
     state.cutting = workbench_.session.running() && session.cutting && !workbench_.showMe.showing();
-    StrokeHistory& strokes = workbench_.bench.strokes();
+    StrokeHistory& strokes = workbench_.workpiece.strokes();
     state.canUndoStroke = strokes.canUndo() && !workbench_.showMe.showing();
     state.undoableStrokes = strokes.count();
     state.canRedoStroke = strokes.canRedo() && !workbench_.showMe.showing();
@@ -169,12 +169,12 @@ void MillPresenter::present() {
         for (const ActionId id : {ActionId::repeatLower, ActionId::repeatLeft, ActionId::repeatRight})
             (*actions_)[id]->setEnabled(state.canRepeat);
     }
-    if (workbench_.session.running() && workbench_.bench.bench())
-        state.alarm = alarmSentence(session, *workbench_.bench.bench());
+    if (workbench_.session.running() && workbench_.workpiece.milling())
+        state.alarm = alarmSentence(session, *workbench_.workpiece.milling());
     state.hint = hint();
     for (const TakeInfo& take : mill.takes()) {
         TakeRow row{take, toolName(workbench_.tool.tools(), take.toolId), workbench_.mill.strokesOf(take.id), false};
-        row.replaying = workbench_.bench.embedding();
+        row.replaying = workbench_.workpiece.embedding();
         row.recording = state.recording && take.id == session.take;
         if (row.recording) row.info.seconds = session.recordedSeconds;
         state.takes.push_back(std::move(row));
@@ -209,15 +209,16 @@ void MeterPresenter::tick() {
     takeForceLimit();
     state_.removalRate = session.removalRate;
     state_.removalScale = std::max(state_.removalScale, state_.removalRate);
-    if (workbench_.bench.bench()) state_.tip = session.sample.proxy.tip - workbench_.bench.bench()->setup.workOffset;
+    if (workbench_.workpiece.milling())
+        state_.tip = session.sample.proxy.tip - workbench_.workpiece.milling()->setup.workOffset;
     presentSoon();
 }
 
 /// Of the tool that mills, at the spindle speed of its tables.
 void MeterPresenter::takeForceLimit() {
-    const auto bench = workbench_.bench.bench();
-    if (!bench || !(bench->conditions.spindleSpeed > 0.0)) return;
-    const ForceLimit limit = forceLimit(bench->tool, bench->machine, bench->conditions.spindleSpeed);
+    const auto milling = workbench_.workpiece.milling();
+    if (!milling || !(milling->conditions.spindleSpeed > 0.0)) return;
+    const ForceLimit limit = forceLimit(milling->tool, milling->machine, milling->conditions.spindleSpeed);
     state_.forceLimit = limit.force;
     state_.forceLimitOf = limit.kind == FindingKind::spindlePower    ? tr("the spindle's power")
                           : limit.kind == FindingKind::spindleTorque ? tr("the spindle's torque")

@@ -59,7 +59,7 @@ QString programName(const Workbench& workbench) {
 }
 
 PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePresenter& scene, QObject* parent)
-    : Presenter(workbench, {&workbench.path, &workbench.mill, &workbench.bench, &workbench.tool}, parent)
+    : Presenter(workbench, {&workbench.path, &workbench.mill, &workbench.workpiece, &workbench.tool}, parent)
     , panel_(panel)
     , scene_(scene) {
     yieldWhileHidden(panel);
@@ -102,7 +102,7 @@ void PathPresenter::present() {
     state.exists = path.stored() != nullptr;
     if (path.stored()) state.path = *path.stored();
     state.takes = workbench_.mill.takes();
-    if (workbench_.bench.bench()) state.zero = workbench_.bench.bench()->setup.workOffset;
+    if (workbench_.workpiece.milling()) state.zero = workbench_.workpiece.milling()->setup.workOffset;
     if (path.evaluated()) {
         state.reports = path.evaluated()->reports;
         state.errorBudget = path.evaluated()->errorBudget;

@@ -169,13 +169,13 @@ void PathScenePresenter::addEdit(const Edit& edit) {
 /// An area reaches from the stock's bottom to where travel is free, a mirror stands in the stock's middle, until they
 /// are told otherwise.
 Edit PathScenePresenter::withinStock(Edit edit) const {
-    const auto& bench = workbench_.bench.bench();
+    const auto& milling = workbench_.workpiece.milling();
     for (const EditField& field : fieldsOf(edit.parameters)) {
-        if (!bench || !std::holds_alternative<double>(field.value)) continue;
-        if (field.key == "low_mm") setField(edit.parameters, field.key, bench->setup.stock.low.z);
+        if (!milling || !std::holds_alternative<double>(field.value)) continue;
+        if (field.key == "low_mm") setField(edit.parameters, field.key, milling->setup.stock.low.z);
         if (std::holds_alternative<Mirror>(edit.parameters) && isDrawn(edit.parameters, field.key))
-            setField(edit.parameters, field.key, bench->setup.stock.centre().x);
-        if (field.key == "high_mm") setField(edit.parameters, field.key, bench->safeHeight());
+            setField(edit.parameters, field.key, milling->setup.stock.centre().x);
+        if (field.key == "high_mm") setField(edit.parameters, field.key, milling->safeHeight());
     }
     return edit;
 }
@@ -288,9 +288,9 @@ bool PathScenePresenter::drawsArea() const {
 /// The plane where it goes through the stock, and a little beyond.
 std::vector<glm::dvec3> PathScenePresenter::outlineOf(const Mirror& mirror) const {
     constexpr double beyond = 5.0; // mm
-    const auto& bench = workbench_.bench.bench();
-    if (!bench) return {};
-    const Box box = bench->setup.stock.grown(beyond);
+    const auto& milling = workbench_.workpiece.milling();
+    if (!milling) return {};
+    const Box box = milling->setup.stock.grown(beyond);
     const int along = mirror.across == Mirror::Across::x ? 1 : 0;
     std::vector<glm::dvec3> outline(4, glm::dvec3(mirror.at));
     for (std::size_t i = 0; i < outline.size(); ++i) {

@@ -22,7 +22,7 @@ constexpr double drawnChord = 0.02; // mm that an arc's picture may leave it by
 
 ProgramScenePresenter::ProgramScenePresenter(Workbench& workbench, Viewport& viewport, ProgramPanel& panel,
                                              ScenePresenter& scene, QObject* parent)
-    : Presenter(workbench, {&workbench.program, &workbench.mill, &workbench.bench}, parent)
+    : Presenter(workbench, {&workbench.program, &workbench.mill, &workbench.workpiece}, parent)
     , viewport_(viewport)
     , panel_(panel)
     , scene_(scene)
@@ -54,10 +54,10 @@ void ProgramScenePresenter::chooseSelection() {
 }
 
 void ProgramScenePresenter::present() {
-    const auto& bench = workbench_.bench.bench();
+    const auto& milling = workbench_.workpiece.milling();
     const bool active =
-        shown_ && bench && workbench_.program.program() && !workbench_.program.edited() && !workbench_.mill.active();
-    if (active) kinematics_ = kinematicsOf(bench->machine, bench->setup.workOffset);
+        shown_ && milling && workbench_.program.program() && !workbench_.program.edited() && !workbench_.mill.active();
+    if (active) kinematics_ = kinematicsOf(milling->machine, milling->setup.workOffset);
     take(active ? workbench_.program.program() : nullptr);
     if (active != active_) {
         active_ = active;

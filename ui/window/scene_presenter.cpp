@@ -5,12 +5,12 @@
 namespace burin {
 
 ScenePresenter::ScenePresenter(Workbench& workbench, Viewport& viewport, const Actions& actions, QObject* parent)
-    : Presenter(workbench, {&workbench.model, &workbench.setup, &workbench.tool, &workbench.bench, &workbench.session},
-                parent)
+    : Presenter(workbench,
+                {&workbench.model, &workbench.setup, &workbench.tool, &workbench.workpiece, &workbench.session}, parent)
     , viewport_(viewport)
     , live_(viewport)
     , actions_(actions) {
-    connect(&workbench.bench, &BenchController::workpieceChanged, this, &ScenePresenter::showWorkpiece);
+    connect(&workbench.workpiece, &WorkpieceController::workpieceChanged, this, &ScenePresenter::showWorkpiece);
     connect(&workbench.session, &SessionRunner::ended, this, &ScenePresenter::showWorkpiece);
     connect(&workbench.session, &SessionRunner::viewed, this,
             [this](const WorkpieceView& view) { viewport_.setWorkpiece(view.workpiece, view.oldestCut); });
@@ -41,7 +41,7 @@ ScenePresenter::ScenePresenter(Workbench& workbench, Viewport& viewport, const A
 }
 
 void ScenePresenter::present() {
-    const bool embedded = workbench_.bench.embedded();
+    const bool embedded = workbench_.workpiece.embedded();
     presentPart();
     viewport_.setPartVisible(!embedded || bare_ || actions_[ActionId::showPart]->isChecked());
     viewport_.setWorkpieceVisible(embedded && !bare_ && actions_[ActionId::showWorkpiece]->isChecked());
@@ -73,7 +73,8 @@ void ScenePresenter::presentPart() {
 }
 
 void ScenePresenter::drawTool() {
-    const Tool& inForce = workbench_.bench.bench() ? workbench_.bench.bench()->tool : workbench_.tool.current();
+    const Tool& inForce =
+        workbench_.workpiece.milling() ? workbench_.workpiece.milling()->tool : workbench_.tool.current();
     const Tool& tool = shownTool_ && !workbench_.session.running() ? *shownTool_ : inForce;
     if (tool.id == tool_) return;
     tool_ = tool.id;
@@ -81,13 +82,13 @@ void ScenePresenter::drawTool() {
 }
 
 void ScenePresenter::placeTool() {
-    if (!workbench_.bench.embedded() || workbench_.session.running()) return;
-    const Bench& bench = *workbench_.bench.bench();
-    const glm::dvec3 centre = bench.setup.stock.centre();
+    if (!workbench_.workpiece.embedded() || workbench_.session.running()) return;
+    const MillingContext& milling = *workbench_.workpiece.milling();
+    const glm::dvec3 centre = milling.setup.stock.centre();
     ToolMarks marks;
-    const AxisMode& axis = workbench_.bench.bound().axis;
+    const AxisMode& axis = workbench_.workpiece.bound().axis;
     if (!axis.free && !toolTip_) marks.proxy.axis = axis.direction;
-    marks.proxy.tip = toolTip_.value_or(glm::dvec3(centre.x, centre.y, bench.safeHeight()));
+    marks.proxy.tip = toolTip_.value_or(glm::dvec3(centre.x, centre.y, milling.safeHeight()));
     viewport_.setToolMarks(marks);
 }
 
@@ -117,8 +118,8 @@ void ScenePresenter::parkTool() {
 }
 
 void ScenePresenter::showWorkpiece() {
-    const auto& bench = workbench_.bench.bench();
-    viewport_.setWorkpiece(bench ? bench->embedded.workpiece.snapshot() : VolumeSnapshot());
+    const auto& milling = workbench_.workpiece.milling();
+    viewport_.setWorkpiece(milling ? milling->embedded.workpiece.snapshot() : VolumeSnapshot());
     presentSoon();
 }
 

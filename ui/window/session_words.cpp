@@ -16,9 +16,9 @@ struct MillTexts {
     Q_DECLARE_TR_FUNCTIONS(MillTexts)
 };
 
-QString shankSentence(const SessionState& state, const Bench& bench) {
-    const PropertyList& properties = bench.embedded.workpiece.properties();
-    const bool shank = sectionOf(bench.tool.cutter, state.shankPiece) != ToolSection::holder;
+QString shankSentence(const SessionState& state, const MillingContext& milling) {
+    const PropertyList& properties = milling.embedded.workpiece.properties();
+    const bool shank = sectionOf(milling.tool.cutter, state.shankPiece) != ToolSection::holder;
     const QString what = state.shankTouches == airProperty || state.shankTouches >= properties.size()
                              ? MillTexts::tr("the workpiece")
                              : materialName(properties[state.shankTouches]);
@@ -41,8 +41,8 @@ QString boundSentence(const SessionState& state, const ToolBounds& bounds) {
 
 } // namespace
 
-QString alarmSentence(const SessionState& state, const Bench& bench) {
-    if ((state.sample.flags & sampleShankContact) != 0) return shankSentence(state, bench);
+QString alarmSentence(const SessionState& state, const MillingContext& milling) {
+    if ((state.sample.flags & sampleShankContact) != 0) return shankSentence(state, milling);
     if ((state.sample.flags & sampleMemoryFull) != 0)
         return MillTexts::tr("The memory for the workpiece is used up, so nothing is cut; save, and go on with larger "
                              "voxels.");

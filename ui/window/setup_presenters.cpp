@@ -21,14 +21,14 @@ void PartPresenter::present() {
 }
 
 StockPresenter::StockPresenter(Workbench& workbench, StockPanel& panel, EmbeddingFindings& findings, QObject* parent)
-    : Presenter(workbench, {&workbench.setup, &workbench.bench}, parent), panel_(panel), findings_(findings) {
+    : Presenter(workbench, {&workbench.setup, &workbench.workpiece}, parent), panel_(panel), findings_(findings) {
     connect(&panel, &StockPanel::setupEdited, &workbench.setup, &SetupController::edit);
-    connect(&panel, &StockPanel::embedRequested, &workbench.bench, &BenchController::embed);
+    connect(&panel, &StockPanel::embedRequested, &workbench.workpiece, &WorkpieceController::embed);
 }
 
 void StockPresenter::connectActions(const Actions& actions) {
-    BenchController& bench = workbench_.bench;
-    connect(actions[ActionId::embed], &QAction::triggered, &bench, [&bench] { bench.embed(); });
+    WorkpieceController& workpiece = workbench_.workpiece;
+    connect(actions[ActionId::embed], &QAction::triggered, &workpiece, [&workpiece] { workpiece.embed(); });
 }
 
 void StockPresenter::setUnit(LengthUnit unit) {
@@ -43,11 +43,11 @@ void StockPresenter::present() {
     state.hasPart = setup.hasPart();
     state.setup = setup.setup();
     state.size = setup.size();
-    state.embedded = workbench_.bench.embedded();
+    state.embedded = workbench_.workpiece.embedded();
     state.locked = setup.locked();
-    state.busy = workbench_.bench.embedding();
+    state.busy = workbench_.workpiece.embedding();
     if (setup.problem()) state.problem = Messages::sentence(*setup.problem());
-    if (state.embedded) state.findings = workbench_.bench.bench()->embedded.findings;
+    if (state.embedded) state.findings = workbench_.workpiece.milling()->embedded.findings;
     panel_.setState(state);
     findings_.setFindings(state.findings);
 }
@@ -77,8 +77,8 @@ void MaterialPresenter::present() {
 }
 
 ToolPresenter::ToolPresenter(Workbench& workbench, ToolPanel& panel, QObject* parent)
-    : Presenter(workbench, {&workbench.tool, &workbench.setup, &workbench.bench, &workbench.target, &workbench.mill},
-                parent)
+    : Presenter(workbench,
+                {&workbench.tool, &workbench.setup, &workbench.workpiece, &workbench.target, &workbench.mill}, parent)
     , panel_(panel) {
     connect(&panel, &ToolPanel::toolChosen, &workbench.tool, &ToolController::choose);
 }
@@ -93,7 +93,7 @@ void ToolPresenter::present() {
     ToolState state;
     state.tools = tool.tools();
     state.current = tool.current().id;
-    state.fieldBusy = workbench_.bench.fieldBusy();
+    state.fieldBusy = workbench_.workpiece.fieldBusy();
     state.locked = tool.locked();
     for (const TakeInfo& take : workbench_.mill.takes()) state.ofTakes.push_back(take.toolId);
     if (const Property* material = workbench_.setup.stockMaterial()) {
@@ -120,7 +120,7 @@ void AllowancePresenter::setUnit(LengthUnit unit) {
 
 void AllowancePresenter::present() {
     // A recording has one allowance: it is a value of the whole take.
-    panel_.setState({workbench_.mill.allowance(), BenchController::maximumAllowance, workbench_.mill.recording()});
+    panel_.setState({workbench_.mill.allowance(), WorkpieceController::maximumAllowance, workbench_.mill.recording()});
 }
 
 } // namespace burin

@@ -13,7 +13,7 @@ namespace burin {
 StatusPresenter::StatusPresenter(Workbench& workbench, const MeterPresenter& meters, const MillMode& mill,
                                  const Viewport& viewport, StatusLine& line, QObject* parent)
     : Presenter(workbench,
-                {&workbench.document, &workbench.bench, &workbench.setup, &workbench.session, &workbench.styluses,
+                {&workbench.document, &workbench.workpiece, &workbench.setup, &workbench.session, &workbench.styluses,
                  &workbench.path},
                 parent)
     , meters_(meters)
@@ -44,12 +44,12 @@ QString StatusPresenter::savedText() const {
 
 void StatusPresenter::present() {
     line_.setSaved(savedText());
-    const auto& bench = workbench_.bench.bench();
-    if (!bench) {
+    const auto& milling = workbench_.workpiece.milling();
+    if (!milling) {
         line_.setSize({});
     } else {
-        const glm::ivec3 count = bench->embedded.workpiece.grid().count();
-        const double megabytes = static_cast<double>(bench->embedded.workpiece.reservedBytes()) / 1e6;
+        const glm::ivec3 count = milling->embedded.workpiece.grid().count();
+        const double megabytes = static_cast<double>(milling->embedded.workpiece.reservedBytes()) / 1e6;
         const QLocale locale;
         line_.setSize(tr("%1 × %2 × %3 voxels · %4 MB")
                           .arg(locale.toString(count.x), locale.toString(count.y), locale.toString(count.z),
@@ -80,7 +80,7 @@ void StatusPresenter::presentSession() {
     presentStroke();
     const MeterState& state = meters_.state();
     if (!workbench_.session.running()) {
-        line_.setStylus(workbench_.bench.ready() ? workbench_.styluses.chosenName() : QString(), false);
+        line_.setStylus(workbench_.workpiece.ready() ? workbench_.styluses.chosenName() : QString(), false);
         line_.setRate({});
         line_.setPosition({});
         return;

@@ -16,7 +16,7 @@ BoundNews newsOf(const std::optional<LayerNews>& news) {
 
 SurroundingsPresenter::SurroundingsPresenter(Workbench& workbench, SurroundingsPanel& panel, BoundsPanel& switches,
                                              Viewport& viewport, QObject* parent)
-    : Presenter(workbench, {&workbench.surroundings, &workbench.setup, &workbench.bench, &workbench.mill}, parent)
+    : Presenter(workbench, {&workbench.surroundings, &workbench.setup, &workbench.workpiece, &workbench.mill}, parent)
     , panel_(panel)
     , switches_(switches)
     , viewport_(viewport) {

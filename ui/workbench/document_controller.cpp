@@ -30,7 +30,7 @@ fs::path nextUnnamedFile() {
 }
 
 /// What stands around the stock, and leads the hand.
-Result<void> readBench(const Project& project, ProjectContents& contents) {
+Result<void> readMilling(const Project& project, ProjectContents& contents) {
     Result<std::vector<Obstacle>> obstacles = project.obstacles();
     if (!obstacles) return std::move(obstacles).error();
     contents.obstacles = std::move(*obstacles);
@@ -60,7 +60,7 @@ Result<ProjectContents> contentsOf(const Project& project) {
     Result<std::optional<std::vector<Property>>> materials = unlessMissing(project.materials());
     if (!materials) return std::move(materials).error();
     contents.materials = std::move(*materials).value_or(std::vector<Property>{});
-    if (Result<void> read = readBench(project, contents); !read) return std::move(read).error();
+    if (Result<void> read = readMilling(project, contents); !read) return std::move(read).error();
     Result<std::vector<Tool>> tools = project.tools();
     if (!tools) return std::move(tools).error();
     contents.tools = std::move(*tools);

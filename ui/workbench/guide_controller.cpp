@@ -17,9 +17,9 @@ constexpr double edgeChord = 0.01; // mm between an edge and the polyline that l
 
 } // namespace
 
-GuideController::GuideController(const Desk& desk, BenchController& bench, MillController& mill, SessionRunner& session,
-                                 QObject* parent)
-    : Controller(desk, parent), bench_(bench), mill_(mill), session_(session) {
+GuideController::GuideController(const Desk& desk, WorkpieceController& workpiece, MillController& mill,
+                                 SessionRunner& session, QObject* parent)
+    : Controller(desk, parent), workpiece_(workpiece), mill_(mill), session_(session) {
     connect(&mill_, &MillController::entered, this, [this] {
         apply();
         emit changed();
@@ -28,12 +28,12 @@ GuideController::GuideController(const Desk& desk, BenchController& bench, MillC
 }
 
 bool GuideController::hasEdges() const {
-    return bench_.bench() && bench_.bench()->model && !bench_.bench()->model->brep.empty();
+    return workpiece_.milling() && workpiece_.milling()->model && !workpiece_.milling()->model->brep.empty();
 }
 
 void GuideController::addNearestEdge() {
     if (!hasEdges() || desk_.tasks.running(TaskKind::edges)) return;
-    const std::shared_ptr<const Model> model = bench_.bench()->model;
+    const std::shared_ptr<const Model> model = workpiece_.milling()->model;
     if (model == followed_) return addEdge();
     desk_.tasks.start(
         TaskKind::edges, tr("Following the part's edges"),
@@ -61,8 +61,8 @@ void GuideController::addNearestEdge() {
 
 /// Nearest to the tool, or to the middle of the stock's top while there is none.
 void GuideController::addEdge() {
-    if (full() || edges_.empty() || !bench_.bench()) return;
-    const Box& stock = bench_.bench()->setup.stock;
+    if (full() || edges_.empty() || !workpiece_.milling()) return;
+    const Box& stock = workpiece_.milling()->setup.stock;
     const glm::dvec3 place = mill_.active() ? session_.state().sample.proxy.tip
                                             : glm::dvec3(stock.centre().x, stock.centre().y, stock.high.z);
     const auto distance = [&place](const std::shared_ptr<const GuideCurve>& curve) {
@@ -89,8 +89,8 @@ void GuideController::add(GuideKind kind) {
     Guide guide;
     guide.kind = kind;
     guide.on = true;
-    if (bench_.bench()) {
-        const Box& stock = bench_.bench()->setup.stock;
+    if (workpiece_.milling()) {
+        const Box& stock = workpiece_.milling()->setup.stock;
         const bool alongAxis = kind == GuideKind::plane || kind == GuideKind::levels;
         guide.point = alongAxis ? glm::dvec3(stock.centre().x, stock.centre().y, stock.high.z) : stock.centre();
     }

@@ -13,7 +13,7 @@ namespace burin {
 class GuideController final : public Controller {
     Q_OBJECT
 public:
-    GuideController(const Desk& desk, BenchController& bench, MillController& mill, SessionRunner& session,
+    GuideController(const Desk& desk, WorkpieceController& workpiece, MillController& mill, SessionRunner& session,
                     QObject* parent);
 
     /// What a project holds.
@@ -45,7 +45,7 @@ private:
     void apply();
     void keep();
 
-    BenchController& bench_;
+    WorkpieceController& workpiece_;
     MillController& mill_;
     SessionRunner& session_;
     std::vector<Guide> guides_;

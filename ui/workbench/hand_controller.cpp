@@ -26,9 +26,15 @@ std::uint32_t bitOf(int button) {
 
 } // namespace
 
-HandController::HandController(const Desk& desk, BenchController& bench, MillController& mill, SessionRunner& session,
-                               StylusController& styluses, GuideController& guides, QObject* parent)
-    : Controller(desk, parent), bench_(bench), mill_(mill), session_(session), styluses_(styluses), guides_(guides) {
+HandController::HandController(const Desk& desk, WorkpieceController& workpiece, MillController& mill,
+                               SessionRunner& session, StylusController& styluses, GuideController& guides,
+                               QObject* parent)
+    : Controller(desk, parent)
+    , workpiece_(workpiece)
+    , mill_(mill)
+    , session_(session)
+    , styluses_(styluses)
+    , guides_(guides) {
     connect(&mill_, &MillController::entered, this, [this] {
         prepare();
         apply();
@@ -98,7 +104,7 @@ void HandController::apply() {
     workspace.clutchButton = bitOf(wanted.clutchButton);
     workspace.recentrings = recentrings_;
     if (canRate()) workspace.control = wanted.control;
-    if (workspace.control == WorkspaceControl::rate) workspace.region = bench_.bench()->tipRegion();
+    if (workspace.control == WorkspaceControl::rate) workspace.region = workpiece_.milling()->tipRegion();
     session_.setWorkspace(workspace);
 }
 

@@ -29,10 +29,10 @@ public:
     /// A low battery is told once, and again after it was fine. (Hot motors are the session's to tell.)
     static constexpr double lowBattery = 0.15, fineBattery = 0.20;
 
-    HandController(const Desk& desk, BenchController& bench, MillController& mill, SessionRunner& session,
+    HandController(const Desk& desk, WorkpieceController& workpiece, MillController& mill, SessionRunner& session,
                    StylusController& styluses, GuideController& guides, QObject* parent);
 
-    /// A device is in the hand. The mouse points at the bench itself: there is nothing to scale.
+    /// A device is in the hand. The mouse points at the workpiece itself: there is nothing to scale.
     bool hasDevice() const noexcept { return mill_.device().has_value(); }
     int buttons() const noexcept { return hasDevice() ? mill_.device()->buttons : 0; }
     /// The stylus may lead the tool by its speed: it has no motors, which would push it out of its place, and does not
@@ -70,7 +70,7 @@ private:
     void apply();
     void watch();
 
-    BenchController& bench_;
+    WorkpieceController& workpiece_;
     MillController& mill_;
     SessionRunner& session_;
     StylusController& styluses_;

@@ -36,15 +36,15 @@ Result<PathMatter> gather(Project& project, StoredPath path) {
 
 } // namespace
 
-JobEvaluation::JobEvaluation(const Desk& desk, BenchController& bench, QObject* parent)
-    : QObject(parent), desk_(desk), bench_(bench) {
-    connect(&bench_, &BenchController::readersStop, this, &JobEvaluation::readersStop);
-    connect(&bench_, &BenchController::readersGoOn, this, [this] {
-        if (!bench_.changing() && std::exchange(interrupted_, false)) start();
+JobEvaluation::JobEvaluation(const Desk& desk, WorkpieceController& workpiece, QObject* parent)
+    : QObject(parent), desk_(desk), workpiece_(workpiece) {
+    connect(&workpiece_, &WorkpieceController::readersStop, this, &JobEvaluation::readersStop);
+    connect(&workpiece_, &WorkpieceController::readersGoOn, this, [this] {
+        if (!workpiece_.changing() && std::exchange(interrupted_, false)) start();
     });
 }
 
-/// What runs is abandoned by who changes the bench.
+/// What runs is abandoned by who changes the workpiece.
 void JobEvaluation::readersStop() {
     if (running_) interrupted_ = true;
     running_.reset();
@@ -198,8 +198,8 @@ JobEvaluation::Entry* JobEvaluation::next() {
 }
 
 void JobEvaluation::goOn() {
-    if (!wanted_ || reading_ || !bench_.bench()) return;
-    if (bench_.changing()) { // evaluated when it has changed
+    if (!wanted_ || reading_ || !workpiece_.milling()) return;
+    if (workpiece_.changing()) { // evaluated when it has changed
         interrupted_ = next() != nullptr;
         return;
     }
@@ -244,9 +244,9 @@ void JobEvaluation::evaluate(const Entry& entry, const Basis& basis) {
     running_ = Running{entry.path.id, basis};
     desk_.tasks.start(
         TaskKind::path, tr("Editing the path"),
-        [recorded = entry.recorded, bench = bench_.bench(), path = entry.path,
+        [recorded = entry.recorded, workpiece = workpiece_.milling(), path = entry.path,
          before = milledBefore(entry)](Progress& progress) {
-            return evaluateStored(recorded->strokes, *bench, recorded->tool, path, before, progress);
+            return evaluateStored(recorded->strokes, *workpiece, recorded->tool, path, before, progress);
         },
         [this, asked = *running_, tool = entry.recorded->tool](Result<EvaluatedPath> outcome) {
             takeEvaluated(asked, tool, std::move(outcome));

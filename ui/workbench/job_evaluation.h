@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/job/job_paths.h"
-#include "ui/workbench/bench_controller.h"
+#include "ui/workbench/workpiece_controller.h"
 
 #include <memory>
 #include <optional>
@@ -22,7 +22,7 @@ using RecordedKey = std::vector<std::tuple<std::int64_t, std::uint64_t, bool, st
 class JobEvaluation final : public QObject {
     Q_OBJECT
 public:
-    JobEvaluation(const Desk& desk, BenchController& bench, QObject* parent);
+    JobEvaluation(const Desk& desk, WorkpieceController& workpiece, QObject* parent);
 
     /// What is to be evaluated. Paths that it knows by their ids keep what is known of them, also those that were not
     /// among the last ones.
@@ -100,14 +100,14 @@ private:
     void readersStop();
 
     Desk desk_;
-    BenchController& bench_;
+    WorkpieceController& workpiece_;
     std::vector<Entry> entries_; ///< in the order in which they are milled
     std::vector<Entry> resting_; ///< of paths that are not milled now, and may be again
     std::int64_t inForce_ = 0;
     std::optional<Running> running_;
     quint64 loads_ = 0; ///< of projects
     bool wanted_ = false, reading_ = false;
-    bool interrupted_ = false; ///< an evaluation was abandoned, as the bench changes
+    bool interrupted_ = false; ///< an evaluation was abandoned, as the workpiece changes
 };
 
 } // namespace burin

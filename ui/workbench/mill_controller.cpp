@@ -20,9 +20,9 @@ bool sameTake(const TakeInfo& one, const TakeInfo& other) {
 
 } // namespace
 
-MillController::MillController(const Desk& desk, BenchController& bench, SessionRunner& session,
+MillController::MillController(const Desk& desk, WorkpieceController& workpiece, SessionRunner& session,
                                StylusController& styluses, QObject* parent)
-    : Controller(desk, parent), bench_(bench), session_(session), styluses_(styluses) {
+    : Controller(desk, parent), workpiece_(workpiece), session_(session), styluses_(styluses) {
     connect(&session_, &SessionRunner::ticked, this, &MillController::noteStrokes);
     connect(&session_, &SessionRunner::ticked, this, &MillController::followButton);
     connect(&session_, &SessionRunner::ended, this, &MillController::noteLeft);
@@ -44,7 +44,7 @@ void MillController::noteLeft() {
 }
 
 void MillController::enter() {
-    if (active() || entering_ || session_.running() || !bench_.ready()) {
+    if (active() || entering_ || session_.running() || !workpiece_.ready()) {
         recordOnceEntered_ = recordOnceEntered_ && entering_;
         return;
     }
@@ -56,9 +56,9 @@ void MillController::enter() {
 }
 
 void MillController::enterWithMouse() {
-    const Bench& bench = *bench_.bench();
-    const glm::dvec3 centre = bench.setup.stock.centre();
-    auto stylus = std::make_unique<SimulatedStylus>(glm::dvec3(centre.x, centre.y, bench.safeHeight()));
+    const MillingContext& milling = *workpiece_.milling();
+    const glm::dvec3 centre = milling.setup.stock.centre();
+    auto stylus = std::make_unique<SimulatedStylus>(glm::dvec3(centre.x, centre.y, milling.safeHeight()));
     SimulatedStylus* mouse = stylus.get();
     SessionRequest request;
     request.cutsOnButton = true;
@@ -67,13 +67,13 @@ void MillController::enterWithMouse() {
 
 void MillController::enterWithDevice() {
     styluses_.connectDevice([this](std::unique_ptr<AnyStylus> stylus) {
-        if (!stylus || session_.running() || !bench_.ready()) { // what was asked for may be over
+        if (!stylus || session_.running() || !workpiece_.ready()) { // what was asked for may be over
             begun(false, nullptr);
             return;
         }
         const StylusDescription description = StylusHandle(*stylus).device().description();
         SessionRequest request;
-        request.mapping = mappingFor(*bench_.bench(), description);
+        request.mapping = mappingFor(*workpiece_.milling(), description);
         request.cutsOnButton = description.buttons > 0;
         request.forceButtons = forceButtons_;
         device_ = description;
@@ -86,7 +86,7 @@ void MillController::enterWithDevice() {
 void MillController::begin(AnyStylus stylus, SimulatedStylus* mouse, const SessionRequest& request) {
     SessionRequest wanted = request;
     wanted.allowance = allowance_;
-    session_.begin({bench_.bench(), bench_.bounds(), &bench_.strokes()}, std::move(stylus), wanted,
+    session_.begin({workpiece_.milling(), workpiece_.bounds(), &workpiece_.strokes()}, std::move(stylus), wanted,
                    [this, mouse](bool well) { begun(well, mouse); });
 }
 
@@ -160,7 +160,7 @@ void MillController::stopRecording(Then then) {
 }
 
 void MillController::setAllowance(double millimetres) {
-    const double wanted = std::clamp(millimetres, 0.0, BenchController::maximumAllowance);
+    const double wanted = std::clamp(millimetres, 0.0, WorkpieceController::maximumAllowance);
     if (wanted == allowance_) return;
     desk_.undo.push(new ValueCommand<double>(tr("allowance"), allowanceValue, allowance_, wanted,
                                              [this](const double& value) { applyAllowance(value); }));
@@ -179,12 +179,12 @@ void MillController::applyAllowance(double millimetres) {
 
 void MillController::takeBack(bool undo) {
     // Older strokes stay for good: their entries of the undo stack do nothing any more.
-    const StrokeHistory& history = bench_.strokes();
+    const StrokeHistory& history = workpiece_.strokes();
     if (undo ? !history.canUndo() : !history.canRedo()) return;
     const std::int64_t taken = history.canUndo() ? history.newest().take : 0;
     const auto done = [this, undo, taken](bool changedIt) {
         if (!changedIt) return;
-        moveStroke(undo ? taken : bench_.strokes().newest().take, undo);
+        moveStroke(undo ? taken : workpiece_.strokes().newest().take, undo);
         sortOut();
         emit strokeTakenBack(undo);
         emit takesChanged();
@@ -198,12 +198,12 @@ void MillController::takeBack(bool undo) {
         return;
     }
     desk_.project.lend([this, undo, done](Project* project) {
-        if (!project || !bench_.bench()) return;
-        RunVolume& workpiece = bench_.bench()->embedded.workpiece;
+        if (!project || !workpiece_.milling()) return;
+        RunVolume& workpiece = workpiece_.milling()->embedded.workpiece;
         const Result<void> outcome =
-            undo ? bench_.strokes().undo(*project, workpiece) : bench_.strokes().redo(*project, workpiece);
+            undo ? workpiece_.strokes().undo(*project, workpiece) : workpiece_.strokes().redo(*project, workpiece);
         if (!outcome) emit failed(outcome.error());
-        emit bench_.workpieceChanged();
+        emit workpiece_.workpieceChanged();
         done(outcome.hasValue());
     });
 }
@@ -219,13 +219,13 @@ void MillController::moveStroke(std::int64_t take, bool undo) {
 }
 
 void MillController::noteStrokes() {
-    const std::uint64_t now = bench_.strokes().added();
+    const std::uint64_t now = workpiece_.strokes().added();
     const std::uint64_t fresh = now - std::exchange(strokesSeen_, now);
     for (std::uint64_t i = 0; i < fresh; ++i)
         desk_.undo.push(new StrokeCommand(tr("stroke"), [this](bool undo) { takeBack(undo); }));
     if (fresh == 0) return;
-    if (bench_.strokes().canUndo()) {
-        const std::int64_t take = bench_.strokes().newest().take;
+    if (workpiece_.strokes().canUndo()) {
+        const std::int64_t take = workpiece_.strokes().newest().take;
         strokes_[take] += fresh;
         for (std::uint64_t number = now - fresh + 1; number <= now; ++number) numbers_[take].push_back(number);
     }
@@ -272,7 +272,7 @@ void MillController::removeTake(std::int64_t id) {
                            [this](const Result<void>& outcome) {
                                if (outcome) {
                                    refreshTakes();
-                                   bench_.embed();
+                                   workpiece_.embed();
                                } else {
                                    emit failed(outcome.error());
                                }
@@ -283,7 +283,7 @@ void MillController::removeTake(std::int64_t id) {
 void MillController::load(std::vector<TakeInfo> takes) {
     takes_ = std::move(takes);
     allowance_ = takes_.empty() ? 0.0 : takes_.back().allowance;
-    strokesSeen_ = bench_.strokes().added();
+    strokesSeen_ = workpiece_.strokes().added();
     strokes_.clear();
     numbers_.clear();
     undoneNumbers_.clear();

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/device/simulated_stylus.h"
-#include "ui/workbench/bench_controller.h"
 #include "ui/workbench/session_runner.h"
 #include "ui/workbench/stylus_controller.h"
+#include "ui/workbench/workpiece_controller.h"
 
 #include <map>
 #include <optional>
@@ -17,13 +17,13 @@ namespace burin {
 class MillController final : public Controller {
     Q_OBJECT
 public:
-    MillController(const Desk& desk, BenchController& bench, SessionRunner& session, StylusController& styluses,
+    MillController(const Desk& desk, WorkpieceController& workpiece, SessionRunner& session, StylusController& styluses,
                    QObject* parent);
 
     bool active() const noexcept { return active_; } ///< mill mode
     /// For the pointer to lead; null outside mill mode and with a device. The session owns it.
     SimulatedStylus* stylus() const noexcept { return mouse_; }
-    /// Of the device in the hand, and how it was laid over the bench; nothing outside mill mode and with the mouse.
+    /// Of the device in the hand, and how it was laid over the workpiece; nothing outside mill mode and with the mouse.
     const std::optional<StylusDescription>& device() const noexcept { return device_; }
     const WorkspaceMapping& mapping() const noexcept { return mapping_; }
     bool recording() const noexcept { return session_.running() && session_.state().recording; }
@@ -76,7 +76,7 @@ private:
     void noteLeft();
     void followButton();
 
-    BenchController& bench_;
+    WorkpieceController& workpiece_;
     SessionRunner& session_;
     StylusController& styluses_;
     SimulatedStylus* mouse_ = nullptr;

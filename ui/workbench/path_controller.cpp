@@ -51,8 +51,9 @@ Result<std::vector<StoredPath>> makeStandard(Project& project, const std::vector
 
 } // namespace
 
-PathController::PathController(const Desk& desk, BenchController& bench, const ToolController& tools, QObject* parent)
-    : Controller(desk, parent), bench_(bench), tools_(tools), evaluation_(desk, bench, this) {
+PathController::PathController(const Desk& desk, WorkpieceController& workpiece, const ToolController& tools,
+                               QObject* parent)
+    : Controller(desk, parent), workpiece_(workpiece), tools_(tools), evaluation_(desk, workpiece, this) {
     connect(&evaluation_, &JobEvaluation::changed, this, &Controller::changed);
     connect(&evaluation_, &JobEvaluation::evaluatedAnew, this, [this](qint64 path) {
         if (path == inForce())
@@ -205,7 +206,7 @@ void PathController::followRecordings() {
     emit versionChanged();
 }
 
-void PathController::benchChanged() {
+void PathController::workpieceRemade() {
     evaluation_.touchAll();
     countVersion();
     evaluate();
@@ -217,7 +218,7 @@ void PathController::makeNew() {
         push(tr("new path"), standardEdits());
         return;
     }
-    if (!bench_.bench() || making_ || toolsWithoutPath().empty()) return;
+    if (!workpiece_.milling() || making_ || toolsWithoutPath().empty()) return;
     making_ = true;
     desk_.project.post([tools = toolsWithoutPath()](Project& project) { return makeStandard(project, tools); },
                        [this, load = loads_, tool = tool_](const Result<std::vector<StoredPath>>& paths) {

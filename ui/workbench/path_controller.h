@@ -18,7 +18,7 @@ namespace burin {
 class PathController final : public Controller {
     Q_OBJECT
 public:
-    PathController(const Desk& desk, BenchController& bench, const ToolController& tools, QObject* parent);
+    PathController(const Desk& desk, WorkpieceController& workpiece, const ToolController& tools, QObject* parent);
 
     /// Of the tool in force; null: it has none, or nothing is milled with it.
     const StoredPath* stored() const;
@@ -37,7 +37,7 @@ public:
     bool outdated() const { return !evaluation_.isCurrent(inForce()); }
     bool busy() const { return making_ || evaluation_.busy(inForce()); }
     /// A path that the project holds is evaluated as soon as the workpiece stands.
-    bool waiting() const { return stored() != nullptr && !evaluated() && bench_.embedding(); }
+    bool waiting() const { return stored() != nullptr && !evaluated() && workpiece_.embedding(); }
     /// Of any of the job's paths, as it is now and behind those that it comes after; null: still to be done.
     std::shared_ptr<const EvaluatedPath> current(std::int64_t path) const;
     /// Tools whose paths come before that of the tool in force and can't be evaluated, by id: it counts them as not
@@ -74,7 +74,7 @@ public:
     void takesChanged(const std::vector<TakeInfo>& all, const std::vector<TakeInfo>& standing,
                       const std::map<std::int64_t, std::uint64_t>& newestStrokes);
     void recordingBegins();              ///< while the hand mills nothing is evaluated
-    void benchChanged();                 ///< links may go other ways, feeds be others
+    void workpieceRemade();              ///< links may go other ways, feeds be others
     void useTool(const std::string& id); ///< the tool in force
 
     void load(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes,
@@ -98,7 +98,7 @@ private:
     void setPresent(const std::vector<StoredPath>& paths, bool present);
     void keepTakes(const StoredPath& path);
 
-    BenchController& bench_;
+    WorkpieceController& workpiece_;
     const ToolController& tools_;
     JobEvaluation evaluation_;
     std::optional<Error> notMade_;    ///< why there is no path of the tool in force

@@ -25,9 +25,9 @@ struct ReadJob {
 
 } // namespace
 
-ProgramController::ProgramController(const Desk& desk, BenchController& bench, PathController& path,
+ProgramController::ProgramController(const Desk& desk, WorkpieceController& workpiece, PathController& path,
                                      const TargetController& target, QObject* parent)
-    : Controller(desk, parent), bench_(bench), path_(path), target_(target) {
+    : Controller(desk, parent), workpiece_(workpiece), path_(path), target_(target) {
     draftDue_.setSingleShot(true);
     draftDue_.setInterval(std::chrono::seconds(1));
     connect(&draftDue_, &QTimer::timeout, this, &ProgramController::storeDraft);
@@ -37,8 +37,8 @@ ProgramController::ProgramController(const Desk& desk, BenchController& bench, P
     connect(&desk_.project, &ProjectThread::worked, this, [this] {
         if (reopened_ && !judgeSoon_.isActive()) judgeSoon_.start();
     });
-    connect(&bench_, &BenchController::readersStop, this, &ProgramController::stop);
-    connect(&bench_, &BenchController::readersGoOn, this, &ProgramController::goOn);
+    connect(&workpiece_, &WorkpieceController::readersStop, this, &ProgramController::stop);
+    connect(&workpiece_, &WorkpieceController::readersGoOn, this, &ProgramController::goOn);
     connect(&path_, &Controller::changed, this, &ProgramController::goOn);
     connect(&path_, &PathController::versionChanged, this, &Controller::changed);
     connect(&target_, &Controller::changed, this, &Controller::changed);
@@ -146,7 +146,8 @@ ProgramController::Basis ProgramController::basis() const {
     return {path_.version(), target_.dialect(), target_.target().units, gougeTolerance_, excessTolerance_, leftOut_};
 }
 
-/// The bench is about to change: what is made for it as it was is abandoned, and asked for again when it has changed.
+/// The workpiece is about to change: what is made for it as it was is abandoned, and asked for again when it has
+/// changed.
 void ProgramController::stop() {
     if (!busy()) return;
     reading_ = false;
@@ -158,7 +159,7 @@ void ProgramController::stop() {
 
 /// Paths are evaluated again first.
 void ProgramController::goOn() {
-    if (!interrupted_ || bench_.changing() || path_.busy()) return;
+    if (!interrupted_ || workpiece_.changing() || path_.busy()) return;
     std::exchange(interrupted_, nullptr)();
     if (!busy()) problem_ = Error{ErrorCode::cancelled, "program", {}, {}}; // it can't be made any more
     emit changed();
@@ -176,7 +177,7 @@ ProgramRequest ProgramController::request(const QString& name) const {
 
 bool ProgramController::postable() const {
     const bool upToDate = path_.stored() == nullptr || (path_.evaluated() && !path_.outdated());
-    return upToDate && !postedPaths().empty() && bench_.bench() && !bench_.changing();
+    return upToDate && !postedPaths().empty() && workpiece_.milling() && !workpiece_.changing();
 }
 
 std::vector<StoredPath> ProgramController::postedPaths() const {
@@ -186,7 +187,7 @@ std::vector<StoredPath> ProgramController::postedPaths() const {
 }
 
 StoredProgram ProgramController::stored(const ProgramRequest& request) const {
-    return {request.name, request.dialect, bench_.bench()->machine.id, {}, {}};
+    return {request.name, request.dialect, workpiece_.milling()->machine.id, {}, {}};
 }
 
 void ProgramController::include(std::int64_t path, bool wanted) {
@@ -231,7 +232,7 @@ void ProgramController::read(const std::vector<StoredPath>& paths, std::function
         [this, then = std::move(then), generation = generation_](Result<ReadJob> job) {
             if (generation != generation_) return; // another project
             reading_ = false;
-            if (job && bench_.bench()) {
+            if (job && workpiece_.milling()) {
                 then(std::move(job->matters), job->judged);
             } else if (!job) {
                 problem_ = job.error();
@@ -246,10 +247,11 @@ void ProgramController::postPaths(Matters matters, const ProgramRequest& wanted,
         for (PathMatter& matter : matters) matter.evaluated = path_.current(matter.path.id);
     desk_.tasks.start(
         TaskKind::program, tr("Posting and checking"),
-        [bench = bench_.bench(), matters = std::move(matters), wanted](Progress& progress) -> Result<CheckedProgram> {
-            Result<EvaluatedPaths> paths = evaluateInOrder(*bench, matters, progress);
+        [workpiece = workpiece_.milling(), matters = std::move(matters),
+         wanted](Progress& progress) -> Result<CheckedProgram> {
+            Result<EvaluatedPaths> paths = evaluateInOrder(*workpiece, matters, progress);
             if (!paths) return std::move(paths).error();
-            return makeProgram(*bench, paths->program, wanted, progress);
+            return makeProgram(*workpiece, paths->program, wanted, progress);
         },
         [this, asked](Result<CheckedProgram> outcome) { take(asked, std::move(outcome)); });
 }
@@ -268,14 +270,14 @@ void ProgramController::editText(const QString& text) {
 }
 
 void ProgramController::lintText() {
-    const auto& bench = bench_.bench();
+    const auto& milling = workpiece_.milling();
     lint_ = burin::lint(storedText_.toStdString(),
-                        {&controlOfDialect(target_.dialect()), bench ? &bench->machine : nullptr});
+                        {&controlOfDialect(target_.dialect()), milling ? &milling->machine : nullptr});
 }
 
 void ProgramController::checkText(const QString& name) {
     emit textWanted();
-    if (!bench_.bench() || bench_.changing() || !edited_ || busy()) return;
+    if (!workpiece_.milling() || workpiece_.changing() || !edited_ || busy()) return;
     asked_ = [this, name] { checkText(name); };
     const ProgramRequest wanted = request(name);
     read(path_.jobPaths(), [this, wanted, basis = basis()](Matters matters, std::uint64_t judged) {
@@ -291,17 +293,17 @@ void ProgramController::check(Matters matters, ProgramRequest wanted, const Aske
     }
     desk_.tasks.start(
         TaskKind::program, tr("Checking"),
-        [bench = bench_.bench(), text = storedText_.toStdString(), wanted,
+        [milling = workpiece_.milling(), text = storedText_.toStdString(), wanted,
          matters = std::move(matters)](Progress& progress) -> Result<CheckedProgram> {
             ProgramRequest request = wanted;
             if (!matters.empty() && isPosted(text)) {
-                Result<EvaluatedPaths> paths = evaluateInOrder(*bench, matters, progress);
+                Result<EvaluatedPaths> paths = evaluateInOrder(*milling, matters, progress);
                 if (paths)
                     request.promised = std::make_shared<const std::vector<Path>>(std::move(paths->program.paths));
                 else if (paths.error().code != ErrorCode::pathEmpty) // nothing is promised then
                     return std::move(paths).error();
             }
-            return checkProgram(*bench, text, request.name, request, progress);
+            return checkProgram(*milling, text, request.name, request, progress);
         },
         [this, asked](Result<CheckedProgram> outcome) { take(asked, std::move(outcome)); });
 }
@@ -341,8 +343,8 @@ ProgramController::Shown ProgramController::shown() const {
 }
 
 void ProgramController::overrideCheck(const QString& name, const QString& reason) {
-    if (!refused() || !bench_.bench()) return;
-    const MachineProfile& machine = bench_.bench()->machine;
+    if (!refused() || !workpiece_.milling()) return;
+    const MachineProfile& machine = workpiece_.milling()->machine;
     Result<CheckedProgram> wanted = burin::overrideCheck(*program_, reason.trimmed().toStdString(), machine);
     if (!wanted) {
         emit failed(wanted.error());
@@ -392,8 +394,8 @@ void ProgramController::restart(std::uint32_t line, const QString& name) {
     wanted.tools = program_->tools;
     desk_.tasks.start(
         TaskKind::program, tr("Making and checking the rest of the program"),
-        [bench = bench_.bench(), text = program_->text, line, wanted](Progress& progress) {
-            return makeRestart(*bench, text, line, wanted, progress);
+        [milling = workpiece_.milling(), text = program_->text, line, wanted](Progress& progress) {
+            return makeRestart(*milling, text, line, wanted, progress);
         },
         [this](Result<RestartedProgram> rest) {
             emit changed();
@@ -409,9 +411,9 @@ void ProgramController::exportRestart(const std::filesystem::path& file, const R
                                       const QString& reason) {
     std::string text = rest.program.text;
     if (!rest.program.released()) {
-        if (reason.isEmpty() || !bench_.bench()) return;
+        if (reason.isEmpty() || !workpiece_.milling()) return;
         Result<CheckedProgram> wanted =
-            burin::overrideCheck(rest.program, reason.toStdString(), bench_.bench()->machine);
+            burin::overrideCheck(rest.program, reason.toStdString(), workpiece_.milling()->machine);
         if (!wanted) {
             emit failed(wanted.error());
             return;

@@ -5,9 +5,9 @@
 #include "core/job/job_paths.h"
 #include "core/job/kept_program.h"
 #include "core/job/restart_job.h"
-#include "ui/workbench/bench_controller.h"
 #include "ui/workbench/path_controller.h"
 #include "ui/workbench/target_controller.h"
+#include "ui/workbench/workpiece_controller.h"
 
 #include <QTimer>
 
@@ -23,8 +23,8 @@ namespace burin {
 class ProgramController final : public Controller {
     Q_OBJECT
 public:
-    ProgramController(const Desk& desk, BenchController& bench, PathController& path, const TargetController& target,
-                      QObject* parent);
+    ProgramController(const Desk& desk, WorkpieceController& workpiece, PathController& path,
+                      const TargetController& target, QObject* parent);
 
     /// The newest one; null: none yet.
     const std::shared_ptr<const CheckedProgram>& program() const noexcept { return program_; }
@@ -40,7 +40,7 @@ public:
     const std::optional<Error>& problem() const noexcept { return problem_; }
     /// There is none, or something that it was made of is not as it was.
     bool outdated() const;
-    /// One is made or checked, or will be as soon as the bench has changed.
+    /// One is made or checked, or will be as soon as the workpiece has changed.
     bool busy() const { return reading_ || interrupted_ || desk_.tasks.running(TaskKind::program); }
     /// A path of the job belongs into the program; all do until the user leaves one out.
     bool includes(std::int64_t path) const { return !leftOut_.contains(path); }
@@ -62,7 +62,9 @@ public:
     void setExcessTolerance(double millimetres);
     void exportTo(const std::filesystem::path& file);
     /// There is a program whose rest can be made: one that was checked and that nobody changed since.
-    bool restartable() const { return program_ && !edited_ && bench_.bench() && !bench_.changing() && !busy(); }
+    bool restartable() const {
+        return program_ && !edited_ && workpiece_.milling() && !workpiece_.changing() && !busy();
+    }
     /// Makes the rest of the program from a line of its text on, and checks it on the stock that is left then; ends
     /// with `restarted` or `failed`. The program itself stays as it is. @param name of the rest
     void restart(std::uint32_t line, const QString& name);
@@ -87,7 +89,7 @@ signals:
 private:
     /// What a program is made of, besides its text: with anything else it would be another one.
     struct Basis {
-        quint64 paths = 0; ///< version of paths and bench
+        quint64 paths = 0; ///< version of paths and workpiece
         std::string dialect;
         NcUnits units = NcUnits::millimetre;
         double gougeTolerance = 0.0, excessTolerance = 0.0; ///< mm
@@ -139,7 +141,7 @@ private:
     void stop();
     void goOn();
 
-    BenchController& bench_;
+    WorkpieceController& workpiece_;
     PathController& path_;
     const TargetController& target_;
     std::shared_ptr<const CheckedProgram> program_;
@@ -151,7 +153,7 @@ private:
     std::shared_ptr<Reopened> reopened_; ///< null: it is of this session
     QTimer judgeSoon_;
     std::function<void()> asked_;       ///< what the user asked for last: asks for it once more
-    std::function<void()> interrupted_; ///< the same where a change of the bench came in between; null: none did
+    std::function<void()> interrupted_; ///< the same where a change of the workpiece came in between; null: none did
     quint64 generation_ = 0;            ///< of what is read for a program
     quint64 textVersion_ = 0;
     std::set<std::int64_t> leftOut_;

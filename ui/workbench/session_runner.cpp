@@ -24,9 +24,9 @@ void SessionRunner::begin(const Place& place, AnyStylus stylus, const SessionReq
             then(false);
             return;
         }
-        view_ = {place.bench->embedded.workpiece.snapshot(), std::nullopt};
+        view_ = {place.milling->embedded.workpiece.snapshot(), std::nullopt};
         Result<std::unique_ptr<MillingSession>> session =
-            MillingSession::begin(*project, *place.bench, *place.bounds, *held, *place.strokes, request);
+            MillingSession::begin(*project, *place.milling, *place.bounds, *held, *place.strokes, request);
         if (!session) {
             emit failed(session.error());
             then(false);

@@ -23,7 +23,7 @@ public:
     using Then = std::function<void(bool)>;
     /// What is milled with, for as long as the session lasts.
     struct Place {
-        std::shared_ptr<Bench> bench;
+        std::shared_ptr<MillingContext> milling;
         std::shared_ptr<const ToolBounds> bounds;
         StrokeHistory* strokes = nullptr;
     };

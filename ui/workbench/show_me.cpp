@@ -21,8 +21,8 @@ OperatorRequest requestFor(const Tool& tool) {
 
 } // namespace
 
-ShowMe::ShowMe(const Desk& desk, BenchController& bench, SessionRunner& session, QObject* parent)
-    : Controller(desk, parent), bench_(bench), session_(session) {
+ShowMe::ShowMe(const Desk& desk, WorkpieceController& workpiece, SessionRunner& session, QObject* parent)
+    : Controller(desk, parent), workpiece_(workpiece), session_(session) {
     connect(&session_, &SessionRunner::endedByItself, this, [this] {
         if (showing()) session_.end();
     });
@@ -30,15 +30,15 @@ ShowMe::ShowMe(const Desk& desk, BenchController& bench, SessionRunner& session,
 }
 
 void ShowMe::start() {
-    if (showing() || session_.running() || !bench_.ready()) return;
+    if (showing() || session_.running() || !workpiece_.ready()) return;
     stage_ = Stage::planning;
     stopped_ = false;
     desk_.tasks.start(
         TaskKind::planning, tr("Planning the strokes"),
-        [bench = bench_.bench(), bounds = bench_.bounds(),
-         request = requestFor(bench_.bench()->tool)](Progress& progress) -> Result<OperatorPlan> {
+        [workpiece = workpiece_.milling(), bounds = workpiece_.bounds(),
+         request = requestFor(workpiece_.milling()->tool)](Progress& progress) -> Result<OperatorPlan> {
             if (Result<void> whole = bounds->finish(progress); !whole) return std::move(whole).error();
-            return planOperator(*bench, *bounds, request);
+            return planOperator(*workpiece, *bounds, request);
         },
         [this](Result<OperatorPlan> plan) {
             if (!plan) {
@@ -80,7 +80,7 @@ void ShowMe::millNext() {
     request.allowance = wanted.allowance;
     request.takeName = wanted.name;
     auto stylus = std::make_unique<VirtualOperator>(wanted.intent, plan_.mapping, plan_.hand);
-    session_.begin({bench_.bench(), bench_.bounds(), &bench_.strokes()}, std::move(stylus), request,
+    session_.begin({workpiece_.milling(), workpiece_.bounds(), &workpiece_.strokes()}, std::move(stylus), request,
                    [this](bool begun) {
                        if (!begun) endShow(false);
                    });

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/job/milling.h"
-#include "ui/workbench/bench_controller.h"
 #include "ui/workbench/session_runner.h"
+#include "ui/workbench/workpiece_controller.h"
 
 namespace burin {
 
@@ -13,12 +13,12 @@ namespace burin {
 class ShowMe final : public Controller {
     Q_OBJECT
 public:
-    ShowMe(const Desk& desk, BenchController& bench, SessionRunner& session, QObject* parent);
+    ShowMe(const Desk& desk, WorkpieceController& workpiece, SessionRunner& session, QObject* parent);
 
     static constexpr int timeLapse = 8;
 
     bool showing() const noexcept { return stage_ != Stage::none; }
-    void start(); ///< the bench is ready and no session runs
+    void start(); ///< the workpiece is ready and no session runs
     void stop();
 
 signals:
@@ -30,7 +30,7 @@ private:
     void sessionEnded();
     void endShow(bool whole);
 
-    BenchController& bench_;
+    WorkpieceController& workpiece_;
     SessionRunner& session_;
     Stage stage_ = Stage::none;
     bool stopped_ = false;

@@ -29,9 +29,9 @@ double sizeFor(const Box& stock) {
 
 } // namespace
 
-SurroundingsController::SurroundingsController(const Desk& desk, BenchController& bench, MillController& mill,
+SurroundingsController::SurroundingsController(const Desk& desk, WorkpieceController& workpiece, MillController& mill,
                                                SessionRunner& session, QObject* parent)
-    : Controller(desk, parent), bench_(bench), mill_(mill), session_(session) {
+    : Controller(desk, parent), workpiece_(workpiece), mill_(mill), session_(session) {
     connect(&mill_, &MillController::entered, this, &SurroundingsController::switchLayers);
     connect(&session_, &SessionRunner::changed, this, &Controller::changed);
 }
@@ -52,8 +52,8 @@ QString SurroundingsController::freeName(ObstacleKind kind) const {
 }
 
 void SurroundingsController::addBox(ObstacleKind kind) {
-    if (!bench_.hasModel()) return;
-    const Box stock = bench_.wantedStock();
+    if (!workpiece_.hasModel()) return;
+    const Box stock = workpiece_.wantedStock();
     const glm::dvec3 low = placeBeside(stock);
     const double size = sizeFor(stock);
     add({freeName(kind).toStdString(),
@@ -62,8 +62,8 @@ void SurroundingsController::addBox(ObstacleKind kind) {
 }
 
 void SurroundingsController::addCylinder(ObstacleKind kind) {
-    if (!bench_.hasModel()) return;
-    const Box stock = bench_.wantedStock();
+    if (!workpiece_.hasModel()) return;
+    const Box stock = workpiece_.wantedStock();
     const double size = sizeFor(stock);
     CylinderShape cylinder;
     cylinder.radius = 0.5 * size;
@@ -172,7 +172,7 @@ void SurroundingsController::setTravelOn(bool on) {
 
 /// The part's layer comes first; nothing while the bounds in force are others.
 std::optional<std::size_t> SurroundingsController::layerOf(std::size_t place) const {
-    const std::vector<PlacedObstacle>& bound = bench_.bound().obstacles;
+    const std::vector<PlacedObstacle>& bound = workpiece_.bound().obstacles;
     if (!mill_.active() || place >= bound.size() || place >= wanted_.obstacles.size() ||
         bound[place].obstacle != wanted_.obstacles[place].obstacle)
         return std::nullopt;
@@ -180,8 +180,8 @@ std::optional<std::size_t> SurroundingsController::layerOf(std::size_t place) co
 }
 
 std::optional<std::size_t> SurroundingsController::travelLayer() const {
-    if (!mill_.active() || !bench_.bounds()) return std::nullopt;
-    const std::vector<BoundLayer>& layers = bench_.bounds()->layers();
+    if (!mill_.active() || !workpiece_.bounds()) return std::nullopt;
+    const std::vector<BoundLayer>& layers = workpiece_.bounds()->layers();
     const auto travel = std::ranges::find(layers, BoundLayer::Kind::machineTravel, &BoundLayer::kind);
     if (travel == layers.end()) return std::nullopt;
     return static_cast<std::size_t>(travel - layers.begin());

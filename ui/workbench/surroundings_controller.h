@@ -15,8 +15,8 @@ namespace burin {
 class SurroundingsController final : public Controller {
     Q_OBJECT
 public:
-    SurroundingsController(const Desk& desk, BenchController& bench, MillController& mill, SessionRunner& session,
-                           QObject* parent);
+    SurroundingsController(const Desk& desk, WorkpieceController& workpiece, MillController& mill,
+                           SessionRunner& session, QObject* parent);
 
     const std::vector<PlacedObstacle>& obstacles() const noexcept { return wanted_.obstacles; }
     const AxisMode& axis() const noexcept { return wanted_.axis; }
@@ -54,7 +54,7 @@ private:
     std::optional<std::size_t> travelLayer() const;
     std::optional<LayerNews> newsOf(std::optional<std::size_t> layer) const;
 
-    BenchController& bench_;
+    WorkpieceController& workpiece_;
     MillController& mill_;
     SessionRunner& session_;
     WantedBounds wanted_;

@@ -25,16 +25,16 @@ Workbench::Workbench(QObject* parent)
     , setup(desk_, this)
     , tool(desk_, this)
     , target(desk_, this)
-    , bench(desk_, this)
+    , workpiece(desk_, this)
     , styluses(desk_, this)
     , session(desk_, this)
-    , mill(desk_, bench, session, styluses, this)
-    , surroundings(desk_, bench, mill, session, this)
-    , guides(desk_, bench, mill, session, this)
-    , hand(desk_, bench, mill, session, styluses, guides, this)
-    , showMe(desk_, bench, session, this)
-    , path(desk_, bench, tool, this)
-    , program(desk_, bench, path, target, this) {
+    , mill(desk_, workpiece, session, styluses, this)
+    , surroundings(desk_, workpiece, mill, session, this)
+    , guides(desk_, workpiece, mill, session, this)
+    , hand(desk_, workpiece, mill, session, styluses, guides, this)
+    , showMe(desk_, workpiece, session, this)
+    , path(desk_, workpiece, tool, this)
+    , program(desk_, workpiece, path, target, this) {
     wire();
 }
 
@@ -46,8 +46,8 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document, &model,        &setup,  &tool, &target, &bench, &styluses, &session,
-            &mill,     &surroundings, &guides, &hand, &showMe, &path,  &program};
+    return {&document, &model,        &setup,  &tool, &target, &workpiece, &styluses, &session,
+            &mill,     &surroundings, &guides, &hand, &showMe, &path,      &program};
 }
 
 void Workbench::wire() {
@@ -56,17 +56,17 @@ void Workbench::wire() {
     connect(&document, &DocumentController::closed, this, &Workbench::clear);
     connect(&model, &ModelController::imported, this, [this] {
         undo_.clear();
-        bench.clear();
+        workpiece.clear();
         path.load({}, {}, {});
         program.load({}, {});
         setup.placeAround(model.model());
     });
     connect(&setup, &SetupController::changed, this, &Workbench::updateWanted);
-    connect(&surroundings, &Controller::changed, this, [this] { bench.setWanted(surroundings.wanted()); });
-    connect(&bench, &BenchController::surroundingsChanged, &path, &PathController::benchChanged);
-    connect(&bench, &BenchController::machineChanged, &path, &PathController::benchChanged);
+    connect(&surroundings, &Controller::changed, this, [this] { workpiece.setWanted(surroundings.wanted()); });
+    connect(&workpiece, &WorkpieceController::surroundingsChanged, &path, &PathController::workpieceRemade);
+    connect(&workpiece, &WorkpieceController::machineChanged, &path, &PathController::workpieceRemade);
     connect(&tool, &ToolController::chosen, this, &Workbench::updateWanted);
-    connect(&target, &Controller::changed, this, [this] { bench.setWanted(target.machine()); });
+    connect(&target, &Controller::changed, this, [this] { workpiece.setWanted(target.machine()); });
     connect(&mill, &MillController::takesChanged, this, [this] {
         setup.setLocked(mill.recording() || !mill.takes().empty());
         path.takesChanged(mill.allTakes(), mill.takes(), mill.newestStrokes());
@@ -77,21 +77,21 @@ void Workbench::wire() {
         setup.setLocked(true);
     });
     connect(&program, &ProgramController::textWanted, this, &Workbench::textWanted);
-    connect(&bench, &Controller::failed, this, [this] { showWhenReady_ = false; });
+    connect(&workpiece, &Controller::failed, this, [this] { showWhenReady_ = false; });
     connect(&session, &SessionRunner::changed, this, [this] { tool.setLocked(mill.recording() || showMe.showing()); });
-    connect(&bench, &BenchController::changed, this, &Workbench::continueShow);
-    connect(&bench, &BenchController::replayed, &mill, &MillController::setStrokes);
-    connect(&bench, &BenchController::replayed, this, [this] { // a project that was opened shows its paths
+    connect(&workpiece, &WorkpieceController::changed, this, &Workbench::continueShow);
+    connect(&workpiece, &WorkpieceController::replayed, &mill, &MillController::setStrokes);
+    connect(&workpiece, &WorkpieceController::replayed, this, [this] { // a project that was opened shows its paths
         if (samplesOf(mill.takes()) <= mostSamplesUnasked) path.evaluate();
     });
     connect(&model, &Controller::failed, this, [this] { showWhenReady_ = false; });
-    bench.setWanted(target.machine());
-    bench.setGuard([this](std::function<void()> change) { mill.interrupt(std::move(change)); });
+    workpiece.setWanted(target.machine());
+    workpiece.setGuard([this](std::function<void()> change) { mill.interrupt(std::move(change)); });
 }
 
 void Workbench::load(const ProjectContents& contents) {
     undo_.clear();
-    bench.clear();
+    workpiece.clear();
     model.load(contents.model);
     tool.load(contents.tools, contents.takes.empty() ? std::string() : contents.takes.back().toolId);
     setup.load(contents.model, contents.setup, contents.materials);
@@ -104,7 +104,7 @@ void Workbench::load(const ProjectContents& contents) {
     path.load(contents.paths, contents.takes, contents.generated);
     program.load(contents.programs, contents.programDraft, contents.keptProgram);
     updateWanted();
-    if (!contents.takes.empty()) bench.embed();
+    if (!contents.takes.empty()) workpiece.embed();
 }
 
 void Workbench::clear() {
@@ -112,7 +112,7 @@ void Workbench::clear() {
 }
 
 void Workbench::updateWanted() {
-    bench.setWanted(model.model(), setup.setup(), setup.materials(), tool.current());
+    workpiece.setWanted(model.model(), setup.setup(), setup.materials(), tool.current());
     path.useTool(tool.current().id);
 }
 
@@ -136,7 +136,7 @@ void Workbench::adoptPart(const std::shared_ptr<const Model>& part, bool abandon
 }
 
 void Workbench::ensureWorkpiece() {
-    if (setup.usable() && !bench.embedded()) bench.embed();
+    if (setup.usable() && !workpiece.embedded()) workpiece.embed();
 }
 
 void Workbench::showHowItIsDone() {
@@ -147,11 +147,11 @@ void Workbench::showHowItIsDone() {
 
 void Workbench::continueShow() {
     if (!showWhenReady_ || session.running()) return;
-    if (bench.ready() && !bench.fieldBusy()) {
+    if (workpiece.ready() && !workpiece.fieldBusy()) {
         showWhenReady_ = false;
         showMe.start();
-    } else if (setup.usable() && !bench.embedded() && !bench.embedding() && !model.importing()) {
-        bench.embed();
+    } else if (setup.usable() && !workpiece.embedded() && !workpiece.embedding() && !model.importing()) {
+        workpiece.embed();
     }
 }
 

@@ -38,7 +38,7 @@ public:
     SetupController setup;
     ToolController tool;
     TargetController target;
-    BenchController bench;
+    WorkpieceController workpiece;
     StylusController styluses; ///< outlives the session, whose stylus may be of one of its drivers
     SessionRunner session;
     MillController mill;

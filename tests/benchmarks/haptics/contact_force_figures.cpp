@@ -40,17 +40,17 @@ void pressFigures(Session& session) {
 /// A hand that wanders fast above the floor, up to half a millimetre near it, spindle turning.
 double largestFreeForce() {
     constexpr int ticks = 60'000;
-    test::Bench bench(test::Bench::settings(), test::ballTool(), test::stockOnPart(0, false));
+    test::Rig rig(test::Rig::settings(), test::ballTool(), test::stockOnPart(0, false));
     std::mt19937 random(5);
     const auto draw = [&] { return 2.0 * static_cast<double>(random()) / 4294967295.0 - 1.0; };
     glm::dvec3 hand(0.0), velocity(0.0); // mm, mm/tick
-    bench.begin(hand);
+    rig.begin(hand);
     double largest = 0.0;
     const glm::dvec3 low(-15.0, -15.0, test::floorHeight + 0.5), high(15.0, 15.0, 8.0);
     for (int tick = 0; tick < ticks; ++tick) {
         velocity = 0.98 * velocity + 0.02 * glm::dvec3(draw(), draw(), draw());
         hand = glm::clamp(hand + velocity, low, high);
-        largest = std::max(largest, glm::length(bench.feed(hand).force));
+        largest = std::max(largest, glm::length(rig.feed(hand).force));
     }
     return largest;
 }

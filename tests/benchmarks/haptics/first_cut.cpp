@@ -24,22 +24,22 @@ double secondsSince(Clock::time_point begin) {
 
 } // namespace
 
-Result<FirstCut> firstCut(Bench& bench, Progress& progress) {
+Result<FirstCut> firstCut(MillingContext& milling, Progress& progress) {
     FirstCut first;
     const Clock::time_point begin = Clock::now();
     const AxisMode axis;
     const Result<ToolBounds> bounds =
-        ToolBounds::grow(bench, lent(bench.part), bench.tool, axis, surroundingsOf(bench, bench.travel, axis),
+        ToolBounds::grow(milling, lent(milling.part), milling.tool, axis, surroundingsOf(milling, milling.travel, axis),
                          maximumAllowance, {}, progress);
     if (!bounds) return bounds.error();
     first.ready = secondsSince(begin);
 
     HapticSettings settings;
     settings.stylus = touchLikeStylus();
-    settings.cuttingSpeed = bench.conditions.surfaceSpeed;
-    HapticStep step(bench.embedded.workpiece, bounds->boundaryLayers(), bench.tool, settings);
-    const glm::dvec3 centre = bench.setup.stock.centre();
-    const double from = bench.safeHeight(), to = bench.setup.stock.high.z - bench.setup.voxel;
+    settings.cuttingSpeed = milling.conditions.surfaceSpeed;
+    HapticStep step(milling.embedded.workpiece, bounds->boundaryLayers(), milling.tool, settings);
+    const glm::dvec3 centre = milling.setup.stock.centre();
+    const double from = milling.safeHeight(), to = milling.setup.stock.high.z - milling.setup.voxel;
     first.hand = (from - to) / handSpeed;
     Clock::time_point edge = Clock::now();
     for (int tick = 0; tick < mostTicks && !progress.cancelled(); ++tick) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/job/bench_boundaries.h"
+#include "core/job/tool_bounds.h"
 
 namespace burin::benchmarks {
 
@@ -15,9 +15,9 @@ struct FirstCut {
     std::uint64_t ticksHeld = 0; ///< in which the boundary kept the tool behind the hand
 };
 
-/// Works out what bounds the bench's tool and leads it, at 1 kHz and in real time, from above the middle of the stock
+/// Works out what bounds the rig's tool and leads it, at 1 kHz and in real time, from above the middle of the stock
 /// down into it, a voxel deep: as a session of the window begins. Cuts the workpiece. Errors: those of
 /// ToolBounds::grow; notSupported (a part fills the stock there, so that nothing is cut within 30 s).
-Result<FirstCut> firstCut(Bench& bench, Progress& progress);
+Result<FirstCut> firstCut(MillingContext& milling, Progress& progress);
 
 } // namespace burin::benchmarks

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/haptics/haptic_groups.h"
-#include "tests/core/haptics/hostile_bench.h"
+#include "tests/core/haptics/hostile_rig.h"
 
 #include <algorithm>
 
@@ -39,11 +39,11 @@ bool broken(const Sample& sample, const glm::dvec3& force, const glm::dvec3& bef
 }
 
 Verdict judge(std::size_t ticks, unsigned seed) {
-    HapticSettings settings = test::Bench::settings();
+    HapticSettings settings = test::Rig::settings();
     settings.rampSeconds = 0.05;
     settings.felt.gain = 100.0;
-    test::Bench bench(settings, test::ballTool(5.0, 12.0));
-    const std::uint64_t part = bench.volume.amounts().units[2];
+    test::Rig rig(settings, test::ballTool(5.0, 12.0));
+    const std::uint64_t part = rig.volume.amounts().units[2];
     const Bounds bounds = boundsOf(settings);
     HostileStylus hostile(test::strayingInTheStock(seed));
     SeededRandom random(seed);
@@ -52,10 +52,10 @@ Verdict judge(std::size_t ticks, unsigned seed) {
     int sinceBad = -1; // -1: the force has been zero since
     for (std::size_t i = 0; i < ticks; ++i) {
         const HostileStylus::Tick tick = hostile.next();
-        if (random.below(1000) == 0) bench.step.setAllowance(random.between(-1.0, 1.0));
-        const Sample sample = bench.step.advance(tick.state, tick.period);
-        const glm::dvec3 force = bench.step.deviceWrench().force;
-        hostile.write(bench.step.deviceWrench());
+        if (random.below(1000) == 0) rig.step.setAllowance(random.between(-1.0, 1.0));
+        const Sample sample = rig.step.advance(tick.state, tick.period);
+        const glm::dvec3 force = rig.step.deviceWrench().force;
+        hostile.write(rig.step.deviceWrench());
         if (broken(sample, force, before, bounds)) ++verdict.violations;
         if (HostileStylus::mustBeStill(tick.event)) {
             ++verdict.bad;
@@ -70,7 +70,7 @@ Verdict judge(std::size_t ticks, unsigned seed) {
         verdict.pressed += glm::length(force) > 0.0 ? 1U : 0U;
         before = force;
     }
-    if (bench.volume.amounts().units[2] != part) ++verdict.violations; // the part was cut
+    if (rig.volume.amounts().units[2] != part) ++verdict.violations; // the part was cut
     return verdict;
 }
 

@@ -5,7 +5,7 @@
 namespace burin::benchmarks {
 
 HapticSettings HeldFloor::settingsFor(const Device& device, const test::SimulatedMechanism& mechanism) {
-    HapticSettings settings = test::Bench::settings();
+    HapticSettings settings = test::Rig::settings();
     settings.mapping.scale = device.scale;
     const double delay = static_cast<double>(mechanism.delay); // ticks
     settings.stylus.delay.value = delay * settings.tickPeriod;
@@ -20,14 +20,14 @@ HapticSettings HeldFloor::settingsFor(const Device& device, const test::Simulate
 HeldFloor::HeldFloor(const Device& device, const test::SimulatedGrip& grip, const test::SimulatedMechanism& mechanism,
                      double startHeight)
     : floor_(test::floorHeight / device.scale)
-    , bench_(settingsFor(device, mechanism), test::ballTool(), test::stockOnPart(0, false))
+    , rig_(settingsFor(device, mechanism), test::ballTool(), test::stockOnPart(0, false))
     , handle_(grip, mechanism, {0.0, 0.0, floor_ + startHeight}) {
-    bench_.begin(handle_.reading());
+    rig_.begin(handle_.reading());
 }
 
 Sample HeldFloor::tick(double intent, double push) {
-    const Sample sample = bench_.feed(handle_.reading());
-    handle_.hold(bench_.step.deviceWrench().force, {0.0, 0.0, floor_ + intent}, {0.0, 0.0, -push}, test::period);
+    const Sample sample = rig_.feed(handle_.reading());
+    handle_.hold(rig_.step.deviceWrench().force, {0.0, 0.0, floor_ + intent}, {0.0, 0.0, -push}, test::period);
     return sample;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 #include "tests/oracles/simulated_handle.h"
 
 namespace burin::benchmarks {
@@ -25,14 +25,14 @@ public:
     Sample tick(double intent, double push = 0.0);
 
     const test::SimulatedHandle& handle() const noexcept { return handle_; }
-    const test::Bench& bench() const noexcept { return bench_; }
-    double force() const noexcept { return bench_.step.deviceWrench().force.z; } ///< N, up
+    const test::Rig& milling() const noexcept { return rig_; }
+    double force() const noexcept { return rig_.step.deviceWrench().force.z; } ///< N, up
     double height() const noexcept; ///< mm, device frame: of the handle above the floor, as it is read
 
 private:
     static HapticSettings settingsFor(const Device& device, const test::SimulatedMechanism& mechanism);
     double floor_; ///< mm, device frame
-    test::Bench bench_;
+    test::Rig rig_;
     test::SimulatedHandle handle_;
 };
 

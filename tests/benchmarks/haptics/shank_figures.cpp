@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/haptics/haptic_groups.h"
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 
 #include <algorithm>
 
@@ -20,31 +20,31 @@ struct Braking {
 /// the stock's top, at 0: they meet at a tip of -fluteLength, and what they overlap by from there on is the hand's
 /// depth.
 Braking brakeOf(double speed, double stiffness) {
-    HapticSettings settings = test::Bench::settings();
+    HapticSettings settings = test::Rig::settings();
     settings.stylus.maximumStiffness.value = stiffness;
-    test::Bench bench(settings, test::ballTool(fluteLength, 12.0));
+    test::Rig rig(settings, test::ballTool(fluteLength, 12.0));
     const double spring = settings.couplingShare * stiffness, most = settings.maximumForce(); // N/m, N
     constexpr double unseen = 0.25 * test::voxel; // mm of overlap that is not looked at
-    bench.begin({0.0, 0.0, 3.0});
+    rig.begin({0.0, 0.0, 3.0});
     std::vector<double> wanted, felt; // N, of each tick since contact
     Braking braking;
     int contact = -1, flagged = -1, tick = 0;
-    bench.onTick = [&](const Sample& sample) {
+    rig.onTick = [&](const Sample& sample) {
         const double overlap = -fluteLength - sample.stylusTip.z;
         if (overlap > unseen && contact < 0) contact = tick;
         const bool brakes = (sample.flags & sampleShankContact) != 0;
         if (brakes && flagged < 0) flagged = tick;
         if (brakes)
             for (const RemovedMaterial& material : sample.removed)
-                braking.removed += static_cast<double>(material.units) * bench.volume.grid().unitVolume();
+                braking.removed += static_cast<double>(material.units) * rig.volume.grid().unitVolume();
         if (contact >= 0) {
             wanted.push_back(std::min(spring * overlap / millimetresPerMetre, most));
             felt.push_back(sample.force.z);
         }
         ++tick;
     };
-    bench.moveTo({0.0, 0.0, -fluteLength - 12.0}, speed);
-    bench.rest(20);
+    rig.moveTo({0.0, 0.0, -fluteLength - 12.0}, speed);
+    rig.rest(20);
     const int never = tick;
     braking.ticks = flagged < 0 ? never : std::max(0, flagged - contact);
     for (std::size_t i = 0; i + 20 < wanted.size(); ++i) {

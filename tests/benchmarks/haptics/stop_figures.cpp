@@ -23,7 +23,7 @@ double stopTime() {
     test::BlockingField field;
     field.seconds = longEnough;
     RunVolume volume = test::stockOnPart();
-    HapticStep step(volume, field, test::ballTool(), test::Bench::settings());
+    HapticStep step(volume, field, test::ballTool(), test::Rig::settings());
     test::Motors motors;
     test::CalledStylus stylus(motors);
     NoSink sink;

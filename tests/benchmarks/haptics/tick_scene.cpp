@@ -6,7 +6,7 @@
 #include "tests/benchmarks/measure/session.h"
 #include "tests/benchmarks/scenes/part_meshes.h"
 #include "tests/benchmarks/scenes/tool_paths.h"
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 
 namespace burin::benchmarks {
 
@@ -39,7 +39,7 @@ RunVolume stockAround(const TriangleMesh& part, const glm::ivec3& extent) {
 }
 
 TickScene sceneOf(const TriangleMesh& part, const glm::ivec3& extent, double radius, std::vector<glm::dvec3> hand) {
-    TickScene scene{stockAround(part, extent), nullptr, toolOf(radius), test::Bench::settings(), std::move(hand)};
+    TickScene scene{stockAround(part, extent), nullptr, toolOf(radius), test::Rig::settings(), std::move(hand)};
     ToolFieldRequest request;
     request.tool = pieces(scene.tool.cutter);
     request.tips = scene.workpiece.grid().box().grown(2.0 * radius);

@@ -21,7 +21,7 @@ class Paths {
 public:
     static std::size_t points(int step) { return std::size_t{50000} << step; }
 
-    Paths() : scene_(job()), bench_(benchOf(scene_)), samples_(samplesOf(scene_)) {
+    Paths() : scene_(job()), milling_(millingOf(scene_)), samples_(samplesOf(scene_)) {
         path_.name = "rows";
         path_.sources = {{1}};
         path_.edits = standardEdits();
@@ -30,7 +30,7 @@ public:
     void record(int step) {
         TakeOutline take;
         take.info.id = 1;
-        take.info.toolId = bench_.tool.id;
+        take.info.toolId = milling_.tool.id;
         StrokeReader reader(take);
         if (Result<void> read = reader.add(std::span(samples_).first(points(step))); !read)
             throw std::runtime_error(read.error().subject);
@@ -38,7 +38,7 @@ public:
     }
     void edit() {
         Progress progress;
-        evaluated_ = require(evaluateStored(recorded_, bench_, bench_.tool, path_, {}, progress), "editing");
+        evaluated_ = require(evaluateStored(recorded_, milling_, milling_.tool, path_, {}, progress), "editing");
     }
     double pathPoints() const { return static_cast<double>(evaluated_->path.points.size()); }
     CheckedProgram post() const {
@@ -46,7 +46,7 @@ public:
         request.name = "rows.ngc";
         request.exactSamples = 0; // the part has no B-rep
         Progress progress;
-        return require(makeProgram(bench_, evaluated_->path, request, progress), "posting");
+        return require(makeProgram(milling_, evaluated_->path, request, progress), "posting");
     }
 
 private:
@@ -57,14 +57,14 @@ private:
         job.voxel = 0.4;
         return job;
     }
-    static Bench benchOf(const ReliefScene& scene) {
+    static MillingContext millingOf(const ReliefScene& scene) {
         Progress progress;
         Tool tool = scene.request.tool;
         tool.maximumDepthOfCut = 4.0;
         tool.maximumSpindleSpeed = 20000.0;
         return require(
-            makeBench({std::make_shared<const Model>(scene.model), scene.request.setup, tool, "linuxcnc-mill", {}},
-                      progress),
+            makeMillingContext(
+                {std::make_shared<const Model>(scene.model), scene.request.setup, tool, "linuxcnc-mill", {}}, progress),
             "bench");
     }
     /// 40 mm/s along the rows, with a tremor.
@@ -94,7 +94,7 @@ private:
     }
 
     ReliefScene scene_;
-    Bench bench_;
+    MillingContext milling_;
     std::vector<Sample> samples_;
     StoredPath path_;
     std::vector<SourceStrokes> recorded_;

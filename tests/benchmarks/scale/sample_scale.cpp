@@ -64,15 +64,15 @@ public:
     /// Makes what `mill` needs.
     void begin(int step) {
         end();
-        bench_.emplace(bench());
+        milling_.emplace(milling());
         Progress progress;
         bounds_.emplace(std::shared_ptr<const ClearanceField>(
-            require(clearanceField(*bench_, 0.5, progress), "a benchmark's boundary")));
+            require(clearanceField(*milling_, 0.5, progress), "a benchmark's boundary")));
         project_.emplace(require(Project::create(folder_.file("milled.burin")), "a benchmark's project"));
         keep(project_->setModel(Model{}));
-        keep(project_->setSetup(bench_->setup));
-        keep(project_->setTool(bench_->tool));
-        mapping_ = mappingFor(*bench_, touchLikeStylus());
+        keep(project_->setSetup(milling_->setup));
+        keep(project_->setTool(milling_->tool));
+        mapping_ = mappingFor(*milling_, touchLikeStylus());
         readings_.clear();
         for (std::size_t tick = 0; tick < ticks(step); ++tick) {
             StylusState reading;
@@ -90,20 +90,20 @@ public:
         request.felt.gain = 0.0; // an open loop
         request.saves = false;
         const std::atomic<bool> stop{false};
-        return require(recordTake(*project_, *bench_, *bounds_, stylus, request, stop), "milling");
+        return require(recordTake(*project_, *milling_, *bounds_, stylus, request, stop), "milling");
     }
     void save() { keep(project_->save()); }
     /// As the window does it: file, stock, and the recording cut again.
     double open() {
         Progress progress;
         const Project project = require(Project::open(folder_.file("milled.burin")), "opening");
-        const Tool tool = require(toolFor(project, bench_->tool.id), "tool");
-        Bench opened = require(makeBench(project, tool, {}, progress), "bench");
+        const Tool tool = require(toolFor(project, milling_->tool.id), "tool");
+        MillingContext opened = require(makeMillingContext(project, tool, {}, progress), "bench");
         keep(replayTakes(project, opened, progress));
         return opened.workpieceVolume();
     }
     void close() { project_.reset(); }
-    double workpieceVolume() const { return bench_->workpieceVolume(); }
+    double workpieceVolume() const { return milling_->workpieceVolume(); }
 
 private:
     void end() {
@@ -113,7 +113,7 @@ private:
     static void keep(const Result<void>& done) {
         if (!done) throw std::runtime_error(done.error().subject + " " + done.error().detail);
     }
-    static Bench bench() {
+    static MillingContext milling() {
         Setup setup;
         setup.voxel = 0.5;
         setup.stockMaterial = "machinable-wax";
@@ -121,12 +121,12 @@ private:
         setup.workOffset = {0.5 * side, 0.5 * side, height};
         Progress progress;
         const Tool tool = require(loadTool("ball-6"), "tool");
-        return require(makeBench({std::make_shared<const Model>(), setup, tool, "linuxcnc-mill", {}}, progress),
-                       "bench");
+        return require(
+            makeMillingContext({std::make_shared<const Model>(), setup, tool, "linuxcnc-mill", {}}, progress), "bench");
     }
 
     TemporaryFolder folder_;
-    std::optional<Bench> bench_;
+    std::optional<MillingContext> milling_;
     std::optional<ToolBounds> bounds_;
     std::optional<Project> project_;
     WorkspaceMapping mapping_;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// burin-bench-scale: what works cost at three sizes, and how that grows. `burin bench scale` starts it.
+// burin-rig-scale: what works cost at three sizes, and how that grows. `burin rig scale` starts it.
 #include "tests/benchmarks/measure/program.h"
 #include "tests/benchmarks/scale/scale.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// burin-bench-verify: what it takes to read a program back and judge it on its part. `burin bench verify` starts it.
+// burin-rig-verify: what it takes to read a program back and judge it on its part. `burin rig verify` starts it.
 #include "core/setup/setup.h"
 #include "core/verify/excess.h"
 #include "core/verify/gouge.h"

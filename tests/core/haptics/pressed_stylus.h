@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/haptics/loop/loop_clock.h"
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 
 #include <atomic>
 #include <chrono>

@@ -6,7 +6,7 @@
 #include "core/haptics/trace/replayed_changes.h"
 #include "core/haptics/trace/trace_recorder.h"
 #include "core/haptics/trace/trace_stylus.h"
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 
 #include <atomic>
 #include <cstring>
@@ -137,7 +137,7 @@ private:
     std::size_t ticks_ = 0, asked_ = 0;
 };
 
-/// A session on the block of Bench, with its workpiece afterwards.
+/// A session on the block of Rig, with its workpiece afterwards.
 struct RecordedSession {
     std::vector<Sample> samples;
     RunAmounts amounts;
@@ -156,24 +156,24 @@ inline RecordedSession recordSession(const StylusHandle& stylus, const HapticSet
                                      OwnerTells tells = OwnerTells::everything,
                                      const std::atomic<bool>& stop = std::atomic<bool>(false),
                                      TickProgress* progress = nullptr) {
-    Bench bench(settings);
+    Rig rig(settings);
     SampleLog log(progress);
-    ToldInBetween told(bench.step, log);
+    ToldInBetween told(rig.step, log);
     TickSink& listener = tells == OwnerTells::everything ? static_cast<TickSink&>(told) : log;
     auto recorder = TraceRecorder::begin(file, listener);
     if (!recorder) return {{}, {}, recorder.error().detail};
-    bench.step.listen(recorder->get());
+    rig.step.listen(recorder->get());
     ServoSettings servo;
     servo.maximumSeconds = seconds;
     servo.period = settings.tickPeriod;
-    const auto ran = runServoLoop(stylus, bench.step, **recorder, servo, stop);
-    bench.step.listen(nullptr);
+    const auto ran = runServoLoop(stylus, rig.step, **recorder, servo, stop);
+    rig.step.listen(nullptr);
     if (!ran) return {{}, {}, ran.error().subject + " " + ran.error().detail};
     auto written = (*recorder)->finish();
     if (!written) return {{}, {}, written.error().detail};
     if (const auto placed = written->putInPlace(); !placed) return {{}, {}, placed.error().detail};
-    bench.step.settle();
-    return {std::move(log.samples), bench.volume.amounts(), {}};
+    rig.step.settle();
+    return {std::move(log.samples), rig.volume.amounts(), {}};
 }
 
 /// The same session, played from its trace without a clock.
@@ -182,16 +182,16 @@ inline RecordedSession replaySession(const HapticSettings& settings, const std::
     if (!trace) return {{}, {}, trace.error().place + " " + trace.error().detail};
     TraceStylus stylus(trace->readings, settings.stylus);
     if (!stylus.open()) return {{}, {}, "the trace does not open"};
-    Bench bench(settings);
+    Rig rig(settings);
     SampleLog log;
-    ReplayedChanges changes(*trace, bench.step, log);
+    ReplayedChanges changes(*trace, rig.step, log);
     ServoSettings servo;
     servo.pace = Pace::fast;
     servo.period = settings.tickPeriod;
     const std::atomic<bool> stop{false};
-    if (!runServoLoop(stylus, bench.step, changes, servo, stop)) return {{}, {}, "the loop did not run"};
-    bench.step.settle();
-    return {std::move(log.samples), bench.volume.amounts(), {}};
+    if (!runServoLoop(stylus, rig.step, changes, servo, stop)) return {{}, {}, "the loop did not run"};
+    rig.step.settle();
+    return {std::move(log.samples), rig.volume.amounts(), {}};
 }
 
 template <class T>

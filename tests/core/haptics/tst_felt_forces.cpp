@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 #include "tests/oracles/random_number.h"
 
 #include <QtTest>
@@ -14,19 +14,19 @@ class FeltForcesTest : public QObject {
     Q_OBJECT
 private slots:
     void cuttingIsFeltAgainstTheMotionWithinItsShare() {
-        HapticSettings settings = Bench::settings();
-        Bench bench(settings);
-        bench.begin({-30, 0, -3});
-        bench.moveTo({-10, 0, -3}, 30.0);
+        HapticSettings settings = Rig::settings();
+        Rig rig(settings);
+        rig.begin({-30, 0, -3});
+        rig.moveTo({-10, 0, -3}, 30.0);
         double rendered = 0.0, unscaled = 0.0;
         int ticks = 0;
-        bench.onTick = [&](const Sample& sample) {
+        rig.onTick = [&](const Sample& sample) {
             rendered -= sample.force.x;
             unscaled -= sample.cuttingForce.x;
             ++ticks;
             QVERIFY(glm::length(sample.force) <= 0.6 * 4.0 + 1e-9);
         };
-        bench.moveTo({10, 0, -3}, 30.0);
+        rig.moveTo({10, 0, -3}, 30.0);
         // Slot of a ball, 3 mm deep: half a disc of radius 3 moves through the stock. All of it lies ahead, so the
         // radial part, 0.3 of the tangential one, points back as well. It is the reference cut of its only material:
         // 0.6 of the 2.4 N that are allowed.
@@ -37,40 +37,40 @@ private slots:
         const double felt = 1.3 * 0.6 * 2.4;
         QVERIFY2(std::abs(rendered / ticks - felt) <= 0.05 * felt, qPrintable(QString::number(rendered / ticks)));
         // At rest it holds as dry friction does, and neither pushes on nor lets go.
-        bench.onTick = [](const Sample&) {};
-        const glm::dvec3 held = bench.rest(50).force;
-        QVERIFY(glm::length(bench.rest(300).force - held) < 1e-3);
+        rig.onTick = [](const Sample&) {};
+        const glm::dvec3 held = rig.rest(50).force;
+        QVERIFY(glm::length(rig.rest(300).force - held) < 1e-3);
         QVERIFY(glm::length(held) <= felt * 1.02);
         // Back in the slot there is nothing to cut, and out of it nothing at all.
-        bench.moveTo({4, 0, -3}, 30.0);
-        QVERIFY(glm::length(bench.rest(1).force) < 0.1);
-        bench.moveTo({4, 0, 3}, 30.0);
-        QVERIFY(glm::length(bench.rest(1).force) < 0.01);
+        rig.moveTo({4, 0, -3}, 30.0);
+        QVERIFY(glm::length(rig.rest(1).force) < 0.1);
+        rig.moveTo({4, 0, 3}, 30.0);
+        QVERIFY(glm::length(rig.rest(1).force) < 0.01);
     }
 
     /// Half immersed, the wall pushes the tool away from it; but a force across the motion of a tool that rests would
     /// drive the hand, so it goes when the tool does.
     void aWallPushesAMovingToolAside() {
-        Bench bench;
-        bench.begin({-30, 0, -3});
-        bench.moveTo({30, 0, -3}, 60.0);
-        bench.moveTo({30, 0, 5}, 60.0);
-        bench.moveTo({-30, 3, 5}, 200.0);
-        bench.moveTo({-30, 3, -3}, 60.0);
-        bench.moveTo({-10, 3, -3}, 30.0); // stock on the left, at y from 3 to 6
+        Rig rig;
+        rig.begin({-30, 0, -3});
+        rig.moveTo({30, 0, -3}, 60.0);
+        rig.moveTo({30, 0, 5}, 60.0);
+        rig.moveTo({-30, 3, 5}, 200.0);
+        rig.moveTo({-30, 3, -3}, 60.0);
+        rig.moveTo({-10, 3, -3}, 30.0); // stock on the left, at y from 3 to 6
         double along = 0.0, aside = 0.0;
         int ticks = 0;
-        bench.onTick = [&](const Sample& sample) {
+        rig.onTick = [&](const Sample& sample) {
             along -= sample.force.x;
             aside -= sample.force.y;
             ++ticks;
         };
-        bench.moveTo({5, 3, -3}, 30.0);
+        rig.moveTo({5, 3, -3}, 30.0);
         // A cylinder's quarter that meets stock, weighed by its flux, lies 0.785 radius ahead and 0.5 to the left: of
         // Kr = 0.3 that is 0.16 aside, beside 1 + 0.25 against the motion. A ball's lies a little nearer to its axis.
         QVERIFY2(aside > 0.08 * along && aside < 0.16 * along, qPrintable(QString::number(aside / along)));
-        bench.onTick = [](const Sample&) {};
-        const Sample rest = bench.rest(300);
+        rig.onTick = [](const Sample&) {};
+        const Sample rest = rig.rest(300);
         QVERIFY(std::abs(rest.force.y) < 0.02);
         QVERIFY(-rest.force.x > 0.8 * along / ticks);
     }
@@ -78,22 +78,22 @@ private slots:
     /// On what it does not cut the tool slides as Coulomb has it: friction times load, against the slide, at rest no
     /// more than that.
     void slidingOnThePartRubs() {
-        HapticSettings settings = Bench::settings();
+        HapticSettings settings = Rig::settings();
         settings.felt.friction = 0.2;
-        Bench bench(settings, ballTool(), stockOnPart(0, false));
-        bench.begin({-10, 0, 3});
-        bench.moveTo({-10, 0, floorHeight - 3.0}, 50.0);
-        bench.moveTo({0, 0, floorHeight - 3.0}, 30.0);
+        Rig rig(settings, ballTool(), stockOnPart(0, false));
+        rig.begin({-10, 0, 3});
+        rig.moveTo({-10, 0, floorHeight - 3.0}, 50.0);
+        rig.moveTo({0, 0, floorHeight - 3.0}, 30.0);
         const double load = 0.32 * 3.0;
-        bench.onTick = [&](const Sample& sample) {
+        rig.onTick = [&](const Sample& sample) {
             QVERIFY(std::abs(sample.force.x + 0.2 * load) < 0.01 * load);
             QVERIFY(std::abs(sample.force.z - load) < 0.01 * load);
         };
-        bench.moveTo({5, 0, floorHeight - 3.0}, 30.0);
-        bench.rest(200);
-        bench.onTick = [](const Sample&) {};
-        bench.moveTo({5, 0, floorHeight + 1.0}, 50.0);
-        QVERIFY(glm::length(bench.rest(20).force) < 1e-6);
+        rig.moveTo({5, 0, floorHeight - 3.0}, 30.0);
+        rig.rest(200);
+        rig.onTick = [](const Sample&) {};
+        rig.moveTo({5, 0, floorHeight + 1.0}, 50.0);
+        QVERIFY(glm::length(rig.rest(20).force) < 1e-6);
     }
 
     /// 0.05 kg hang on the hand: 0.49 N up, in the device's frame however it is turned, and nothing of it in the
@@ -110,38 +110,38 @@ private slots:
         QFETCH(double, mass);
         QFETCH(bool, carriesItself);
         QFETCH(double, lift);
-        HapticSettings settings = Bench::settings();
+        HapticSettings settings = Rig::settings();
         settings.stylus.handleMass = {mass, "made up"};
         settings.stylus.carriesHandle = carriesItself;
         settings.mapping.rotation = glm::angleAxis(1.0, glm::dvec3(1, 0, 0));
-        Bench bench(settings, ballTool(), stockOnPart(0, false));
-        bench.begin(settings.mapping.toDevice({0, 0, 3}));
+        Rig rig(settings, ballTool(), stockOnPart(0, false));
+        rig.begin(settings.mapping.toDevice({0, 0, 3}));
         // It comes in steps, so that it is no kick after a tick without force.
         double before = 0.0;
-        bench.onTick = [&](const Sample&) {
-            const double sent = glm::length(bench.step.deviceWrench().force);
+        rig.onTick = [&](const Sample&) {
+            const double sent = glm::length(rig.step.deviceWrench().force);
             QVERIFY(sent - before <= 0.05 + 1e-9);
             before = sent;
         };
-        before = glm::length(bench.step.deviceWrench().force);
-        const Sample free = bench.rest(30);
+        before = glm::length(rig.step.deviceWrench().force);
+        const Sample free = rig.rest(30);
         QVERIFY(glm::length(free.force) < 1e-9);
-        QVERIFY(glm::length(bench.step.deviceWrench().force - glm::dvec3(0, 0, lift)) < 1e-9);
+        QVERIFY(glm::length(rig.step.deviceWrench().force - glm::dvec3(0, 0, lift)) < 1e-9);
         // Pressed hard, lift and contact together stay within what may be sent, and both are there.
-        bench.onTick = [&](const Sample& sample) {
-            const glm::dvec3 sent = bench.step.deviceWrench().force;
+        rig.onTick = [&](const Sample& sample) {
+            const glm::dvec3 sent = rig.step.deviceWrench().force;
             QVERIFY(glm::length(sent) <= 0.6 * 4.0 + 1e-9);
             QVERIFY(glm::length(sent - glm::dvec3(0, 0, lift) - settings.mapping.directionToDevice(sample.force)) <
                     1e-9);
         };
-        bench.moveTo(settings.mapping.toDevice({0, 0, floorHeight - 12.0}), 50.0);
-        const Sample pressed = bench.rest(100);
+        rig.moveTo(settings.mapping.toDevice({0, 0, floorHeight - 12.0}), 50.0);
+        const Sample pressed = rig.rest(100);
         QVERIFY(pressed.flags & sampleForceSaturated);
         QVERIFY(std::abs(glm::length(pressed.force) - (0.6 * 4.0 - lift)) < 1e-6);
         // No force with a reading that is none, no lift either.
         StylusState broken;
-        bench.step.advance(broken, period);
-        QCOMPARE(bench.step.deviceWrench().force, glm::dvec3(0.0));
+        rig.step.advance(broken, period);
+        QCOMPARE(rig.step.deviceWrench().force, glm::dvec3(0.0));
     }
 
     /// The part comes first: what is cut gives way to it, and the record says so.

@@ -6,7 +6,7 @@
 #include "core/haptics/force/turn_coupling.h"
 #include "core/haptics/haptic_step.h"
 #include "tests/core/geometry/shapes.h"
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 #include "tests/oracles/allocation_count.h"
 
 #include <QtTest>
@@ -49,9 +49,9 @@ Tool reachingTool() {
     return tool;
 }
 
-/// The bench's stock on its part, milled with a free axis.
-struct FreeBench {
-    explicit FreeBench(const StylusDescription& stylus = desktopStylus(), const Tool& tool = ballTool())
+/// The rig's stock on its part, milled with a free axis.
+struct FreeRig {
+    explicit FreeRig(const StylusDescription& stylus = desktopStylus(), const Tool& tool = ballTool())
         : volume(stockOnPart())
         , step(volume,
                BoundaryLayers(std::make_unique<MeshBoundary>(
@@ -95,33 +95,33 @@ class TestFreeAxis : public QObject {
     Q_OBJECT
 private slots:
     void theToolTakesTheStylusAxis() {
-        FreeBench bench;
-        const Sample first = bench.feed({0, 0, 15}, tilted(0.4));
+        FreeRig rig;
+        const Sample first = rig.feed({0, 0, 15}, tilted(0.4));
         QVERIFY(glm::length(first.proxy.axis - tilted(0.4)) < 1e-12);
         // A jump of the hand is followed at 2 rad/s.
-        const Sample later = bench.rest({3, 0, 15}, tilted(-0.3), 500);
+        const Sample later = rig.rest({3, 0, 15}, tilted(-0.3), 500);
         QVERIFY(glm::length(later.proxy.axis - tilted(-0.3)) < 1e-9);
         QVERIFY(glm::length(later.force) < 0.01);
         QVERIFY(!(later.flags & sampleAxisHeld));
     }
 
     void aStandingAxisIgnoresTheStylusAxis() {
-        Bench bench;
-        bench.feed({0, 0, 15});
-        const Sample sample = bench.step.advance(reading({0, 0, 15}, tilted(0.8)), period);
+        Rig rig;
+        rig.feed({0, 0, 15});
+        const Sample sample = rig.step.advance(reading({0, 0, 15}, tilted(0.8)), period);
         QCOMPARE(sample.proxy.axis, glm::dvec3(0.0, 0.0, 1.0));
-        QCOMPARE(bench.step.deviceWrench().torque, glm::dvec3(0.0));
+        QCOMPARE(rig.step.deviceWrench().torque, glm::dvec3(0.0));
     }
 
     void itCutsTiltedAndStaysOutOfThePart() {
-        FreeBench bench(desktopStylus(), ballTool(30.0));
-        bench.feed({0, 0, 15}, tilted(0.5));
+        FreeRig rig(desktopStylus(), ballTool(30.0));
+        rig.feed({0, 0, 15}, tilted(0.5));
         double deepest = 1e300;
         bool cut = false;
         for (int tick = 0; tick < 800; ++tick) {
             const double t = tick * 0.001;
             const Sample sample =
-                bench.feed({10.0 * std::sin(3.0 * t), 0.0, 15.0 - 40.0 * t}, tilted(0.5 * std::cos(5.0 * t)));
+                rig.feed({10.0 * std::sin(3.0 * t), 0.0, 15.0 - 40.0 * t}, tilted(0.5 * std::cos(5.0 * t)));
             cut = cut || removedAny(sample);
             // A ball: its centre 3 mm up the axis.
             deepest = std::min(deepest, (sample.proxy.tip + 3.0 * sample.proxy.axis).z - 3.0 - floorHeight);
@@ -131,20 +131,20 @@ private slots:
     }
 
     void aStartInsideThePartKeepsForcesOffAndThrowsNothingOut() {
-        FreeBench bench;
-        bench.step.releaseSpindle(false); // the part alone
+        FreeRig rig;
+        rig.step.releaseSpindle(false); // the part alone
         for (int tick = 0; tick < 50; ++tick) {
-            const Sample sample = bench.feed({0, 0, floorHeight - 5.0}, tilted(0.3));
+            const Sample sample = rig.feed({0, 0, floorHeight - 5.0}, tilted(0.3));
             QCOMPARE(sample.force, glm::dvec3(0.0));
             QVERIFY(sample.flags & sampleForcesOff);
             QVERIFY(!removedAny(sample));
-            QVERIFY(!bench.step.started());
+            QVERIFY(!rig.step.started());
         }
         for (int tick = 0; tick < 100; ++tick) { // pulled out, it starts where it comes clear
-            const Sample sample = bench.feed({0, 0, floorHeight - 5.0 + 0.1 * tick}, tilted(0.3));
+            const Sample sample = rig.feed({0, 0, floorHeight - 5.0 + 0.1 * tick}, tilted(0.3));
             QVERIFY(glm::length(sample.force) < 0.01);
         }
-        QVERIFY(bench.step.started());
+        QVERIFY(rig.step.started());
     }
 
     void shankAndHolderBrakeWithinTwoTicksAtAnyTiltAndNothingIsCutMeanwhile() {
@@ -152,7 +152,7 @@ private slots:
         const std::vector<RevolvedPiece> whole = pieces(tool.cutter);
         const std::size_t flutes = flutePieces(tool.cutter).size();
         for (const StylusDescription& stylus : {desktopStylus(), torqueStylus()}) {
-            FreeBench bench(stylus, tool);
+            FreeRig rig(stylus, tool);
             std::mt19937 engine(7);
             std::uniform_real_distribution<double> number(-1.0, 1.0);
             glm::dvec3 tip(0, 0, 12), axis(0, 0, 1), tipGoal = tip, axisGoal = axis;
@@ -165,15 +165,15 @@ private slots:
                 }
                 tip += clampLength(tipGoal - tip, 0.15);
                 axis = turned(axis, clampLength(turnBetween(axis, axisGoal), 0.004));
-                const Sample sample = bench.feed(tip, axis);
-                if (!bench.step.started()) continue;
+                const Sample sample = rig.feed(tip, axis);
+                if (!rig.step.started()) continue;
                 const bool braked = (sample.flags & sampleShankContact) != 0;
                 QVERIFY(!(braked && removedAny(sample)));
                 // Where the tool is, shank and holder are free, whatever the hand wants.
-                bench.step.settle();
-                QVERIFY(!shankContact(bench.volume, whole, flutes, sample.proxy).touches);
+                rig.step.settle();
+                QVERIFY(!shankContact(rig.volume, whole, flutes, sample.proxy).touches);
                 // A tool that was with the hand, and a hand that now drives the shank in.
-                const bool driven = shankContact(bench.volume, whole, flutes, {tip, axis}).touches;
+                const bool driven = shankContact(rig.volume, whole, flutes, {tip, axis}).touches;
                 if (follows && driven) ++onsets;
                 unbraked = driven && !braked && (follows || unbraked > 0) ? unbraked + 1 : 0;
                 worst = std::max(worst, unbraked);
@@ -181,7 +181,7 @@ private slots:
                 if (braked) {
                     ++contacts;
                     if (sample.proxy.axis.z < 0.95) ++tiltedContacts;
-                    QVERIFY(bench.step.shankContact().touches);
+                    QVERIFY(rig.step.shankContact().touches);
                 }
             }
             QVERIFY2(contacts > 100 && tiltedContacts > 20 && onsets > 3, qPrintable(QString::number(onsets)));
@@ -193,38 +193,38 @@ private slots:
         Tool flat = ballTool();
         flat.cutter.type = CutterType::flat;
         flat.cutter.cornerRadius = 0.0;
-        FreeBench bench(torqueStylus(), flat);
-        bench.step.releaseSpindle(false); // the part alone
-        bench.feed({0, 0, 15}, tilted(0.0));
-        bench.move({0, 0, 15}, {0, 0, floorHeight - 5.0}, tilted(0.0));
-        const Sample pressed = bench.rest({0, 0, floorHeight - 5.0}, tilted(0.3), 300);
+        FreeRig rig(torqueStylus(), flat);
+        rig.step.releaseSpindle(false); // the part alone
+        rig.feed({0, 0, 15}, tilted(0.0));
+        rig.move({0, 0, 15}, {0, 0, floorHeight - 5.0}, tilted(0.0));
+        const Sample pressed = rig.rest({0, 0, floorHeight - 5.0}, tilted(0.3), 300);
         // Pressed flat on the floor it wants to stay upright: the hand is turned back, about +y to -x.
-        const glm::dvec3 torque = bench.step.deviceWrench().torque;
+        const glm::dvec3 torque = rig.step.deviceWrench().torque;
         const glm::dvec3 behind = turnBetween(tilted(0.3), pressed.proxy.axis);
-        const TurnCoupling coupling(FreeBench::settings(torqueStylus()));
+        const TurnCoupling coupling(FreeRig::settings(torqueStylus()));
         QVERIFY(glm::length(behind) > 0.05);
         QVERIFY(torque.y < -1.0);
         QVERIFY(glm::length(torque - clampLength(coupling.stiffness() * behind, coupling.maximum())) < 1e-6);
         QVERIFY(glm::length(torque) <= coupling.maximum() + 1e-9);
         QVERIFY(!(pressed.flags & sampleAxisHeld)); // the hand feels it
         // Free again, nothing turns it.
-        bench.move({0, 0, floorHeight - 5.0}, {0, 0, 15}, tilted(0.3));
-        bench.rest({0, 0, 15}, tilted(0.3), 100);
-        QVERIFY(glm::length(bench.step.deviceWrench().torque) < 1e-3);
+        rig.move({0, 0, floorHeight - 5.0}, {0, 0, 15}, tilted(0.3));
+        rig.rest({0, 0, 15}, tilted(0.3), 100);
+        QVERIFY(glm::length(rig.step.deviceWrench().torque) < 1e-3);
         // A fault ends it at once.
-        bench.move({0, 0, 15}, {0, 0, floorHeight - 5.0}, tilted(0.3));
-        QVERIFY(glm::length(bench.step.deviceWrench().torque) > 1.0);
+        rig.move({0, 0, 15}, {0, 0, floorHeight - 5.0}, tilted(0.3));
+        QVERIFY(glm::length(rig.step.deviceWrench().torque) > 1.0);
         StylusState silent;
-        bench.step.advance(silent, period);
-        QCOMPARE(bench.step.deviceWrench().torque, glm::dvec3(0.0));
+        rig.step.advance(silent, period);
+        QCOMPARE(rig.step.deviceWrench().torque, glm::dvec3(0.0));
     }
 
     void aTickWithAFreeAxisAllocatesNothing() {
-        FreeBench bench;
-        bench.feed({0, 0, 15}, tilted(0.2));
+        FreeRig rig;
+        rig.feed({0, 0, 15}, tilted(0.2));
         const std::size_t before = allocationCount.load();
         for (int tick = 0; tick < 500; ++tick)
-            bench.feed({5.0 * std::sin(0.01 * tick), 0, 15.0 - 0.06 * tick}, tilted(0.5 * std::sin(0.02 * tick)));
+            rig.feed({5.0 * std::sin(0.01 * tick), 0, 15.0 - 0.06 * tick}, tilted(0.5 * std::sin(0.02 * tick)));
         QCOMPARE(allocationCount.load(), before);
     }
 };

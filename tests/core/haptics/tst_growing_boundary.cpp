@@ -4,7 +4,7 @@
 #include "core/haptics/trace/step_change_text.h"
 #include "core/haptics/trace/traced_session.h"
 #include "tests/core/geometry/shapes.h"
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 #include "tests/oracles/random_number.h"
 
 #include <QtTest>
@@ -65,7 +65,7 @@ struct GrowingSession {
         , step(volume, growth.layers(), ballTool(), settings(allowance)) {}
 
     static HapticSettings settings(double allowance) {
-        HapticSettings settings = Bench::settings();
+        HapticSettings settings = Rig::settings();
         settings.allowance = allowance;
         return settings;
     }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/operator/operator_hand.h"
-#include "tests/core/haptics/guide_bench.h"
+#include "tests/core/haptics/guide_rig.h"
 #include "tests/oracles/allocation_count.h"
 
 #include <QtTest>
@@ -19,8 +19,8 @@ constexpr int seconds = 1000;        // ticks
 constexpr double guideHeight = 20.0; // mm, far above the stock
 
 /// A step beside a part without stock.
-Bench bareBench(HapticSettings settings = Bench::settings()) {
-    return Bench(settings, ballTool(), stockOnPart(0, false));
+Rig bareMilling(HapticSettings settings = Rig::settings()) {
+    return Rig(settings, ballTool(), stockOnPart(0, false));
 }
 
 GuideSettings guidesOf(std::initializer_list<Guide> wanted) {
@@ -40,10 +40,10 @@ struct Cycles {
 /// A hand-arm that swings over guides, `amplitude` mm to each side of a height, its place read in encoder steps.
 Cycles swing(const HandImpedance& impedance, const GuideSettings& guides, double centre, double amplitude,
              double stiffness, double encoder, double cycleSeconds = 1.0) {
-    HapticSettings settings = Bench::settings();
+    HapticSettings settings = Rig::settings();
     settings.stylus.maximumStiffness.value = stiffness / settings.guideShare;
-    Bench bench = bareBench(settings);
-    bench.step.setGuides(guides);
+    Rig rig = bareMilling(settings);
+    rig.step.setGuides(guides);
     HandArm arm(impedance, HandleInertia{}, HandReaction{.share = 0.0});
     const auto wish = [&](double time) { return up(centre + amplitude * std::cos(2.0 * pi * time / cycleSeconds)); };
     Cycles cycles;
@@ -51,9 +51,9 @@ Cycles swing(const HandImpedance& impedance, const GuideSettings& guides, double
     double gained = 0.0;
     bool held = false;
     for (int tick = 0; tick < 8 * seconds; ++tick) {
-        const Sample sample = bench.feed(glm::round(place / encoder) * encoder);
+        const Sample sample = rig.feed(glm::round(place / encoder) * encoder);
         const glm::dvec3 before = force, from = place;
-        force = bench.step.deviceWrench().force;
+        force = rig.step.deviceWrench().force;
         cycles.largestChange = std::max(cycles.largestChange, glm::length(force - before));
         cycles.largestForce = std::max(cycles.largestForce, glm::length(force));
         const bool now = (sample.flags & sampleOnGuide) != 0;
@@ -111,10 +111,10 @@ private slots:
     }
 
     void theForceIsTheSprings() {
-        Bench bench = bareBench();
-        bench.step.setGuides(guidesOf({planeGuide(up(guideHeight), up(1))}));
-        bench.begin(up(guideHeight + 1.0));
-        const Sample sample = bench.rest(1 * seconds);
+        Rig rig = bareMilling();
+        rig.step.setGuides(guidesOf({planeGuide(up(guideHeight), up(1))}));
+        rig.begin(up(guideHeight + 1.0));
+        const Sample sample = rig.rest(1 * seconds);
         QVERIFY(sample.flags & sampleOnGuide);
         QCOMPARE(sample.proxy.tip, up(guideHeight));
         QCOMPARE(sample.stylusTip, up(guideHeight + 1.0));
@@ -123,37 +123,37 @@ private slots:
     }
 
     void aGuideInsideThePartNeverPressesTheToolIn() {
-        Bench bench = bareBench();
-        bench.step.setGuides(guidesOf({planeGuide(up(floorHeight - 1.5), up(1))}));
+        Rig rig = bareMilling();
+        rig.step.setGuides(guidesOf({planeGuide(up(floorHeight - 1.5), up(1))}));
         double least = 1e300;
-        bench.onTick = [&](const Sample& sample) { least = std::min(least, sample.proxy.tip.z); };
-        bench.begin(up(floorHeight + 5.0));
+        rig.onTick = [&](const Sample& sample) { least = std::min(least, sample.proxy.tip.z); };
+        rig.begin(up(floorHeight + 5.0));
         // Within the guide's reach, above the floor: it draws to the floor, and no farther.
-        bench.moveTo(up(floorHeight + 0.4), 20.0);
-        Sample sample = bench.rest(seconds);
+        rig.moveTo(up(floorHeight + 0.4), 20.0);
+        Sample sample = rig.rest(seconds);
         QVERIFY(sample.flags & sampleOnGuide);
         QVERIFY(std::abs(sample.proxy.tip.z - floorHeight) < 1e-3);
         QVERIFY(sample.force.z < 0.0);
         QVERIFY(sample.force.z > -240.0 * 0.4e-3 - 1e-6);
         // In the floor, before the guide: the contact alone, in full.
-        bench.moveTo(up(floorHeight - 1.0), 20.0);
-        sample = bench.rest(seconds);
+        rig.moveTo(up(floorHeight - 1.0), 20.0);
+        sample = rig.rest(seconds);
         QVERIFY(std::abs(sample.force.z - 0.32) < 0.01 * 0.32);
         // Beyond the guide both push out, the contact from the guide on.
-        bench.moveTo(up(floorHeight - 2.5), 20.0);
-        sample = bench.rest(seconds);
+        rig.moveTo(up(floorHeight - 2.5), 20.0);
+        sample = rig.rest(seconds);
         QVERIFY(std::abs(sample.force.z - (0.32 * 1.5 + 0.24 * 1.0)) < 0.01 * 0.72);
         QVERIFY(least >= floorHeight - 1e-9);
     }
 
     void acrossAContactTheGuideStillHolds() {
-        HapticSettings settings = Bench::settings();
+        HapticSettings settings = Rig::settings();
         settings.felt.friction = 0.0; // which would hold the tool across the guide as well
-        Bench bench = bareBench(settings);
-        bench.step.setGuides(guidesOf({planeGuide({3, 0, 0}, {1, 0, 0})}));
-        bench.begin({3, 0, floorHeight + 1.0});
-        bench.moveTo({4, 0, floorHeight - 1.0}, 20.0);
-        const Sample sample = bench.rest(seconds);
+        Rig rig = bareMilling(settings);
+        rig.step.setGuides(guidesOf({planeGuide({3, 0, 0}, {1, 0, 0})}));
+        rig.begin({3, 0, floorHeight + 1.0});
+        rig.moveTo({4, 0, floorHeight - 1.0}, 20.0);
+        const Sample sample = rig.rest(seconds);
         QVERIFY(std::abs(sample.proxy.tip.x - 3.0) < 1e-3);
         QVERIFY(std::abs(sample.force.x + 0.24) < 0.01 * 0.24);
         QVERIFY(std::abs(sample.force.z - 0.32) < 0.01 * 0.32);
@@ -185,50 +185,50 @@ private slots:
     }
 
     void theRecordSaysWhereAGuideHeld() {
-        Bench bench = bareBench();
-        bench.begin(up(guideHeight + 1.0));
-        QVERIFY((bench.rest(200).flags & sampleOnGuide) == 0);
-        bench.step.setGuides(guidesOf({planeGuide(up(guideHeight), up(1))}));
-        QVERIFY((bench.rest(200).flags & sampleOnGuide) != 0);
-        bench.step.setGuides({});
-        const Sample sample = bench.rest(200);
+        Rig rig = bareMilling();
+        rig.begin(up(guideHeight + 1.0));
+        QVERIFY((rig.rest(200).flags & sampleOnGuide) == 0);
+        rig.step.setGuides(guidesOf({planeGuide(up(guideHeight), up(1))}));
+        QVERIFY((rig.rest(200).flags & sampleOnGuide) != 0);
+        rig.step.setGuides({});
+        const Sample sample = rig.rest(200);
         QVERIFY((sample.flags & sampleOnGuide) == 0);
         QVERIFY(glm::length(sample.force) < 0.01);
     }
 
     void aFaultLetsTheHandGo() {
-        Bench bench = bareBench();
-        bench.step.setGuides(guidesOf({planeGuide(up(guideHeight), up(1))}));
-        bench.begin(up(guideHeight + 1.0));
-        bench.rest(200);
-        bench.step.advance(StylusState{}, period);
-        const Sample sample = bench.rest(1);
+        Rig rig = bareMilling();
+        rig.step.setGuides(guidesOf({planeGuide(up(guideHeight), up(1))}));
+        rig.begin(up(guideHeight + 1.0));
+        rig.rest(200);
+        rig.step.advance(StylusState{}, period);
+        const Sample sample = rig.rest(1);
         QVERIFY(std::abs(sample.proxy.tip.z - guideHeight) > 0.99); // taken anew, from nothing
     }
 
     void switchingGuidesUnderForceNeverKicks() {
-        Bench bench = bareBench();
+        Rig rig = bareMilling();
         std::mt19937_64 random(7);
         std::uniform_real_distribution<double> unit(-1.0, 1.0);
-        bench.begin(up(guideHeight));
+        rig.begin(up(guideHeight));
         glm::dvec3 before(0.0);
         double largest = 0.0;
-        bench.onTick = [&](const Sample& sample) {
+        rig.onTick = [&](const Sample& sample) {
             largest = std::max(largest, glm::length(sample.force - before));
             before = sample.force;
         };
         for (int round = 0; round < 200; ++round) {
             Guide levels = guideOf(GuideKind::levels, 1.0 + 3.0 * std::abs(unit(random)));
             levels.direction = glm::normalize(glm::dvec3(unit(random), unit(random), 1.0));
-            bench.step.setGuides(guidesOf({planeGuide({0, unit(random), 0}, {unit(random), 1.0, 0}), levels}));
-            if (round % 5 == 0) bench.step.stepGuides(round % 2 == 0 ? 1 : -1);
-            bench.moveTo(up(guideHeight) + 3.0 * glm::dvec3(unit(random), unit(random), unit(random)), 40.0);
+            rig.step.setGuides(guidesOf({planeGuide({0, unit(random), 0}, {unit(random), 1.0, 0}), levels}));
+            if (round % 5 == 0) rig.step.stepGuides(round % 2 == 0 ? 1 : -1);
+            rig.moveTo(up(guideHeight) + 3.0 * glm::dvec3(unit(random), unit(random), unit(random)), 40.0);
         }
         QVERIFY2(largest <= 0.16 + 1e-9, qPrintable(QString::number(largest))); // the slew
     }
 
     void guidesAllocateNothing() {
-        Bench bench = bareBench();
+        Rig rig = bareMilling();
         std::vector<glm::dvec3> points, tangents;
         for (int i = 0; i < 500; ++i) {
             points.emplace_back(0.1 * i - 20.0, std::sin(0.1 * i), guideHeight);
@@ -239,13 +239,13 @@ private slots:
         edge.curve = &curve;
         const GuideSettings guides = guidesOf({edge, guideOf(GuideKind::surface, 1.0), guideOf(GuideKind::levels, 1.0),
                                                guideOf(GuideKind::stepOver, 1.0), axis});
-        bench.begin(up(guideHeight));
+        rig.begin(up(guideHeight));
         const std::size_t before = allocationCount.load();
-        bench.step.setGuides(guides);
+        rig.step.setGuides(guides);
         for (int i = 0; i < 3; ++i) {
-            bench.moveTo({8, 3, guideHeight + 1}, 50.0);
-            bench.step.stepGuides(-1);
-            bench.moveTo({-8, 2, floorHeight}, 50.0);
+            rig.moveTo({8, 3, guideHeight + 1}, 50.0);
+            rig.step.stepGuides(-1);
+            rig.moveTo({-8, 2, floorHeight}, 50.0);
         }
         QCOMPARE(allocationCount.load(), before);
         const auto more = std::make_unique<int>(1);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
-#include "tests/core/haptics/guide_bench.h"
+#include "tests/core/haptics/guide_rig.h"
 
 #include <QtTest>
 
@@ -13,50 +13,50 @@ class TestGuideWays : public QObject {
     Q_OBJECT
 private slots:
     void theNextPassKeepsItsDistanceFromTheLastOne() {
-        GuideBench<> bench;
+        GuideRig<> rig;
         const double stepOver = 0.8;
-        bench.use({guideOf(GuideKind::stepOver, stepOver)});
+        rig.use({guideOf(GuideKind::stepOver, stepOver)});
         const auto wave = [](double x) { return 3.0 * std::sin(0.2 * x); };
-        bench.feed({0, wave(0), 50});
-        bench.cutting = true;
-        for (double x = 0.0; x <= 40.0; x += 0.02) bench.feed({x, wave(x), 50.0});
-        bench.cutting = false;
-        bench.moveTo({40, wave(40) + 0.6, 55});
-        bench.rest(settled);
-        QCOMPARE(bench.last.held, 1U);
-        bench.cutting = true;
+        rig.feed({0, wave(0), 50});
+        rig.cutting = true;
+        for (double x = 0.0; x <= 40.0; x += 0.02) rig.feed({x, wave(x), 50.0});
+        rig.cutting = false;
+        rig.moveTo({40, wave(40) + 0.6, 55});
+        rig.rest(settled);
+        QCOMPARE(rig.last.held, 1U);
+        rig.cutting = true;
         double worst = 0.0;
-        glm::dvec3 pull = bench.last.pull;
+        glm::dvec3 pull = rig.last.pull;
         for (double x = 40.0; x >= 5.0; x -= 0.02) { // back, a trembling hand beside it, at another height
-            bench.feed({x, wave(x) + 0.7 + 0.2 * std::sin(17.0 * x), 52.0 + 0.1 * x});
-            const glm::dvec3 change = bench.last.pull - pull;
-            pull = bench.last.pull;
+            rig.feed({x, wave(x) + 0.7 + 0.2 * std::sin(17.0 * x), 52.0 + 0.1 * x});
+            const glm::dvec3 change = rig.last.pull - pull;
+            pull = rig.last.pull;
             if (x > 35.0) continue;
             QVERIFY(glm::length(change) < 0.15); // the hand moves up to 0.08 mm a tick
             double nearest = 1e9;
             for (double at = x - 3.0; at <= x + 3.0; at += 0.001)
-                nearest = std::min(nearest, std::hypot(bench.last.goal.tip.x - at, bench.last.goal.tip.y - wave(at)));
+                nearest = std::min(nearest, std::hypot(rig.last.goal.tip.x - at, rig.last.goal.tip.y - wave(at)));
             worst = std::max(worst, std::abs(nearest - stepOver));
         }
         QVERIFY2(worst < 0.01, qPrintable(QString::number(worst)));
         // That pass is the last one now, and the next goes on beyond it.
-        bench.cutting = false;
-        bench.moveTo({10, bench.last.goal.tip.y + 0.5, 52});
-        bench.rest(3 * settled);
-        QVERIFY(bench.last.goal.tip.y > wave(10) + 1.5 * stepOver);
+        rig.cutting = false;
+        rig.moveTo({10, rig.last.goal.tip.y + 0.5, 52});
+        rig.rest(3 * settled);
+        QVERIFY(rig.last.goal.tip.y > wave(10) + 1.5 * stepOver);
     }
 
     void leadAndTiltTurnTheAxisAsTheyAreDefined() {
         Guide axis = guideOf(GuideKind::axis);
         axis.lead = 10.0 * pi / 180.0;
         axis.tilt = 20.0 * pi / 180.0;
-        GuideBench<> bench;
-        bench.use({axis});
-        bench.feed(up(50));
-        glm::dvec3 before = bench.last.goal.axis;
+        GuideRig<> rig;
+        rig.use({axis});
+        rig.feed(up(50));
+        glm::dvec3 before = rig.last.goal.axis;
         for (int i = 1; i <= 1000; ++i) {
-            bench.feed({0.05 * i, 0, 50});
-            const glm::dvec3 now = bench.last.goal.axis;
+            rig.feed({0.05 * i, 0, 50});
+            const glm::dvec3 now = rig.last.goal.axis;
             QVERIFY(std::abs(glm::length(now) - 1.0) < 1e-12);
             QVERIFY(glm::length(now - before) <= AxisFollower::speed * period + 1e-9);
             before = now;
@@ -65,26 +65,26 @@ private slots:
         const glm::dvec3 expected(std::cos(axis.tilt) * std::sin(axis.lead), std::sin(axis.tilt),
                                   std::cos(axis.tilt) * std::cos(axis.lead));
         QVERIFY(glm::length(before - expected) < 1e-9);
-        bench.use({});
-        for (int i = 0; i < 1000; ++i) bench.feed(bench.hand, glm::normalize(glm::dvec3(0.1, 0, 1)));
-        QVERIFY(glm::length(bench.last.goal.axis - glm::normalize(glm::dvec3(0.1, 0, 1))) < 1e-12);
+        rig.use({});
+        for (int i = 0; i < 1000; ++i) rig.feed(rig.hand, glm::normalize(glm::dvec3(0.1, 0, 1)));
+        QVERIFY(glm::length(rig.last.goal.axis - glm::normalize(glm::dvec3(0.1, 0, 1))) < 1e-12);
     }
 
     void onASphereTheAxisStandsOnItsNormal() {
         const SphereSolid sphere{15.0};
-        GuideBench<SphereSolid> bench(sphere);
+        GuideRig<SphereSolid> rig(sphere);
         Guide axis = guideOf(GuideKind::axis);
         axis.onSurface = true;
         axis.lead = 0.2;
-        bench.use({axis, guideOf(GuideKind::surface, 0.0)});
+        rig.use({axis, guideOf(GuideKind::surface, 0.0)});
         const auto at = [](double angle) { return glm::dvec3(18 * std::sin(angle), 0, 18 * std::cos(angle) - 3); };
-        bench.feed(at(0.0));
-        for (int i = 0; i <= 1000; ++i) bench.feed(at(0.0005 * i));
+        rig.feed(at(0.0));
+        for (int i = 0; i <= 1000; ++i) rig.feed(at(0.0005 * i));
         const double angle = 0.5;
         const glm::dvec3 normal(std::sin(angle), 0, std::cos(angle)), forward(std::cos(angle), 0, -std::sin(angle));
         const glm::dvec3 expected = std::cos(0.2) * normal + std::sin(0.2) * forward;
         // The way is seen over 0.5 mm of an arc of 18 mm.
-        QVERIFY(glm::length(bench.last.goal.axis - expected) < 0.01);
+        QVERIFY(glm::length(rig.last.goal.axis - expected) < 0.01);
     }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/core/haptics/guide_bench.h"
+#include "tests/core/haptics/guide_rig.h"
 
 #include "core/base/units.h"
 #include "tests/oracles/random_number.h"
@@ -40,56 +40,56 @@ class TestGuides : public QObject {
     Q_OBJECT
 private slots:
     void aPlaneTakesTheHandNearItAndKeepsTheToolOnIt() {
-        GuideBench<> bench(PlaneSolid{}, 1.0);
-        bench.use({planeGuide(up(50), up(1))});
-        bench.feed({0, 0, 52.5});
-        QCOMPARE(bench.rest(settled).held, 0U);
-        QCOMPARE(bench.last.goal.tip, bench.hand); // not near enough: the hand is free
-        bench.moveTo({10, 5, 51.9});
-        QCOMPARE(bench.rest(settled).held, 1U);
-        QVERIFY(glm::length(bench.last.goal.tip - glm::dvec3(10, 5, 50)) < 1e-9);
-        bench.moveTo({20, 5, 52.9}); // farther off than it was taken, but not pushed off
-        QVERIFY(std::abs(bench.rest(settled).goal.tip.z - 50.0) < 1e-9);
-        bench.moveTo({20, 5, 53.1});
-        QCOMPARE(bench.rest(settled).held, 0U);
-        QVERIFY(glm::length(bench.last.goal.tip - bench.hand) < 1e-12);
+        GuideRig<> rig(PlaneSolid{}, 1.0);
+        rig.use({planeGuide(up(50), up(1))});
+        rig.feed({0, 0, 52.5});
+        QCOMPARE(rig.rest(settled).held, 0U);
+        QCOMPARE(rig.last.goal.tip, rig.hand); // not near enough: the hand is free
+        rig.moveTo({10, 5, 51.9});
+        QCOMPARE(rig.rest(settled).held, 1U);
+        QVERIFY(glm::length(rig.last.goal.tip - glm::dvec3(10, 5, 50)) < 1e-9);
+        rig.moveTo({20, 5, 52.9}); // farther off than it was taken, but not pushed off
+        QVERIFY(std::abs(rig.rest(settled).goal.tip.z - 50.0) < 1e-9);
+        rig.moveTo({20, 5, 53.1});
+        QCOMPARE(rig.rest(settled).held, 0U);
+        QVERIFY(glm::length(rig.last.goal.tip - rig.hand) < 1e-12);
     }
 
     void distancesAreTheHandsOwnWhateverTheScale() {
-        GuideBench<> bench(PlaneSolid{}, 4.0); // 4 mm of the setup are one of the hand
-        bench.use({planeGuide(up(50), up(1))});
-        bench.feed(up(57));
-        QCOMPARE(bench.rest(settled).held, 1U);
-        bench.moveTo(up(61.5), 100.0);
-        QCOMPARE(bench.last.held, 1U);
-        bench.moveTo(up(62.5), 100.0);
-        QCOMPARE(bench.last.held, 0U);
+        GuideRig<> rig(PlaneSolid{}, 4.0); // 4 mm of the setup are one of the hand
+        rig.use({planeGuide(up(50), up(1))});
+        rig.feed(up(57));
+        QCOMPARE(rig.rest(settled).held, 1U);
+        rig.moveTo(up(61.5), 100.0);
+        QCOMPARE(rig.last.held, 1U);
+        rig.moveTo(up(62.5), 100.0);
+        QCOMPARE(rig.last.held, 0U);
     }
 
     void noGuideEverMakesGoalOrPullJump() {
         QVERIFY(rc::check("they run no faster than the hand and guides that fade", [] {
-            GuideBench<> bench;
+            GuideRig<> rig;
             const GuideCurve curve = circle(50.0, 200);
             Guide edge = guideOf(GuideKind::curve);
             edge.curve = &curve;
-            bench.use({guideOf(GuideKind::levels, randomNumber(0.5, 8.0)), edge,
-                       planeGuide(randomPoint(10.0) + up(50), randomDirection()),
-                       planeGuide(randomPoint(10.0) + up(50), randomDirection())});
-            bench.feed(randomPoint(10.0) + up(50));
-            glm::dvec3 goal = bench.last.goal.tip, pull = bench.last.pull;
+            rig.use({guideOf(GuideKind::levels, randomNumber(0.5, 8.0)), edge,
+                     planeGuide(randomPoint(10.0) + up(50), randomDirection()),
+                     planeGuide(randomPoint(10.0) + up(50), randomDirection())});
+            rig.feed(randomPoint(10.0) + up(50));
+            glm::dvec3 goal = rig.last.goal.tip, pull = rig.last.pull;
             for (int leg = 0; leg < 12; ++leg) {
-                if (leg == 5) bench.guides.step(-1);
-                if (leg == 7) bench.use({edge, guideOf(GuideKind::levels, 2.0)});
-                const glm::dvec3 from = bench.hand, target = from + randomPoint(4.0);
+                if (leg == 5) rig.guides.step(-1);
+                if (leg == 7) rig.use({edge, guideOf(GuideKind::levels, 2.0)});
+                const glm::dvec3 from = rig.hand, target = from + randomPoint(4.0);
                 for (int i = 1; i <= 100; ++i) {
-                    bench.feed(glm::mix(from, target, i / 100.0));
+                    rig.feed(glm::mix(from, target, i / 100.0));
                     const double moved = glm::length(target - from) / 100.0;
                     // Own motion across guides that meet at sin 0.2, and 200 mm/s of a guide that fades.
-                    RC_ASSERT(glm::length(bench.last.goal.tip - goal) <= moved * (1.0 + 1.0 / 0.2) + 0.2 + 1e-9);
+                    RC_ASSERT(glm::length(rig.last.goal.tip - goal) <= moved * (1.0 + 1.0 / 0.2) + 0.2 + 1e-9);
                     // 1.8 mm that fade over 0.1 s, smoothly, of as many guides as hold at once.
-                    RC_ASSERT(glm::length(bench.last.pull - pull) <= 3.0 * (1.5 * moved + 0.027) + 1e-9);
-                    goal = bench.last.goal.tip;
-                    pull = bench.last.pull;
+                    RC_ASSERT(glm::length(rig.last.pull - pull) <= 3.0 * (1.5 * moved + 0.027) + 1e-9);
+                    goal = rig.last.goal.tip;
+                    pull = rig.last.pull;
                 }
             }
         }));
@@ -100,13 +100,13 @@ private slots:
             const glm::dvec3 meeting = randomPoint(20.0) + up(60);
             const glm::dvec3 first = randomDirection(), second = randomDirection();
             RC_PRE(glm::length(glm::cross(first, second)) > 0.5);
-            GuideBench<> bench;
-            bench.use({planeGuide(meeting, first), planeGuide(meeting, second)});
+            GuideRig<> rig;
+            rig.use({planeGuide(meeting, first), planeGuide(meeting, second)});
             const glm::dvec3 hand = meeting + randomPoint(0.8);
-            bench.feed(hand);
-            bench.rest(settled);
-            RC_ASSERT(bench.last.held == 3U);
-            const glm::dvec3 goal = bench.last.goal.tip, along = glm::normalize(glm::cross(first, second));
+            rig.feed(hand);
+            rig.rest(settled);
+            RC_ASSERT(rig.last.held == 3U);
+            const glm::dvec3 goal = rig.last.goal.tip, along = glm::normalize(glm::cross(first, second));
             RC_ASSERT(std::abs(glm::dot(goal - meeting, first)) < 1e-9);
             RC_ASSERT(std::abs(glm::dot(goal - meeting, second)) < 1e-9);
             RC_ASSERT(std::abs(glm::dot(goal - hand, along)) < 1e-9); // what no plane holds is the hand's
@@ -114,73 +114,72 @@ private slots:
     }
 
     void threePlanesHoldAPoint() {
-        GuideBench<> bench;
-        bench.use(
-            {planeGuide({1, 2, 50}, {1, 0, 0}), planeGuide({1, 2, 50}, {0, 1, 0}), planeGuide({1, 2, 50}, up(1))});
-        bench.feed({2, 3, 51});
-        QVERIFY(glm::length(bench.rest(settled).goal.tip - glm::dvec3(1, 2, 50)) < 1e-9);
-        QCOMPARE(bench.last.held, 7U);
+        GuideRig<> rig;
+        rig.use({planeGuide({1, 2, 50}, {1, 0, 0}), planeGuide({1, 2, 50}, {0, 1, 0}), planeGuide({1, 2, 50}, up(1))});
+        rig.feed({2, 3, 51});
+        QVERIFY(glm::length(rig.rest(settled).goal.tip - glm::dvec3(1, 2, 50)) < 1e-9);
+        QCOMPARE(rig.last.held, 7U);
     }
 
     void ofGuidesThatContradictTheEarlierOneHolds() {
-        GuideBench<> bench;
+        GuideRig<> rig;
         const Guide high = planeGuide(up(51), up(1)), low = planeGuide(up(50), up(1));
-        bench.use({low, high});
-        bench.feed(up(50.9)); // nearer to the later one
-        bench.rest(settled);
-        QCOMPARE(bench.last.held, 1U);
-        QCOMPARE(bench.guides.news(1).is, GuideNews::Is::overruled);
-        QVERIFY(std::abs(bench.last.goal.tip.z - 50.0) < 1e-9);
+        rig.use({low, high});
+        rig.feed(up(50.9)); // nearer to the later one
+        rig.rest(settled);
+        QCOMPARE(rig.last.held, 1U);
+        QCOMPARE(rig.guides.news(1).is, GuideNews::Is::overruled);
+        QVERIFY(std::abs(rig.last.goal.tip.z - 50.0) < 1e-9);
         // An earlier one that is switched on while a later one holds takes its place.
         GuideSettings settings;
         settings.guides[1] = high;
-        bench.guides.set(settings);
-        bench.rest(3 * settled);
-        QCOMPARE(bench.last.held, 2U);
-        QVERIFY(std::abs(bench.last.goal.tip.z - 51.0) < 1e-9);
-        bench.use({low, high});
-        bench.rest(3 * settled);
-        QCOMPARE(bench.last.held, 1U);
-        QVERIFY(std::abs(bench.last.goal.tip.z - 50.0) < 1e-9);
+        rig.guides.set(settings);
+        rig.rest(3 * settled);
+        QCOMPARE(rig.last.held, 2U);
+        QVERIFY(std::abs(rig.last.goal.tip.z - 51.0) < 1e-9);
+        rig.use({low, high});
+        rig.rest(3 * settled);
+        QCOMPARE(rig.last.held, 1U);
+        QVERIFY(std::abs(rig.last.goal.tip.z - 50.0) < 1e-9);
     }
 
     void levelsChangeAtSixTenthsOfTheirDistance() {
-        GuideBench<> bench;
+        GuideRig<> rig;
         Guide levels = guideOf(GuideKind::levels, 2.0);
         levels.point = up(50);
-        bench.use({levels});
-        bench.feed(up(50.1));
-        QVERIFY(std::abs(bench.rest(settled).goal.tip.z - 50.0) < 1e-9);
-        bench.moveTo(up(48.85)); // past the middle
-        QVERIFY(std::abs(bench.rest(2 * settled).goal.tip.z - 50.0) < 1e-9);
-        bench.moveTo(up(48.75)); // past six tenths
-        QVERIFY(std::abs(bench.rest(3 * settled).goal.tip.z - 48.0) < 1e-9);
-        QCOMPARE(bench.guides.news(0).level, -1);
-        bench.moveTo(up(49.15));
-        QVERIFY(std::abs(bench.rest(3 * settled).goal.tip.z - 48.0) < 1e-9);
-        bench.moveTo(up(49.3));
-        QVERIFY(std::abs(bench.rest(3 * settled).goal.tip.z - 50.0) < 1e-9);
+        rig.use({levels});
+        rig.feed(up(50.1));
+        QVERIFY(std::abs(rig.rest(settled).goal.tip.z - 50.0) < 1e-9);
+        rig.moveTo(up(48.85)); // past the middle
+        QVERIFY(std::abs(rig.rest(2 * settled).goal.tip.z - 50.0) < 1e-9);
+        rig.moveTo(up(48.75)); // past six tenths
+        QVERIFY(std::abs(rig.rest(3 * settled).goal.tip.z - 48.0) < 1e-9);
+        QCOMPARE(rig.guides.news(0).level, -1);
+        rig.moveTo(up(49.15));
+        QVERIFY(std::abs(rig.rest(3 * settled).goal.tip.z - 48.0) < 1e-9);
+        rig.moveTo(up(49.3));
+        QVERIFY(std::abs(rig.rest(3 * settled).goal.tip.z - 50.0) < 1e-9);
     }
 
     void aButtonTakesTheNextLevelBelow() {
-        GuideBench<> bench;
+        GuideRig<> rig;
         Guide levels = guideOf(GuideKind::levels, 5.0);
         levels.point = up(50);
         GuideSettings settings;
         settings.guides[0] = levels;
         settings.stepButton = 2;
-        bench.guides.set(settings);
-        bench.feed(up(50.5));
-        bench.rest(settled);
-        bench.buttons = 2;
-        bench.rest(3 * settled); // held down: one level only
-        QVERIFY(std::abs(bench.last.goal.tip.z - 45.0) < 1e-9);
-        QVERIFY(bench.last.pull.z < -1.0); // and the hand is drawn there
-        bench.moveTo(up(45.5));
-        bench.buttons = 0;
-        QVERIFY(std::abs(bench.rest(settled).goal.tip.z - 45.0) < 1e-9);
-        bench.moveTo(up(48.2)); // pushed off as ever: the level above takes it
-        QVERIFY(std::abs(bench.rest(3 * settled).goal.tip.z - 50.0) < 1e-9);
+        rig.guides.set(settings);
+        rig.feed(up(50.5));
+        rig.rest(settled);
+        rig.buttons = 2;
+        rig.rest(3 * settled); // held down: one level only
+        QVERIFY(std::abs(rig.last.goal.tip.z - 45.0) < 1e-9);
+        QVERIFY(rig.last.pull.z < -1.0); // and the hand is drawn there
+        rig.moveTo(up(45.5));
+        rig.buttons = 0;
+        QVERIFY(std::abs(rig.rest(settled).goal.tip.z - 45.0) < 1e-9);
+        rig.moveTo(up(48.2)); // pushed off as ever: the level above takes it
+        QVERIFY(std::abs(rig.rest(3 * settled).goal.tip.z - 50.0) < 1e-9);
     }
 
     void aLineLeavesTheWayAlongItFree() {
@@ -188,16 +187,16 @@ private slots:
             Guide line = guideOf(GuideKind::line);
             line.point = randomPoint(20.0) + up(60);
             line.direction = randomDirection();
-            GuideBench<> bench;
-            bench.use({line});
+            GuideRig<> rig;
+            rig.use({line});
             const glm::dvec3 start = line.point + line.direction * randomNumber(-20.0, 20.0) + randomPoint(0.9);
-            bench.feed(start);
-            bench.moveTo(start + line.direction * 5.0);
-            bench.rest(settled);
-            const glm::dvec3 away = bench.hand - line.point;
+            rig.feed(start);
+            rig.moveTo(start + line.direction * 5.0);
+            rig.rest(settled);
+            const glm::dvec3 away = rig.hand - line.point;
             const glm::dvec3 onLine = line.point + line.direction * glm::dot(away, line.direction);
-            RC_ASSERT(glm::length(bench.last.goal.tip - onLine) < 1e-9);
-            RC_ASSERT(std::abs(glm::dot(bench.last.pull, line.direction)) < 1e-9);
+            RC_ASSERT(glm::length(rig.last.goal.tip - onLine) < 1e-9);
+            RC_ASSERT(std::abs(glm::dot(rig.last.pull, line.direction)) < 1e-9);
         }));
     }
 
@@ -205,17 +204,17 @@ private slots:
         const GuideCurve curve = circle(50.0);
         Guide edge = guideOf(GuideKind::curve);
         edge.curve = &curve;
-        GuideBench<> bench;
-        bench.use({edge});
-        bench.feed({21, 0, 51});
-        bench.rest(settled);
-        QCOMPARE(bench.last.held, 1U);
+        GuideRig<> rig;
+        rig.use({edge});
+        rig.feed({21, 0, 51});
+        rig.rest(settled);
+        QCOMPARE(rig.last.held, 1U);
         double worst = 0.0;
         for (int i = 0; i <= 3000; ++i) { // one and a half turns, over the joint
             const double angle = 3.0 * pi * i / 3000;
-            bench.feed({21 * std::cos(angle), 21 * std::sin(angle), 51});
+            rig.feed({21 * std::cos(angle), 21 * std::sin(angle), 51});
             const glm::dvec3 nearest(20 * std::cos(angle), 20 * std::sin(angle), 50);
-            worst = std::max(worst, glm::length(bench.last.goal.tip - nearest));
+            worst = std::max(worst, glm::length(rig.last.goal.tip - nearest));
         }
         // 4000 chords: 6e-6 mm from the circle; within one, a chord's slope moves the foot by 1.4 mm · 0.8e-3.
         QVERIFY2(worst < 2e-3, qPrintable(QString::number(worst)));
@@ -227,87 +226,87 @@ private slots:
                                                    {{1, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, 0, 0}});
         Guide edge = guideOf(GuideKind::curve);
         edge.curve = &curve;
-        GuideBench<> bench;
-        bench.use({edge});
-        bench.feed({30, 0.1, 50});
-        bench.rest(settled);
-        bench.moveTo({40, 1.1, 50}); // nearer to the other branch
-        QVERIFY(glm::length(bench.rest(settled).goal.tip - glm::dvec3(40, 0, 50)) < 1e-9);
+        GuideRig<> rig;
+        rig.use({edge});
+        rig.feed({30, 0.1, 50});
+        rig.rest(settled);
+        rig.moveTo({40, 1.1, 50}); // nearer to the other branch
+        QVERIFY(glm::length(rig.rest(settled).goal.tip - glm::dvec3(40, 0, 50)) < 1e-9);
     }
 
     void anOpenEdgeEndsWhereItEnds() {
         const GuideCurve curve = *GuideCurve::make({{0, 0, 50}, {10, 0, 50}}, {{1, 0, 0}, {1, 0, 0}});
         Guide edge = guideOf(GuideKind::curve);
         edge.curve = &curve;
-        GuideBench<> bench;
-        bench.use({edge});
-        bench.feed({9, 0.5, 50});
-        bench.rest(settled);
-        bench.moveTo({12, 0.5, 50});
-        QVERIFY(glm::length(bench.rest(settled).goal.tip - glm::dvec3(10, 0, 50)) < 1e-9);
-        bench.moveTo({13.1, 0.5, 50});
-        QCOMPARE(bench.rest(settled).held, 0U);
+        GuideRig<> rig;
+        rig.use({edge});
+        rig.feed({9, 0.5, 50});
+        rig.rest(settled);
+        rig.moveTo({12, 0.5, 50});
+        QVERIFY(glm::length(rig.rest(settled).goal.tip - glm::dvec3(10, 0, 50)) < 1e-9);
+        rig.moveTo({13.1, 0.5, 50});
+        QCOMPARE(rig.rest(settled).held, 0U);
     }
 
     void theToolKeepsItsDistanceFromThePart() {
         QVERIFY(rc::check("clearance is the guide's distance, at the nearest such place", [] {
             const SphereSolid sphere{15.0};
-            GuideBench<SphereSolid> bench(sphere);
+            GuideRig<SphereSolid> rig(sphere);
             const double offset = randomNumber(0.0, 2.0);
-            bench.use({guideOf(GuideKind::surface, offset)});
+            rig.use({guideOf(GuideKind::surface, offset)});
             const glm::dvec3 start = randomDirection() * (18.0 + offset + randomNumber(-1.5, 1.5));
-            bench.feed(start - up(3.0)); // centre to tip
-            bench.rest(settled);
-            RC_ASSERT(bench.last.held == 1U);
+            rig.feed(start - up(3.0)); // centre to tip
+            rig.rest(settled);
+            RC_ASSERT(rig.last.held == 1U);
             for (int leg = 0; leg < 4; ++leg) {
-                const glm::dvec3 centre = bench.hand + up(3.0);
+                const glm::dvec3 centre = rig.hand + up(3.0);
                 const glm::dvec3 next =
                     glm::normalize(centre + randomPoint(4.0)) * (18.0 + offset + randomNumber(-1.5, 1.5));
-                bench.moveTo(next - up(3.0));
-                const glm::dvec3 nearest = glm::normalize(bench.hand + up(3.0)) * (18.0 + offset) - up(3.0);
-                RC_ASSERT(std::abs(bench.field.clearance(bench.last.goal.tip) - offset) < 1e-3);
-                RC_ASSERT(glm::length(bench.last.goal.tip - nearest) < 0.02);
+                rig.moveTo(next - up(3.0));
+                const glm::dvec3 nearest = glm::normalize(rig.hand + up(3.0)) * (18.0 + offset) - up(3.0);
+                RC_ASSERT(std::abs(rig.field.clearance(rig.last.goal.tip) - offset) < 1e-3);
+                RC_ASSERT(glm::length(rig.last.goal.tip - nearest) < 0.02);
             }
         }));
     }
 
     void aSurfaceGuideSettlesInAPocketsCorner() {
         const PocketSolid pocket;
-        GuideBench<PocketSolid> bench(pocket);
-        bench.use({guideOf(GuideKind::surface, 0.5)});
-        bench.feed({0, 0, -10.5}); // a millimetre too deep
-        bench.rest(settled);
-        QCOMPARE(bench.last.held, 1U);
-        bench.moveTo({5.2, 3.2, -10.2}, 20.0); // into the corner of floor and two walls
-        bench.rest(settled);
-        QVERIFY(glm::length(bench.last.goal.tip - glm::dvec3(4.5, 2.5, -9.5)) < 1e-2);
+        GuideRig<PocketSolid> rig(pocket);
+        rig.use({guideOf(GuideKind::surface, 0.5)});
+        rig.feed({0, 0, -10.5}); // a millimetre too deep
+        rig.rest(settled);
+        QCOMPARE(rig.last.held, 1U);
+        rig.moveTo({5.2, 3.2, -10.2}, 20.0); // into the corner of floor and two walls
+        rig.rest(settled);
+        QVERIFY(glm::length(rig.last.goal.tip - glm::dvec3(4.5, 2.5, -9.5)) < 1e-2);
     }
 
     void aPlaneAndTheSurfaceGiveAContour() {
         const SphereSolid sphere{15.0};
-        GuideBench<SphereSolid> bench(sphere);
-        bench.use({planeGuide(up(2.0), up(1)), guideOf(GuideKind::surface, 1.0)});
+        GuideRig<SphereSolid> rig(sphere);
+        rig.use({planeGuide(up(2.0), up(1)), guideOf(GuideKind::surface, 1.0)});
         const double ring = std::sqrt(19.0 * 19.0 - 5.0 * 5.0); // of the ball's centre at z = 2 + 3
-        bench.feed({ring + 0.5, 0, 2.8});
-        bench.rest(settled);
-        QCOMPARE(bench.last.held, 3U);
+        rig.feed({ring + 0.5, 0, 2.8});
+        rig.rest(settled);
+        QCOMPARE(rig.last.held, 3U);
         for (int i = 0; i <= 500; ++i) {
             const double angle = 0.002 * i;
-            bench.feed({(ring + 0.5) * std::cos(angle), (ring + 0.5) * std::sin(angle), 2.8});
-            QVERIFY(std::abs(bench.last.goal.tip.z - 2.0) < 1e-6);
-            QVERIFY(std::abs(bench.field.clearance(bench.last.goal.tip) - 1.0) < 1e-4);
+            rig.feed({(ring + 0.5) * std::cos(angle), (ring + 0.5) * std::sin(angle), 2.8});
+            QVERIFY(std::abs(rig.last.goal.tip.z - 2.0) < 1e-6);
+            QVERIFY(std::abs(rig.field.clearance(rig.last.goal.tip) - 1.0) < 1e-4);
         }
     }
 
     void thePullIsAFadingMagnets() {
-        GuideBench<> bench;
-        bench.use({planeGuide(up(50), up(1))});
+        GuideRig<> rig;
+        rig.use({planeGuide(up(50), up(1))});
         const double strongest = 0.5 * 2.4 / 240.0 * 1000.0; // half the force over the spring
-        bench.feed(up(50));
-        bench.rest(settled);
+        rig.feed(up(50));
+        rig.rest(settled);
         for (double z = -2.99; z < 3.0; z += 0.05) {
-            bench.moveTo(up(50.0 + z), 20.0);
-            QVERIFY(std::abs(bench.last.pull.z + std::copysign(pullAt(std::abs(z), strongest), z)) < 1e-9);
+            rig.moveTo(up(50.0 + z), 20.0);
+            QVERIFY(std::abs(rig.last.pull.z + std::copysign(pullAt(std::abs(z), strongest), z)) < 1e-9);
         }
     }
 

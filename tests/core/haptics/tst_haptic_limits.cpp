@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/core/haptics/hostile_bench.h"
+#include "tests/core/haptics/hostile_rig.h"
 #include "tests/oracles/allocation_count.h"
 
 #include <QtTest>
@@ -17,18 +17,18 @@ constexpr int contacts = 10;
 /// Energy that a handle gets from the loop while a light hand drives it into the floor and out again, J; device and
 /// hand as a mass on a spring and a damper, the position read in encoder steps.
 double energyGivenToTheHand(double maximumDamping, double stiffness) {
-    HapticSettings settings = Bench::settings();
+    HapticSettings settings = Rig::settings();
     settings.stylus.maximumStiffness.value = stiffness;
     settings.stylus.maximumDamping.value = maximumDamping;
     settings.stylus.maximumForce.value = 100.0;
-    Bench bench(settings, ballTool(), stockOnPart(0, false));
+    Rig rig(settings, ballTool(), stockOnPart(0, false));
     constexpr double mass = 0.1, handStiffness = 100.0, handDamping = 0.5, encoder = 0.055; // kg, N/m, N·s/m, mm
     constexpr int substeps = 20;
     double position = floorHeight + 2.0, velocity = 0.0, energy = 0.0; // mm, mm/s
-    bench.begin({0, 0, position});
+    rig.begin({0, 0, position});
     for (int tick = 0; tick < contacts * 1000; ++tick) {
-        bench.feed({0, 0, std::round(position / encoder) * encoder});
-        const double force = bench.step.deviceWrench().force.z;
+        rig.feed({0, 0, std::round(position / encoder) * encoder});
+        const double force = rig.step.deviceWrench().force.z;
         const double wish = floorHeight + 2.0 * std::cos(2.0 * pi * tick * period); // one contact a second
         const double before = position;
         for (int i = 0; i < substeps; ++i) {
@@ -47,10 +47,10 @@ class TestHapticLimits : public QObject {
     Q_OBJECT
 private slots:
     void hostileTicksNeverBreakTheLimits() {
-        HapticSettings settings = Bench::settings();
+        HapticSettings settings = Rig::settings();
         settings.rampSeconds = 0.05;
         settings.felt.gain = 100.0;
-        Bench bench(settings, ballTool(5.0, 12.0));
+        Rig rig(settings, ballTool(5.0, 12.0));
         const double largest = settings.forceShare * settings.stylus.maximumForce.value;
         // The ramp's own slope comes on top of the slew limit: at most 1.5 of its share of a tick.
         const double slope = 1.5 * period / settings.rampSeconds * largest;
@@ -61,10 +61,10 @@ private slots:
         int bad = 0, pressed = 0;
         for (int i = 0; i < 200'000; ++i) {
             const HostileStylus::Tick tick = hostile.next();
-            if (random.below(1000) == 0) bench.step.setAllowance(random.between(-1.0, 1.0));
-            const Sample sample = bench.step.advance(tick.state, tick.period);
-            const glm::dvec3 force = bench.step.deviceWrench().force;
-            hostile.write(bench.step.deviceWrench());
+            if (random.below(1000) == 0) rig.step.setAllowance(random.between(-1.0, 1.0));
+            const Sample sample = rig.step.advance(tick.state, tick.period);
+            const glm::dvec3 force = rig.step.deviceWrench().force;
+            hostile.write(rig.step.deviceWrench());
             QVERIFY(isFinite(force) && isFinite(sample.proxy.tip) && isFinite(sample.cuttingForce));
             QVERIFY(isFinite(sample.device.position) && std::isfinite(sample.time));
             QVERIFY(glm::length(force) <= largest + 1e-12);
@@ -81,68 +81,68 @@ private slots:
         }
         QVERIFY(bad > 1000);
         QVERIFY(pressed > 15'000);
-        QCOMPARE(bench.volume.amounts().units[2], stockOnPart().amounts().units[2]);
+        QCOMPARE(rig.volume.amounts().units[2], stockOnPart().amounts().units[2]);
     }
 
     void aBadSampleEndsTheForceAtOnceAndItFadesInAgain() {
-        HapticSettings settings = Bench::settings();
+        HapticSettings settings = Rig::settings();
         settings.rampSeconds = 0.5;
-        Bench bench(settings, ballTool(), stockOnPart(0, false));
-        bench.begin({0, 0, 3});
-        bench.moveTo({0, 0, floorHeight - 3.0}, 50.0);
-        const double full = bench.rest(1000).force.z;
+        Rig rig(settings, ballTool(), stockOnPart(0, false));
+        rig.begin({0, 0, 3});
+        rig.moveTo({0, 0, floorHeight - 3.0}, 50.0);
+        const double full = rig.rest(1000).force.z;
         QVERIFY(full > 0.9);
-        QCOMPARE(bench.step.advance(StylusState{}, period).force, glm::dvec3(0.0));
+        QCOMPARE(rig.step.advance(StylusState{}, period).force, glm::dvec3(0.0));
         double before = 0.0;
         for (int tick = 0; tick < 490; ++tick) {
-            const Sample sample = bench.rest(1);
+            const Sample sample = rig.rest(1);
             QVERIFY(sample.flags & sampleForcesOff);
             QVERIFY(sample.force.z >= before && sample.force.z - before < 0.01);
             before = sample.force.z;
         }
-        QVERIFY(std::abs(bench.rest(200).force.z - full) < 1e-6);
+        QVERIFY(std::abs(rig.rest(200).force.z - full) < 1e-6);
     }
 
     void aLateTickIsForceFreeAndAStallFadesInAgain() {
-        HapticSettings settings = Bench::settings();
+        HapticSettings settings = Rig::settings();
         settings.rampSeconds = 0.5;
-        Bench bench(settings, ballTool(), stockOnPart(0, false));
-        bench.begin({0, 0, 3});
-        bench.moveTo({0, 0, floorHeight - 3.0}, 50.0);
-        bench.rest(1000);
+        Rig rig(settings, ballTool(), stockOnPart(0, false));
+        rig.begin({0, 0, 3});
+        rig.moveTo({0, 0, floorHeight - 3.0}, 50.0);
+        rig.rest(1000);
         StylusState state;
-        state.pose.position = bench.hand;
+        state.pose.position = rig.hand;
         state.valid = true;
-        QCOMPARE(bench.step.advance(state, 0.005).force, glm::dvec3(0.0));
-        QVERIFY(bench.rest(20).force.z > 0.9);
-        QCOMPARE(bench.step.advance(state, 0.02).force, glm::dvec3(0.0));
-        QVERIFY(bench.rest(20).force.z < 0.1);
+        QCOMPARE(rig.step.advance(state, 0.005).force, glm::dvec3(0.0));
+        QVERIFY(rig.rest(20).force.z > 0.9);
+        QCOMPARE(rig.step.advance(state, 0.02).force, glm::dvec3(0.0));
+        QVERIFY(rig.rest(20).force.z < 0.1);
     }
 
     void aStylusWithoutMotorsGetsNoForce() {
-        HapticSettings settings = Bench::settings();
+        HapticSettings settings = Rig::settings();
         settings.stylus = StylusDescription{};
-        Bench bench(settings);
-        bench.onTick = [](const Sample& sample) {
+        Rig rig(settings);
+        rig.onTick = [](const Sample& sample) {
             QCOMPARE(sample.force, glm::dvec3(0.0));
             QVERIFY(!(sample.flags & sampleForceSaturated));
         };
-        bench.begin({0, 0, 3});
-        const Sample sample = bench.moveTo({0, 0, floorHeight - 3.0}, 50.0);
+        rig.begin({0, 0, 3});
+        const Sample sample = rig.moveTo({0, 0, floorHeight - 3.0}, 50.0);
         QVERIFY(std::abs(sample.proxy.tip.z - floorHeight) < 1e-3);
     }
 
     void aTickAllocatesNothing() {
-        Bench bench(Bench::settings(), ballTool(5.0, 12.0));
-        bench.begin({-12, 0, 2});
+        Rig rig(Rig::settings(), ballTool(5.0, 12.0));
+        rig.begin({-12, 0, 2});
         const std::size_t before = allocationCount.load();
-        bench.moveTo({-12, 0, -4}, 30.0);
-        bench.moveTo({12, 3, -4}, 40.0);
-        bench.moveTo({10, -3, -14}, 40.0);
-        bench.step.setAllowance(0.3);
-        bench.moveTo({-12, -3, -14}, 60.0);
-        bench.step.advance(StylusState{}, period);
-        bench.moveTo({-12, -3, 5}, 60.0);
+        rig.moveTo({-12, 0, -4}, 30.0);
+        rig.moveTo({12, 3, -4}, 40.0);
+        rig.moveTo({10, -3, -14}, 40.0);
+        rig.step.setAllowance(0.3);
+        rig.moveTo({-12, -3, -14}, 60.0);
+        rig.step.advance(StylusState{}, period);
+        rig.moveTo({-12, -3, 5}, 60.0);
         QCOMPARE(allocationCount.load(), before);
         ::operator delete(::operator new(1)); // the counter counts
         QVERIFY(allocationCount.load() > before);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/core/haptics/hostile_bench.h"
+#include "tests/core/haptics/hostile_rig.h"
 
 #include <QtTest>
 
@@ -68,10 +68,10 @@ private slots:
     }
 
     void theStepStaysWithinItsLimitsWithGuidesUnderIt() {
-        HapticSettings settings = Bench::settings();
+        HapticSettings settings = Rig::settings();
         settings.rampSeconds = 0.05;
         settings.felt.gain = 100.0;
-        Bench bench(settings, ballTool(5.0, 12.0));
+        Rig rig(settings, ballTool(5.0, 12.0));
         HostileStylus hostile(strayingInTheStock(3));
         SeededRandom random(9);
         const double largest = settings.forceShare * settings.stylus.maximumForce.value;
@@ -91,15 +91,15 @@ private slots:
                     guide.distance = random.between(0.1, 4.0);
                 }
                 guides.stepButton = 4;
-                bench.step.setGuides(guides);
+                rig.step.setGuides(guides);
             }
             const HostileStylus::Tick tick = hostile.next();
-            const Sample sample = bench.step.advance(tick.state, tick.period);
-            const glm::dvec3 force = bench.step.deviceWrench().force;
-            hostile.write(bench.step.deviceWrench());
+            const Sample sample = rig.step.advance(tick.state, tick.period);
+            const glm::dvec3 force = rig.step.deviceWrench().force;
+            hostile.write(rig.step.deviceWrench());
             QVERIFY(isFinite(force) && isFinite(sample.proxy.tip) && isFinite(sample.proxy.axis));
             QVERIFY(glm::length(force) <= largest + 1e-12);
-            QVERIFY(bench.field.clearance(sample.proxy.tip) >= -1e-9 || !bench.step.started());
+            QVERIFY(rig.field.clearance(sample.proxy.tip) >= -1e-9 || !rig.step.started());
             if (HostileStylus::mustBeStill(tick.event)) {
                 QCOMPARE(force, glm::dvec3(0.0));
                 ++events;

@@ -3,7 +3,7 @@
 #include "core/haptics/loop/loop_clock.h"
 #include "core/haptics/loop/servo_loop.h"
 #include "core/haptics/loop/servo_tick.h"
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 #include "tests/core/haptics/own_stylus.h"
 #include "tests/core/haptics/pressed_stylus.h"
 
@@ -56,15 +56,15 @@ enum class Kind { called, own };
 /// Runs a loop over a stylus of a kind until its hand has pressed for a while.
 struct LoopRun {
     LoopRun(Kind kind, Trick trick, double seconds, double rampSeconds = 0.0) {
-        HapticSettings haptic = Bench::settings();
+        HapticSettings haptic = Rig::settings();
         haptic.rampSeconds = rampSeconds;
-        Bench bench(haptic);
+        Rig rig(haptic);
         CalledStylus called(motors, trick);
         const auto own = ownStylus(motors, trick);
         ServoSettings settings;
         settings.maximumSeconds = seconds;
         const StylusHandle stylus = kind == Kind::called ? StylusHandle(called) : StylusHandle(*own);
-        const Result<LoopStatistics> result = runServoLoop(stylus, bench.step, log, settings, stop);
+        const Result<LoopStatistics> result = runServoLoop(stylus, rig.step, log, settings, stop);
         if (result) statistics = *result;
     }
     /// The tick whose reading was kept waiting.
@@ -109,15 +109,15 @@ private slots:
             void tick(const Sample&, const TickTiming&) noexcept override { ++ticks; }
             int ticks = 0;
         } sink;
-        Bench bench;
+        Rig rig;
         Motors motors;
         const auto stylus = ownStylus(motors);
         const std::atomic<bool> stop{false};
-        const auto result = runServoLoop(*stylus, bench.step, sink, {}, stop);
+        const auto result = runServoLoop(*stylus, rig.step, sink, {}, stop);
         QVERIFY(!result);
         QCOMPARE(result.error().code, ErrorCode::recordingOverflow);
         QCOMPARE(sink.ticks, 20);
-        const auto fast = runServoLoop(*stylus, bench.step, sink, {.pace = Pace::fast}, stop);
+        const auto fast = runServoLoop(*stylus, rig.step, sink, {.pace = Pace::fast}, stop);
         QCOMPARE(fast.error().code, ErrorCode::argumentInvalid);
     }
 
@@ -165,7 +165,7 @@ private slots:
         BlockingField field;
         field.seconds = 1.5;
         RunVolume volume = stockOnPart();
-        HapticStep step(volume, field, ballTool(), Bench::settings());
+        HapticStep step(volume, field, ballTool(), Rig::settings());
         Motors motors;
         CalledStylus called(motors);
         const auto own = ownStylus(motors);
@@ -210,17 +210,17 @@ private slots:
     /// A device that got no force because it came too late holds none: what it gets next rises from there, however
     /// punctual the next tick is.
     void afterAForceThatWasWithheldTheNextOneRises() {
-        Bench bench;
-        bench.begin({0.0, 0.0, 5.0});
-        bench.moveTo({0.0, 0.0, floorHeight - 15.0}, 100.0);
-        bench.rest(200);
-        const double pressed = glm::length(bench.step.deviceWrench().force), rise = bench.step.limiter().riseStep();
+        Rig rig;
+        rig.begin({0.0, 0.0, 5.0});
+        rig.moveTo({0.0, 0.0, floorHeight - 15.0}, 100.0);
+        rig.rest(200);
+        const double pressed = glm::length(rig.step.deviceWrench().force), rise = rig.step.limiter().riseStep();
         QVERIFY(pressed > 5.0 * rise);
         StylusState reading;
-        reading.pose.position = bench.hand;
+        reading.pose.position = rig.hand;
         reading.valid = true;
         Log log;
-        ServoTick tick(bench.step, log, period, true);
+        ServoTick tick(rig.step, log, period, true);
         const auto force = [&](double seconds) {
             tick.begin();
             waitFor(seconds);
@@ -249,13 +249,13 @@ private slots:
             int ticks = 0, edges = 0;
             std::int64_t firstInterval = -1;
         } sink;
-        Bench bench;
+        Rig rig;
         Motors motors;
         CalledStylus stylus(motors);
         const std::atomic<bool> stop{false};
         ServoSettings settings;
         settings.maximumSeconds = 0.4;
-        const auto result = runServoLoop(stylus, bench.step, sink, settings, stop);
+        const auto result = runServoLoop(stylus, rig.step, sink, settings, stop);
         QVERIFY(result.hasValue());
         QCOMPARE(sink.firstInterval, std::int64_t{0}); // standing is no gap
     }
@@ -273,15 +273,15 @@ private slots:
 
     /// Dead man's button: no force without it, none from the very tick that it is let go, and what comes back fades in.
     void forcesNeedTheirButtonHeld() {
-        HapticSettings settings = Bench::settings();
+        HapticSettings settings = Rig::settings();
         settings.forceButtons = 0b110; // the second or the third
         settings.rampSeconds = 0.05;
-        Bench bench(settings);
-        bench.begin({0, 0, 2});
-        bench.moveTo({0, 0, floorHeight - 1.0}, 40.0);
-        const auto pressWith = [&bench](std::uint32_t buttons, int ticks) {
-            bench.buttons = buttons;
-            return glm::length(bench.rest(ticks).force);
+        Rig rig(settings);
+        rig.begin({0, 0, 2});
+        rig.moveTo({0, 0, floorHeight - 1.0}, 40.0);
+        const auto pressWith = [&rig](std::uint32_t buttons, int ticks) {
+            rig.buttons = buttons;
+            return glm::length(rig.rest(ticks).force);
         };
         QCOMPARE(pressWith(0b000, 200), 0.0);
         QCOMPARE(pressWith(0b001, 200), 0.0);
@@ -290,7 +290,7 @@ private slots:
         QVERIFY(first < 0.05 * whole);
         QVERIFY(std::abs(pressWith(0b010, 50) - whole) < 0.05 * whole);
         QCOMPARE(pressWith(0b001, 1), 0.0);
-        QCOMPARE(bench.step.deviceWrench().force, glm::dvec3(0.0));
+        QCOMPARE(rig.step.deviceWrench().force, glm::dvec3(0.0));
         QVERIFY(pressWith(0b010, 1) < 0.05 * whole);
     }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 
 #include <QtTest>
 
@@ -13,34 +13,34 @@ constexpr double most = 0.6 * 4.0; // N: the device's share of desktopStylus' ma
 
 /// A hand that presses far into the part, so that the force is at its limit, with motors as warm as a test says.
 struct Press {
-    explicit Press(double handleMass = 0.0) : bench(settings(handleMass)) {
-        bench.begin({0.0, 0.0, 5.0});
-        bench.moveTo({0.0, 0.0, floorHeight - 15.0}, 100.0);
-        bench.rest(200);
+    explicit Press(double handleMass = 0.0) : rig(settings(handleMass)) {
+        rig.begin({0.0, 0.0, 5.0});
+        rig.moveTo({0.0, 0.0, floorHeight - 15.0}, 100.0);
+        rig.rest(200);
         force = applied();
     }
     static HapticSettings settings(double handleMass) {
-        HapticSettings settings = Bench::settings();
+        HapticSettings settings = Rig::settings();
         settings.stylus.handleMass = {handleMass, "made up"};
         return settings;
     }
-    glm::dvec3 applied() const { return bench.step.deviceWrench().force; }
+    glm::dvec3 applied() const { return rig.step.deviceWrench().force; }
     /// Ticks at a heat; remembers the largest change of the force from one to the next.
     Sample holds(double heat, int ticks) {
         Sample sample;
         for (int i = 0; i < ticks; ++i) {
             StylusState state;
-            state.pose.position = bench.hand;
+            state.pose.position = rig.hand;
             state.valid = true;
             state.motorHeat = heat;
-            sample = bench.step.advance(state, period);
+            sample = rig.step.advance(state, period);
             largestChange = std::max(largestChange, glm::length(applied() - force));
             force = applied();
         }
         return sample;
     }
 
-    Bench bench;
+    Rig rig;
     glm::dvec3 force{0.0};
     double largestChange = 0.0; ///< N in a tick
 };
@@ -86,8 +86,8 @@ private slots:
         QVERIFY(std::abs(press.force.z - most) < 1e-9);
         press.holds(0.95, 3000);
         QVERIFY(std::abs(press.force.z - 0.5 * most) < 1e-9);
-        press.bench.moveTo({0.0, 0.0, 5.0}, 100.0);
-        press.bench.hand = {0.0, 0.0, 5.0};
+        press.rig.moveTo({0.0, 0.0, 5.0}, 100.0);
+        press.rig.hand = {0.0, 0.0, 5.0};
         press.holds(0.95, 600);
         const glm::dvec3 lift{0.0, 0.0, std::min(mass * 9.80665, 0.25 * most)};
         QVERIFY(glm::length(press.force - lift) < 1e-6);

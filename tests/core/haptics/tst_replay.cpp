@@ -47,7 +47,7 @@ StylusDescription ownDescription() {
 }
 
 HapticSettings settings() {
-    HapticSettings settings = Bench::settings();
+    HapticSettings settings = Rig::settings();
     settings.rampSeconds = 0.02;
     return settings;
 }

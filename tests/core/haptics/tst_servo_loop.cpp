@@ -3,7 +3,7 @@
 #include "core/haptics/loop/duration_histogram.h"
 #include "core/haptics/loop/loop_figures.h"
 #include "core/haptics/loop/servo_loop.h"
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -79,12 +79,12 @@ struct LoopRun {
 };
 
 LoopRun runFast(CirclingStylus& stylus, double seconds, std::size_t capacity) {
-    Bench bench;
+    Rig rig;
     Ring<Sample> ring(capacity);
     Reader reader(ring);
     const std::atomic<bool> stop{false};
     const ServoSettings settings{period, Pace::fast, seconds};
-    const Result<LoopStatistics> statistics = runServoLoop(stylus, bench.step, ring, settings, stop);
+    const Result<LoopStatistics> statistics = runServoLoop(stylus, rig.step, ring, settings, stop);
     return {*statistics, reader.finish()};
 }
 
@@ -138,14 +138,13 @@ private slots:
     void realtimeFollowsTheClock() {
         QFETCH(double, rate);
         const double period = 1.0 / rate;
-        HapticSettings wanted = Bench::settings();
+        HapticSettings wanted = Rig::settings();
         wanted.tickPeriod = period;
-        Bench bench(wanted);
+        Rig rig(wanted);
         CirclingStylus stylus;
         Ring<Sample> ring(4096);
         const std::atomic<bool> stop{false};
-        const Result<LoopStatistics> result =
-            runServoLoop(stylus, bench.step, ring, {period, Pace::realtime, 0.4}, stop);
+        const Result<LoopStatistics> result = runServoLoop(stylus, rig.step, ring, {period, Pace::realtime, 0.4}, stop);
         QVERIFY(result.hasValue());
         // However busy the machine is: each edge of the clock was either served or counted as missed.
         QCOMPARE(result->ticks + result->missed,
@@ -163,12 +162,11 @@ private slots:
     }
 
     void realtimeNeverLosesASampleSilently() {
-        Bench bench;
+        Rig rig;
         CirclingStylus stylus;
         Ring<Sample> ring(64); // and nobody reads
         const std::atomic<bool> stop{false};
-        const Result<LoopStatistics> result =
-            runServoLoop(stylus, bench.step, ring, {period, Pace::realtime, 5.0}, stop);
+        const Result<LoopStatistics> result = runServoLoop(stylus, rig.step, ring, {period, Pace::realtime, 5.0}, stop);
         QVERIFY(!result);
         QCOMPARE(result.error().code, ErrorCode::recordingOverflow);
         QCOMPARE(result.error().subject, std::string("64"));
@@ -183,7 +181,7 @@ private slots:
     }
     void stopsWhenTold() {
         QFETCH(bool, fast);
-        Bench bench;
+        Rig rig;
         CirclingStylus stylus;
         Ring<Sample> ring(fast ? 64 : 1 << 16);
         std::atomic<bool> stop{false};
@@ -192,7 +190,7 @@ private slots:
             stop = true;
         });
         const Result<LoopStatistics> result =
-            runServoLoop(stylus, bench.step, ring, {period, fast ? Pace::fast : Pace::realtime, 1e9}, stop);
+            runServoLoop(stylus, rig.step, ring, {period, fast ? Pace::fast : Pace::realtime, 1e9}, stop);
         later.join();
         QVERIFY(result.hasValue());
         QCOMPARE(static_cast<std::size_t>(result->ticks), ring.size());
@@ -223,10 +221,10 @@ private slots:
             int stood = 0;
             bool zeroForce = true, ordered = true;
         } sink;
-        Bench bench;
+        Rig rig;
         const std::atomic<bool> stop{false};
         const Result<LoopStatistics> result =
-            runServoLoop(sink.stylus, bench.step, sink, {period, static_cast<Pace>(pace), 0.15}, stop);
+            runServoLoop(sink.stylus, rig.step, sink, {period, static_cast<Pace>(pace), 0.15}, stop);
         QVERIFY(result.hasValue());
         QCOMPARE(sink.stood, 20);
         QVERIFY(sink.zeroForce && sink.ordered);
@@ -240,13 +238,13 @@ private slots:
 
     /// Time lapse: the hand's time runs ahead of the clock, tick by tick of the nominal period.
     void timeLapseMakesManyTicksAtAnEdge() {
-        Bench bench;
+        Rig rig;
         CirclingStylus stylus;
         Ring<Sample> ring(1024);
         const std::atomic<bool> stop{false};
         ServoSettings settings{period, Pace::realtime, 0.4};
         settings.ticksPerEdge = 8;
-        const Result<LoopStatistics> result = runServoLoop(stylus, bench.step, ring, settings, stop);
+        const Result<LoopStatistics> result = runServoLoop(stylus, rig.step, ring, settings, stop);
         QVERIFY(result.hasValue());
         QCOMPARE(result->ticks, std::uint64_t{400});
         QVERIFY(std::abs(result->simulatedSeconds - 0.4) < 1e-9);
@@ -256,7 +254,7 @@ private slots:
         for (const Sample& sample : samples)
             QVERIFY(std::abs(sample.time - static_cast<double>(sample.tick) * period) < 1e-9);
         settings.ticksPerEdge = 0;
-        QCOMPARE(runServoLoop(stylus, bench.step, ring, settings, stop).error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(runServoLoop(stylus, rig.step, ring, settings, stop).error().code, ErrorCode::argumentInvalid);
     }
 
     /// Figures of a loop under way are those of its ticks.
@@ -279,12 +277,12 @@ private slots:
     }
 
     void refusesAPeriodThatIsNone() {
-        Bench bench;
+        Rig rig;
         CirclingStylus stylus;
         Ring<Sample> ring(64);
         const std::atomic<bool> stop{false};
         for (double wrong : {0.0, -0.001, std::numeric_limits<double>::quiet_NaN()}) {
-            const auto result = runServoLoop(stylus, bench.step, ring, {wrong, Pace::fast, 1.0}, stop);
+            const auto result = runServoLoop(stylus, rig.step, ring, {wrong, Pace::fast, 1.0}, stop);
             QVERIFY(!result);
             QCOMPARE(result.error().code, ErrorCode::argumentInvalid);
         }

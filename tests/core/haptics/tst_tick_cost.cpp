@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/loop/loop_figures.h"
 #include "core/haptics/loop/servo_tick.h"
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 #include "tests/oracles/system_watch.h"
 
 #include <QtTest>
@@ -126,9 +126,9 @@ private slots:
             LoopFigures figures;
         };
         SystemWatch watch;
-        Bench bench;
+        Rig rig;
         const auto sink = std::make_unique<Figures>();
-        const auto tick = std::make_unique<ServoTick>(bench.step, *sink, period, true);
+        const auto tick = std::make_unique<ServoTick>(rig.step, *sink, period, true);
         SystemUse sum;
         for (int i = 0; i < 600; ++i) {
             StylusState state;
@@ -161,19 +161,19 @@ private slots:
         QFETCH(double, fluteLength);
         QFETCH(int, happens);
         SystemWatch watch;
-        Bench bench(Bench::settings(), ballTool(fluteLength, fluteLength < 10.0 ? 12.0 : 6.0));
-        bench.begin({-12, 0, 2});
+        Rig rig(Rig::settings(), ballTool(fluteLength, fluteLength < 10.0 ? 12.0 : 6.0));
+        rig.begin({-12, 0, 2});
         std::uint64_t cut = 0, happened = 0, faults = 0;
         SystemUse sum;
         const auto go = [&](const glm::dvec3& target, double speed) {
-            const auto count = static_cast<int>(std::ceil(glm::length(target - bench.hand) / (speed * period)));
-            const glm::dvec3 from = std::exchange(bench.hand, target);
+            const auto count = static_cast<int>(std::ceil(glm::length(target - rig.hand) / (speed * period)));
+            const glm::dvec3 from = std::exchange(rig.hand, target);
             for (int i = 1; i <= count; ++i) {
                 StylusState state;
                 state.pose.position = glm::mix(from, target, static_cast<double>(i) / count);
                 state.valid = i != 7; // a fault as well
                 watch.begin();
-                const Sample sample = bench.step.advance(state, i == 9 ? 0.005 : period); // and one that comes late
+                const Sample sample = rig.step.advance(state, i == 9 ? 0.005 : period); // and one that comes late
                 const SystemUse cost = watch.end();
                 sum.allocations += cost.allocations + cost.releases;
                 sum.locks += cost.locks;
@@ -186,7 +186,7 @@ private slots:
         go({-12, 0, -4}, 30.0);
         go({12, 3, -4}, 40.0);
         go({10, -3, -14}, 40.0);
-        bench.step.setAllowance(0.3);
+        rig.step.setAllowance(0.3);
         go({-12, -3, -14}, 60.0);
         go({-12, -3, 5}, 60.0);
         QVERIFY(cut > 100 && happened > 50 && faults == 5); // or nothing was watched

@@ -3,7 +3,7 @@
 #include "core/haptics/boundary/pose_vector.h"
 #include "core/haptics/force/turn_coupling.h"
 #include "tests/core/device/desktop_stylus.h"
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 #include "tests/oracles/simulated_handle.h"
 
 #include <QtTest>

@@ -4,7 +4,7 @@
 #include "core/base/units.h"
 #include "core/device/deflection.h"
 #include "core/haptics/workspace.h"
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -17,7 +17,7 @@ namespace {
 constexpr double scale = 2.0;
 
 HapticSettings mapped(bool motors = true) {
-    HapticSettings settings = Bench::settings();
+    HapticSettings settings = Rig::settings();
     if (!motors) settings.stylus.actuated = {};
     settings.mapping.origin = {3, -2, 40};
     settings.mapping.scale = scale;
@@ -25,8 +25,8 @@ HapticSettings mapped(bool motors = true) {
 }
 
 /// A workspace with a hand in it; the tool is where the hand wants it.
-struct WorkspaceBench {
-    explicit WorkspaceBench(const HapticSettings& wanted = mapped()) : workspace(wanted) {}
+struct WorkspaceRig {
+    explicit WorkspaceRig(const HapticSettings& wanted = mapped()) : workspace(wanted) {}
     glm::dvec3 feed(const glm::dvec3& place) {
         Pose pose;
         pose.position = place;
@@ -60,46 +60,46 @@ class TestWorkspace : public QObject {
     Q_OBJECT
 private slots:
     void withoutAWishItIsTheMapping() {
-        WorkspaceBench bench;
+        WorkspaceRig rig;
         SeededRandom random(1);
         for (int i = 0; i < 1000; ++i) {
             const glm::dvec3 place = random.within(glm::dvec3(-50), glm::dvec3(50));
-            QCOMPARE(bench.feed(place), mapped().mapping.toSetup(place));
+            QCOMPARE(rig.feed(place), mapped().mapping.toSetup(place));
         }
     }
 
     void theWantedTipNeverJumpsWhateverIsWished() {
         QVERIFY(rc::check("it moves no farther than the hand does, and rests where the hand rests", [] {
             SeededRandom random(*rc::gen::arbitrary<std::uint64_t>());
-            WorkspaceBench bench;
-            bench.settings.clutchButton = 2;
-            glm::dvec3 before = bench.feed(random.within(glm::dvec3(-40), glm::dvec3(40)));
+            WorkspaceRig rig;
+            rig.settings.clutchButton = 2;
+            glm::dvec3 before = rig.feed(random.within(glm::dvec3(-40), glm::dvec3(40)));
             for (int wish = 0; wish < 40; ++wish) {
                 switch (random.below(5)) {
                 case 0:
-                    bench.settings.scale = std::exp(random.between(-2.0, 2.0));
+                    rig.settings.scale = std::exp(random.between(-2.0, 2.0));
                     break;
                 case 1:
-                    bench.settings.rotation = turnAbout(random.direction(), random.between(-3.0, 3.0));
+                    rig.settings.rotation = turnAbout(random.direction(), random.between(-3.0, 3.0));
                     break;
                 case 2:
-                    bench.settings.clutched = !bench.settings.clutched;
+                    rig.settings.clutched = !rig.settings.clutched;
                     break;
                 case 3:
-                    ++bench.settings.recentrings;
+                    ++rig.settings.recentrings;
                     break;
                 default:
-                    bench.buttons ^= 2;
+                    rig.buttons ^= 2;
                 }
-                bench.quiet = random.share() < 0.5;
-                bench.workspace.set(bench.settings);
-                const double most = std::max(bench.workspace.mapping().scale, bench.settings.scale.value_or(0.0));
-                const glm::dvec3 from = bench.hand;
+                rig.quiet = random.share() < 0.5;
+                rig.workspace.set(rig.settings);
+                const double most = std::max(rig.workspace.mapping().scale, rig.settings.scale.value_or(0.0));
+                const glm::dvec3 from = rig.hand;
                 const glm::dvec3 target = random.share() < 0.3 ? from : random.within(glm::dvec3(-40), glm::dvec3(40));
                 for (int i = 1; i <= 20; ++i) {
                     const glm::dvec3 place = glm::mix(from, target, i / 20.0);
-                    const double moved = glm::length(place - bench.hand);
-                    const glm::dvec3 tip = bench.feed(place);
+                    const double moved = glm::length(place - rig.hand);
+                    const glm::dvec3 tip = rig.feed(place);
                     RC_ASSERT(glm::length(tip - before) <= 1.5 * most * moved + 1e-11);
                     before = tip;
                 }
@@ -108,140 +108,140 @@ private slots:
     }
 
     void theClutchLetsTheHandGoBack() {
-        WorkspaceBench bench;
-        bench.settings.clutchButton = 2;
-        bench.workspace.set(bench.settings);
-        bench.feed({0, 0, 0});
-        const glm::dvec3 there = bench.moveTo({40, 0, 0});
-        bench.buttons = 2;
-        QVERIFY(glm::length(bench.moveTo({-40, 10, 0}) - there) < 1e-11);
-        bench.buttons = 0;
-        QVERIFY(glm::length(bench.moveTo({-40, 10, 0}) - there) < 1e-11);
-        QVERIFY(glm::length(bench.moveTo({-20, 10, 5}) - there - glm::dvec3(40, 0, 10)) < 1e-11);
+        WorkspaceRig rig;
+        rig.settings.clutchButton = 2;
+        rig.workspace.set(rig.settings);
+        rig.feed({0, 0, 0});
+        const glm::dvec3 there = rig.moveTo({40, 0, 0});
+        rig.buttons = 2;
+        QVERIFY(glm::length(rig.moveTo({-40, 10, 0}) - there) < 1e-11);
+        rig.buttons = 0;
+        QVERIFY(glm::length(rig.moveTo({-40, 10, 0}) - there) < 1e-11);
+        QVERIFY(glm::length(rig.moveTo({-20, 10, 5}) - there - glm::dvec3(40, 0, 10)) < 1e-11);
     }
 
     void aTurnWaitsUntilTheHandFeelsNothing() {
-        WorkspaceBench bench;
-        bench.feed({10, 0, 0});
-        bench.quiet = false;
-        bench.settings.rotation = turnAbout({0, 0, 1}, 0.5 * pi);
-        bench.workspace.set(bench.settings);
-        const glm::dvec3 there = bench.tool;
-        QVERIFY(glm::length(bench.moveTo({11, 0, 0}) - there - glm::dvec3(scale, 0, 0)) < 1e-11);
-        bench.quiet = true;
-        bench.feed(bench.hand);
-        const glm::dvec3 turned = bench.tool;
+        WorkspaceRig rig;
+        rig.feed({10, 0, 0});
+        rig.quiet = false;
+        rig.settings.rotation = turnAbout({0, 0, 1}, 0.5 * pi);
+        rig.workspace.set(rig.settings);
+        const glm::dvec3 there = rig.tool;
+        QVERIFY(glm::length(rig.moveTo({11, 0, 0}) - there - glm::dvec3(scale, 0, 0)) < 1e-11);
+        rig.quiet = true;
+        rig.feed(rig.hand);
+        const glm::dvec3 turned = rig.tool;
         QVERIFY(glm::length(turned - there - glm::dvec3(scale, 0, 0)) < 1e-11);
-        QVERIFY(glm::length(bench.moveTo({12, 0, 0}) - turned - glm::dvec3(0, scale, 0)) < 1e-11);
+        QVERIFY(glm::length(rig.moveTo({12, 0, 0}) - turned - glm::dvec3(0, scale, 0)) < 1e-11);
     }
 
     void aScaleComesInSlowlyUnderForce() {
-        WorkspaceBench bench;
-        bench.feed({10, 0, 0});
-        bench.quiet = false;
-        bench.settings.scale = 0.5;
-        bench.workspace.set(bench.settings);
-        for (int i = 0; i < 100; ++i) bench.feed(bench.hand);
-        QVERIFY(std::abs(bench.workspace.mapping().scale - scale * std::exp(-0.2)) < 1e-9);
-        for (int i = 0; i < 1000; ++i) bench.feed(bench.hand);
-        QCOMPARE(bench.workspace.mapping().scale, 0.5);
-        bench.quiet = true;
-        bench.settings.scale = 5.0;
-        bench.workspace.set(bench.settings);
-        bench.feed(bench.hand);
-        QCOMPARE(bench.workspace.mapping().scale, 5.0);
+        WorkspaceRig rig;
+        rig.feed({10, 0, 0});
+        rig.quiet = false;
+        rig.settings.scale = 0.5;
+        rig.workspace.set(rig.settings);
+        for (int i = 0; i < 100; ++i) rig.feed(rig.hand);
+        QVERIFY(std::abs(rig.workspace.mapping().scale - scale * std::exp(-0.2)) < 1e-9);
+        for (int i = 0; i < 1000; ++i) rig.feed(rig.hand);
+        QCOMPARE(rig.workspace.mapping().scale, 0.5);
+        rig.quiet = true;
+        rig.settings.scale = 5.0;
+        rig.workspace.set(rig.settings);
+        rig.feed(rig.hand);
+        QCOMPARE(rig.workspace.mapping().scale, 5.0);
     }
 
     void recentringBringsAHandThatWorksBackToTheMiddle() {
-        WorkspaceBench bench;
+        WorkspaceRig rig;
         SeededRandom random(4);
-        bench.feed({50, -30, 20});
-        const glm::dvec3 work = bench.tool; // the hand steers the tool about this place by the eye
-        ++bench.settings.recentrings;
-        bench.workspace.set(bench.settings);
+        rig.feed({50, -30, 20});
+        const glm::dvec3 work = rig.tool; // the hand steers the tool about this place by the eye
+        ++rig.settings.recentrings;
+        rig.workspace.set(rig.settings);
         double farthest = 0.0;
         int ticks = 0;
-        for (; bench.workspace.recentring() && ticks < 60'000; ++ticks) {
+        for (; rig.workspace.recentring() && ticks < 60'000; ++ticks) {
             const double angle = 0.01 * ticks;
             const glm::dvec3 wish = work + 10.0 * glm::dvec3(std::cos(angle), std::sin(angle), 0);
-            bench.feed(bench.hand + clampLength((wish - bench.tool) / scale, 0.1));
-            if (ticks > 1000) farthest = std::max(farthest, glm::length(bench.tool - work));
+            rig.feed(rig.hand + clampLength((wish - rig.tool) / scale, 0.1));
+            if (ticks > 1000) farthest = std::max(farthest, glm::length(rig.tool - work));
         }
         QVERIFY(ticks < 20'000);
-        QVERIFY(glm::length(bench.hand) <= Workspace::recentred * 80.0 + 0.1);
+        QVERIFY(glm::length(rig.hand) <= Workspace::recentred * 80.0 + 0.1);
         QVERIFY(farthest < 11.0);
     }
 
     void rateControlDrivesTheToolAndStopsWhenLetGo() {
-        WorkspaceBench bench(mapped(false));
-        bench.settings.control = WorkspaceControl::rate;
-        bench.settings.region = {{-1000, -50, -50}, {200, 50, 50}};
-        bench.workspace.set(bench.settings);
-        bench.feed({0, 0, 0});
-        const glm::dvec3 start = bench.tool;
-        bench.moveTo({20, 0, 0}, 1); // half of full deflection
-        for (int i = 0; i < 499; ++i) bench.feed({20, 0, 0});
+        WorkspaceRig rig(mapped(false));
+        rig.settings.control = WorkspaceControl::rate;
+        rig.settings.region = {{-1000, -50, -50}, {200, 50, 50}};
+        rig.workspace.set(rig.settings);
+        rig.feed({0, 0, 0});
+        const glm::dvec3 start = rig.tool;
+        rig.moveTo({20, 0, 0}, 1); // half of full deflection
+        for (int i = 0; i < 499; ++i) rig.feed({20, 0, 0});
         const double speed = scale * Workspace::topSpeed * deflectionResponse(0.5); // mm/s
-        QVERIFY(glm::length(bench.tool - start - glm::dvec3(0.5 * speed, 0, 0)) < 1e-9);
-        QVERIFY(glm::length(bench.last.drive - glm::dvec3(speed, 0, 0)) < 1e-9);
-        const glm::dvec3 there = bench.moveTo({0, 0, 0}, 1);
-        for (int i = 0; i < 1000; ++i) bench.feed({0.5, 0.5, 0}); // what a cap has of play
-        QCOMPARE(bench.tool, there);
-        for (int i = 0; i < 10'000; ++i) bench.feed({40, 0, 0});
-        QCOMPARE(bench.tool.x, 200.0);
+        QVERIFY(glm::length(rig.tool - start - glm::dvec3(0.5 * speed, 0, 0)) < 1e-9);
+        QVERIFY(glm::length(rig.last.drive - glm::dvec3(speed, 0, 0)) < 1e-9);
+        const glm::dvec3 there = rig.moveTo({0, 0, 0}, 1);
+        for (int i = 0; i < 1000; ++i) rig.feed({0.5, 0.5, 0}); // what a cap has of play
+        QCOMPARE(rig.tool, there);
+        for (int i = 0; i < 10'000; ++i) rig.feed({40, 0, 0});
+        QCOMPARE(rig.tool.x, 200.0);
     }
 
     void aStylusWithMotorsIsNeverRateControlled() {
-        WorkspaceBench bench;
-        bench.settings.control = WorkspaceControl::rate;
-        bench.workspace.set(bench.settings);
-        bench.feed({10, 0, 0});
-        QCOMPARE(bench.feed({20, 0, 0}), mapped().mapping.toSetup({20, 0, 0}));
+        WorkspaceRig rig;
+        rig.settings.control = WorkspaceControl::rate;
+        rig.workspace.set(rig.settings);
+        rig.feed({10, 0, 0});
+        QCOMPARE(rig.feed({20, 0, 0}), mapped().mapping.toSetup({20, 0, 0}));
     }
 
     void theAxisTurnsNoFasterThanAHand() {
-        WorkspaceBench bench;
-        bench.feed({10, 0, 0});
-        bench.settings.rotation = turnAbout({1, 0, 0}, 1.0);
-        bench.workspace.set(bench.settings);
-        glm::dvec3 before = bench.last.wanted.axis;
+        WorkspaceRig rig;
+        rig.feed({10, 0, 0});
+        rig.settings.rotation = turnAbout({1, 0, 0}, 1.0);
+        rig.workspace.set(rig.settings);
+        glm::dvec3 before = rig.last.wanted.axis;
         for (int i = 0; i < 1000; ++i) {
-            bench.feed({10, 0, 0});
-            QVERIFY(angleBetween(before, bench.last.wanted.axis) <= AxisFollower::speed * period + 1e-9);
-            before = bench.last.wanted.axis;
+            rig.feed({10, 0, 0});
+            QVERIFY(angleBetween(before, rig.last.wanted.axis) <= AxisFollower::speed * period + 1e-9);
+            before = rig.last.wanted.axis;
         }
         QVERIFY(glm::length(before - turnAbout({1, 0, 0}, 1.0) * glm::dvec3(0, 0, 1)) < 1e-9);
-        bench.settings.clutched = true;
-        bench.workspace.set(bench.settings);
-        bench.turn = turnAbout({0, 1, 0}, 0.7);
-        bench.feed({10, 0, 0});
-        QCOMPARE(bench.last.wanted.axis, before); // stays with the tool
+        rig.settings.clutched = true;
+        rig.workspace.set(rig.settings);
+        rig.turn = turnAbout({0, 1, 0}, 0.7);
+        rig.feed({10, 0, 0});
+        QCOMPARE(rig.last.wanted.axis, before); // stays with the tool
     }
 
     void nonsenseIsNotTaken() {
-        WorkspaceBench bench;
-        bench.feed({10, 0, 0});
-        bench.settings.scale = std::nan("");
-        bench.settings.rotation = glm::dquat(0, 0, 0, 0);
-        bench.workspace.set(bench.settings);
-        bench.feed({11, 0, 0});
-        bench.settings.scale = 0.0;
-        bench.settings.rotation = glm::dquat(std::nan(""), 0, 0, 0);
-        bench.workspace.set(bench.settings);
-        QCOMPARE(bench.feed({12, 0, 0}), mapped().mapping.toSetup({12, 0, 0}));
+        WorkspaceRig rig;
+        rig.feed({10, 0, 0});
+        rig.settings.scale = std::nan("");
+        rig.settings.rotation = glm::dquat(0, 0, 0, 0);
+        rig.workspace.set(rig.settings);
+        rig.feed({11, 0, 0});
+        rig.settings.scale = 0.0;
+        rig.settings.rotation = glm::dquat(std::nan(""), 0, 0, 0);
+        rig.workspace.set(rig.settings);
+        QCOMPARE(rig.feed({12, 0, 0}), mapped().mapping.toSetup({12, 0, 0}));
     }
 
     void aHandThatPressesFeelsNoKick() {
-        HapticSettings settings = Bench::settings();
-        Bench bench(settings, ballTool(), stockOnPart(0, false));
+        HapticSettings settings = Rig::settings();
+        Rig rig(settings, ballTool(), stockOnPart(0, false));
         SeededRandom random(8);
-        bench.begin({0, 0, 5});
-        bench.moveTo({0, 0, floorHeight - 4.0}, 50.0);
+        rig.begin({0, 0, 5});
+        rig.moveTo({0, 0, floorHeight - 4.0}, 50.0);
         WorkspaceSettings workspace;
-        glm::dvec3 before = bench.rest(1).force;
+        glm::dvec3 before = rig.rest(1).force;
         double kick = 0.0, largest = 0.0;
         int quietTicks = 0;
-        bench.onTick = [&](const Sample& sample) {
+        rig.onTick = [&](const Sample& sample) {
             const double grown = glm::length(sample.force) - glm::length(before);
             kick = std::max(kick, grown);
             largest = std::max(largest, glm::length(sample.force));
@@ -262,9 +262,9 @@ private slots:
             default:
                 ++workspace.recentrings;
             }
-            bench.step.setWorkspace(workspace);
-            bench.moveTo({0, 0, floorHeight - random.between(-1.0, 6.0)}, 30.0);
-            bench.rest(50);
+            rig.step.setWorkspace(workspace);
+            rig.moveTo({0, 0, floorHeight - random.between(-1.0, 6.0)}, 30.0);
+            rig.rest(50);
         }
         QVERIFY2(kick <= 0.16 + 1e-9, qPrintable(QString::number(kick))); // the slew
         QVERIFY(largest > 0.5);
@@ -272,22 +272,22 @@ private slots:
     }
 
     void withTheClutchInTheHandCarriesNothingAboutAndTheToolStays() {
-        Bench bench(Bench::settings(), ballTool(), stockOnPart(0, false));
-        bench.begin({0, 0, 5});
-        bench.moveTo({0, 0, floorHeight - 4.0}, 50.0);
-        QVERIFY(bench.rest(100).force.z > 1.0);
+        Rig rig(Rig::settings(), ballTool(), stockOnPart(0, false));
+        rig.begin({0, 0, 5});
+        rig.moveTo({0, 0, floorHeight - 4.0}, 50.0);
+        QVERIFY(rig.rest(100).force.z > 1.0);
         WorkspaceSettings workspace;
         workspace.clutched = true;
-        bench.step.setWorkspace(workspace);
-        const glm::dvec3 tool = bench.rest(20).proxy.tip;
-        const Sample away = bench.moveTo({10, 10, floorHeight + 20.0}, 100.0);
+        rig.step.setWorkspace(workspace);
+        const glm::dvec3 tool = rig.rest(20).proxy.tip;
+        const Sample away = rig.moveTo({10, 10, floorHeight + 20.0}, 100.0);
         QCOMPARE(away.force, glm::dvec3(0.0));
         QVERIFY(glm::length(away.proxy.tip - tool) < 1e-3);
         workspace.clutched = false;
-        bench.step.setWorkspace(workspace);
-        const Sample on = bench.moveTo({12, 10, floorHeight + 20.0}, 50.0);
+        rig.step.setWorkspace(workspace);
+        const Sample on = rig.moveTo({12, 10, floorHeight + 20.0}, 50.0);
         QVERIFY(glm::length(on.proxy.tip - tool - glm::dvec3(2, 0, 0)) < 1e-3);
-        QVERIFY(bench.moveTo({12, 10, floorHeight + 18.0}, 50.0).force.z > 0.5); // the floor again
+        QVERIFY(rig.moveTo({12, 10, floorHeight + 18.0}, 50.0).force.z > 0.5); // the floor again
     }
 };
 

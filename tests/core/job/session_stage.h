@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/job/milling_session.h"
-#include "tests/core/job/session_bench.h"
+#include "tests/core/job/session_milling.h"
 
 #include <functional>
 #include <thread>
@@ -12,24 +12,24 @@ namespace burin::test {
 
 using Lines = std::vector<std::vector<Segment>>;
 
-/// A project, a bench and a hand, and what one does with them.
+/// A project, a rig and a hand, and what one does with them.
 struct Stage {
     explicit Stage(const std::filesystem::path& file, int finishAfter = 0)
         : project(*Project::create(file)), hand(finishAfter) {
         Progress progress;
-        field = *clearanceField(bench, 0.5, progress);
+        field = *clearanceField(milling, 0.5, progress);
         if (!project.setModel(Model{}) || !project.setSetup(blockSetup())) std::abort();
     }
     std::unique_ptr<MillingSession> begin(const SessionRequest& request) {
         Result<std::unique_ptr<MillingSession>> session =
-            MillingSession::begin(project, bench, ToolBounds::borrowing(*field), hand, strokes, request);
+            MillingSession::begin(project, milling, ToolBounds::borrowing(*field), hand, strokes, request);
         return session ? *std::move(session) : nullptr;
     }
-    Lines workpiece() const { return linesOf(bench.embedded.workpiece); }
-    std::uint64_t units() const { return bench.embedded.workpiece.amounts().units[bench.embedded.stockProperty]; }
+    Lines workpiece() const { return linesOf(milling.embedded.workpiece); }
+    std::uint64_t units() const { return milling.embedded.workpiece.amounts().units[milling.embedded.stockProperty]; }
 
     Project project;
-    Bench bench = blockBench();
+    MillingContext milling = blockMilling();
     std::unique_ptr<const ClearanceField> field;
     StrokeHand hand;
     StrokeHistory strokes;

@@ -64,7 +64,7 @@ SessionRequest liveRequest() {
 struct Live {
     explicit Live(const QTemporaryDir& folder, SessionRequest request = liveRequest())
         : stage(folder.filePath("p.burin").toStdString()) {
-        auto begun = MillingSession::begin(stage.project, stage.bench, ToolBounds::borrowing(*stage.field),
+        auto begun = MillingSession::begin(stage.project, stage.milling, ToolBounds::borrowing(*stage.field),
                                            device.stylus, stage.strokes, request);
         if (begun) session = std::move(*begun);
     }
@@ -162,7 +162,7 @@ private slots:
         QTemporaryDir folder;
         Stage stage(folder.filePath("p.burin").toStdString());
         SimulatedStylus mouse({0.5 * side, 0.5 * side, top + 5.0});
-        auto session = MillingSession::begin(stage.project, stage.bench, ToolBounds::borrowing(*stage.field), mouse,
+        auto session = MillingSession::begin(stage.project, stage.milling, ToolBounds::borrowing(*stage.field), mouse,
                                              stage.strokes, handRequest());
         QVERIFY(session);
         SessionState state;
@@ -238,7 +238,7 @@ private slots:
         played.cutsOnButton = trace->began->cutsOnButton;
         const std::atomic<bool> stop{false};
         const auto outcome =
-            recordTake(second.project, second.bench, ToolBounds::borrowing(*second.field), again, played, stop);
+            recordTake(second.project, second.milling, ToolBounds::borrowing(*second.field), again, played, stop);
         QVERIFY(outcome);
         const Take take = *second.project.take(outcome->take);
         QCOMPARE(take.samples.size(), original.samples.size());
@@ -255,7 +255,7 @@ private slots:
                                        }));
         }
         QVERIFY(removedUnits(take) > 0);
-        QVERIFY(linesOf(second.bench.embedded.workpiece) == linesOf(live.stage.bench.embedded.workpiece));
+        QVERIFY(linesOf(second.milling.embedded.workpiece) == linesOf(live.stage.milling.embedded.workpiece));
     }
 
     void aTraceThatCannotBeWrittenIsRefused() {
@@ -264,7 +264,7 @@ private slots:
         request.trace = folder.filePath("no/such/folder.csv").toStdString();
         Stage stage(folder.filePath("p.burin").toStdString());
         Device device;
-        const auto session = MillingSession::begin(stage.project, stage.bench, ToolBounds::borrowing(*stage.field),
+        const auto session = MillingSession::begin(stage.project, stage.milling, ToolBounds::borrowing(*stage.field),
                                                    device.stylus, stage.strokes, request);
         QVERIFY(!session);
         QCOMPARE(session.error().code, ErrorCode::fileNotWritable);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/job/lower_feeds.h"
-#include "tests/core/job/part_bench.h"
+#include "tests/core/job/part_milling.h"
 #include "tests/core/path/path_fixture.h"
 
 #include <rapidcheck.h>
@@ -24,30 +24,31 @@ Tool endMill() {
     return tool;
 }
 
-Bench aluminiumBench(double spindlePower) {
+MillingContext aluminiumMilling(double spindlePower) {
     Setup setup = blockSetup();
     setup.stockMaterial = "aluminium-6061";
-    Bench bench = partBench(endMill(), setup);
-    bench.machine.spindlePower = spindlePower;
-    bench.machine.spindleTorque.clear();
-    return bench;
+    MillingContext milling = partMilling(endMill(), setup);
+    milling.machine.spindlePower = spindlePower;
+    milling.machine.spindleTorque.clear();
+    return milling;
 }
 
 /// A program of one recording along a polyline above the part, with or without Feed by engagement.
-Result<CheckedProgram> programOf(const Bench& bench, const std::vector<glm::dvec3>& corners, bool byEngagement) {
+Result<CheckedProgram> programOf(const MillingContext& milling, const std::vector<glm::dvec3>& corners,
+                                 bool byEngagement) {
     std::vector<Edit> edits{{Simplify{}}, {Link{.entry = Link::Entry::ramp}}, {SetFeed{}}};
     if (byEngagement) edits.push_back({LevelFeed{.goal = LevelFeed::Goal::limits}});
     StoredPath stored;
     stored.edits = std::move(edits);
     Take take = takeOf(along(corners, 50.0));
-    take.info.toolId = bench.tool.id;
+    take.info.toolId = milling.tool.id;
     Progress progress;
     const Result<EvaluatedPath> path =
-        evaluateStored({*recordedStrokes(take)}, bench, bench.tool, stored, {}, progress);
+        evaluateStored({*recordedStrokes(take)}, milling, milling.tool, stored, {}, progress);
     if (!path) return path.error();
     ProgramRequest request;
     request.name = "test";
-    return makeProgram(bench, path->path, request, progress);
+    return makeProgram(milling, path->path, request, progress);
 }
 
 bool asksTooMuch(const CheckedProgram& program) {
@@ -83,9 +84,9 @@ private slots:
             std::vector<glm::dvec3> corners;
             const int count = *rc::gen::inRange(3, 7);
             for (int i = 0; i < count; ++i) corners.push_back(placeInTheBlock());
-            const Bench bench = aluminiumBench(*rc::gen::inRange(480, 700));
-            const Result<CheckedProgram> free = programOf(bench, corners, false);
-            const Result<CheckedProgram> held = programOf(bench, corners, true);
+            const MillingContext milling = aluminiumMilling(*rc::gen::inRange(480, 700));
+            const Result<CheckedProgram> free = programOf(milling, corners, false);
+            const Result<CheckedProgram> held = programOf(milling, corners, true);
             RC_ASSERT(free.hasValue() && held.hasValue());
             refusedWithout += asksTooMuch(*free) ? 1 : 0;
             lowered += held->slowed > 0 ? 1 : 0;

@@ -3,7 +3,7 @@
 #include "core/job/job_paths.h"
 #include "core/job/milling.h"
 #include "core/job/milling_session.h"
-#include "tests/core/job/part_bench.h"
+#include "tests/core/job/part_milling.h"
 #include "tests/core/job/session_stage.h"
 
 #include <QTemporaryDir>
@@ -37,11 +37,11 @@ Lines shown(MillingSession& session) {
 /// The workpiece as it is made again from the recordings: as a command reads them, and as the window does, which gets
 /// them from another thread. Empty where these differ.
 Lines replayed(const Project& project) {
-    Bench bench = blockBench(), handedOver = blockBench();
+    MillingContext milling = blockMilling(), handedOver = blockMilling();
     Progress progress;
     const auto cuts = cutsOf(project);
-    if (!cuts || !replayTakes(project, bench, progress) || !replayTakes(*cuts, handedOver, progress)) return {};
-    Lines lines = linesOf(bench.embedded.workpiece);
+    if (!cuts || !replayTakes(project, milling, progress) || !replayTakes(*cuts, handedOver, progress)) return {};
+    Lines lines = linesOf(milling.embedded.workpiece);
     return lines == linesOf(handedOver.embedded.workpiece) ? lines : Lines{};
 }
 
@@ -114,9 +114,9 @@ private slots:
         QVERIFY(hovering >= std::size_t{3 * StrokeHand::backTicks});
         // No place of it gets into a path.
         Progress progress;
-        StoredPath stored = *standardPath(stage.project, stage.bench.tool.id);
+        StoredPath stored = *standardPath(stage.project, stage.milling.tool.id);
         stored.edits.clear();
-        const Result<EvaluatedPath> path = evaluateStored(stage.project, stage.bench, stored, progress);
+        const Result<EvaluatedPath> path = evaluateStored(stage.project, stage.milling, stored, progress);
         QVERIFY(path);
         QCOMPARE(path->path.points.size(), take->samples.size() - hovering);
         for (const PathPoint& point : path->path.points)
@@ -237,9 +237,9 @@ private slots:
             // After the session: its own functions and the history alike.
             QVERIFY(session->undoStroke());
             QVERIFY(stage.workpiece() == states[1]);
-            QVERIFY(stage.strokes.undo(stage.project, stage.bench.embedded.workpiece));
+            QVERIFY(stage.strokes.undo(stage.project, stage.milling.embedded.workpiece));
             QVERIFY(stage.workpiece() == states[0]);
-            QVERIFY(stage.strokes.redo(stage.project, stage.bench.embedded.workpiece));
+            QVERIFY(stage.strokes.redo(stage.project, stage.milling.embedded.workpiece));
             last = stage.workpiece();
             QVERIFY(last == states[1]);
             QVERIFY(stage.project.save());
@@ -265,10 +265,11 @@ private slots:
             const Result<Take> take = stage.project.take(session->take());
             QVERIFY(take && contiguous(*take));
             QCOMPARE(take->undone.size(), std::size_t{1});
-            while (stage.strokes.canUndo()) QVERIFY(stage.strokes.undo(stage.project, stage.bench.embedded.workpiece));
+            while (stage.strokes.canUndo())
+                QVERIFY(stage.strokes.undo(stage.project, stage.milling.embedded.workpiece));
             QVERIFY(stage.workpiece() == before);
             while (stage.strokes.canRedo())
-                if (!stage.strokes.redo(stage.project, stage.bench.embedded.workpiece)) break;
+                if (!stage.strokes.redo(stage.project, stage.milling.embedded.workpiece)) break;
             last = stage.workpiece();
             QVERIFY(stage.project.save());
         }
@@ -341,11 +342,11 @@ private slots:
     void oldStrokesMakeRoomForNewCuts() {
         const QTemporaryDir folder;
         Stage stage(fileIn(folder));
-        RunVolume& workpiece = stage.bench.embedded.workpiece;
+        RunVolume& workpiece = stage.milling.embedded.workpiece;
         const Grid grid = workpiece.grid();
         RunVolume small = *RunVolume::make(grid, workpiece.properties(), 60'000);
         QVERIFY(small.fillBlock({0, 0}, {grid.lineCountU(), grid.lineCountV()}, 0, grid.toRunPosition(top),
-                                stage.bench.embedded.stockProperty));
+                                stage.milling.embedded.stockProperty));
         workpiece = std::move(small);
         const Lines before = stage.workpiece();
         const auto session = stage.begin(handRequest());
@@ -375,10 +376,10 @@ private slots:
         const std::atomic<bool> stop{false};
         Stage fast(fileIn(other));
         const Result<OperatorOutcome> milled =
-            millWithOperator(fast.project, fast.bench, ToolBounds::borrowing(*fast.field), request, stop);
+            millWithOperator(fast.project, fast.milling, ToolBounds::borrowing(*fast.field), request, stop);
         QVERIFY(milled);
         Stage stage(fileIn(folder));
-        const Result<OperatorPlan> plan = planOperator(stage.bench, ToolBounds::borrowing(*stage.field), request);
+        const Result<OperatorPlan> plan = planOperator(stage.milling, ToolBounds::borrowing(*stage.field), request);
         QVERIFY(plan);
         QCOMPARE(plan->stages.size(), milled->takes.size());
         for (const OperatorStage& part : plan->stages) {
@@ -389,8 +390,8 @@ private slots:
             lapse.felt = plan->felt;
             lapse.ticksPerEdge = 50;
             lapse.takeName = part.name;
-            const auto session = MillingSession::begin(stage.project, stage.bench, ToolBounds::borrowing(*stage.field),
-                                                       hand, stage.strokes, lapse);
+            const auto session = MillingSession::begin(stage.project, stage.milling,
+                                                       ToolBounds::borrowing(*stage.field), hand, stage.strokes, lapse);
             QVERIFY(session && await([&] { return (*session)->ended(); }) && (*session)->end());
         }
         QVERIFY(stage.workpiece() == fast.workpiece());
@@ -410,13 +411,13 @@ private slots:
                     tool.cutter.cornerRadius = 0.5 * diameter;
                     Setup setup = blockSetup();
                     setup.stockMaterial = material;
-                    const Bench bench = partBench(tool, setup);
+                    const MillingContext milling = partMilling(tool, setup);
                     Progress progress;
-                    const auto field = clearanceField(bench, 0.5, progress);
+                    const auto field = clearanceField(milling, 0.5, progress);
                     QVERIFY(field);
                     OperatorRequest request;
                     request.levelDepth = asked;
-                    const Result<OperatorPlan> plan = planOperator(bench, ToolBounds::borrowing(**field), request);
+                    const Result<OperatorPlan> plan = planOperator(milling, ToolBounds::borrowing(**field), request);
                     QVERIFY(plan && !plan->plan.levels.empty());
                     double above = top, deepest = 0.0;
                     for (const double level : plan->plan.levels) {

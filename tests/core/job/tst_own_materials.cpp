@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/job/job_paths.h"
-#include "tests/core/job/part_bench.h"
+#include "tests/core/job/part_milling.h"
 #include "tests/core/path/path_fixture.h"
 
 #include <QTemporaryDir>
@@ -23,8 +23,8 @@ Property ownWax(double factor) {
     return wax;
 }
 
-/// A bench out of a project file that keeps such a wax.
-Result<Bench> benchWith(const Property& material, Project& project) {
+/// A rig out of a project file that keeps such a wax.
+Result<MillingContext> millingWith(const Property& material, Project& project) {
     Model model;
     Body body;
     body.name = "block";
@@ -38,7 +38,7 @@ Result<Bench> benchWith(const Property& material, Project& project) {
          {project.setModel(model), project.setSetup(setup), project.setMaterials({material})})
         if (!done) return done.error();
     Progress progress;
-    return makeBench(project, sessionTool(), "linuxcnc-mill", progress);
+    return makeMillingContext(project, sessionTool(), "linuxcnc-mill", progress);
 }
 
 /// A groove beside the part with feeds by force, evaluated, posted and checked.
@@ -46,22 +46,22 @@ struct Job {
     EvaluatedPath path;
     CheckedProgram program;
 };
-Result<Job> milled(const Bench& bench) {
+Result<Job> milled(const MillingContext& milling) {
     LevelFeed level;
     level.target = 1.5; // N
     PathMatter matter;
     matter.path.edits = {{Simplify{}}, {Link{}}, {SetFeed{}}, {level}};
-    matter.tool = bench.tool;
+    matter.tool = milling.tool;
     matter.sources = {*recordedStrokes(takeOf(along({{2.0, 3.0, 8.5}, {18.0, 3.0, 8.5}}, 50.0)))};
     Progress progress;
-    const Result<EvaluatedPaths> paths = evaluateInOrder(bench, {matter}, progress);
+    const Result<EvaluatedPaths> paths = evaluateInOrder(milling, {matter}, progress);
     if (!paths) return paths.error();
-    Result<EvaluatedPath> path = evaluateStored(matter.sources, bench, bench.tool, matter.path, {}, progress);
+    Result<EvaluatedPath> path = evaluateStored(matter.sources, milling, milling.tool, matter.path, {}, progress);
     if (!path) return path.error();
     ProgramRequest request;
     request.name = "groove.ngc";
     request.exactSamples = 0;
-    Result<CheckedProgram> program = makeProgram(bench, paths->program, request, progress);
+    Result<CheckedProgram> program = makeProgram(milling, paths->program, request, progress);
     if (!program) return program.error();
     return Job{std::move(*path), std::move(*program)};
 }
@@ -96,11 +96,11 @@ void TestOwnMaterials::theProjectsOwnMaterialIsCutEverywhere() {
     for (const double factor : {1.0, 2.0}) {
         Result<Project> project = Project::create(folder.filePath(QString("%1.burin").arg(factor)).toStdString());
         QVERIFY(project);
-        const Result<Bench> bench = benchWith(ownWax(factor), *project);
-        QVERIFY2(bench, bench ? "" : bench.error().place.c_str());
-        const PropertyList& list = bench->embedded.workpiece.properties();
-        QCOMPARE(list[bench->embedded.stockProperty].name, std::string("Wax of our own"));
-        Result<Job> job = milled(*bench);
+        const Result<MillingContext> milling = millingWith(ownWax(factor), *project);
+        QVERIFY2(milling, milling ? "" : milling.error().place.c_str());
+        const PropertyList& list = milling->embedded.workpiece.properties();
+        QCOMPARE(list[milling->embedded.stockProperty].name, std::string("Wax of our own"));
+        Result<Job> job = milled(*milling);
         QVERIFY2(job, job ? "" : job.error().place.c_str());
         QVERIFY(!job->program.machined.empty());
         QCOMPARE(job->program.machined.properties()[1].id, std::string("wax-of-our-own"));

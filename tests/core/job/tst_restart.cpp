@@ -4,7 +4,7 @@
 #include "core/job/job_paths.h"
 #include "core/job/restart_job.h"
 #include "tests/core/geometry/shapes.h"
-#include "tests/core/job/session_bench.h"
+#include "tests/core/job/session_milling.h"
 #include "tests/core/path/path_fixture.h"
 #include "tests/long_run.h"
 #include "tests/oracles/canonical_program.h"
@@ -100,7 +100,7 @@ Tool flat(int number) {
 }
 
 /// A block with a part low in it, that nothing comes near to.
-Bench bench(const Tool& tool) {
+MillingContext milling(const Tool& tool) {
     Body body;
     body.name = "plate";
     body.box = {{5.0, 5.0, 1.0}, {35.0, 35.0, 3.0}};
@@ -111,8 +111,8 @@ Bench bench(const Tool& tool) {
     setup.stock = {glm::dvec3(0.0), {2.0 * halfSide, 2.0 * halfSide, height}};
     setup.workOffset = {halfSide, halfSide, height};
     Progress progress;
-    Result<Bench> made =
-        makeBench({std::make_shared<const Model>(model), setup, tool, "linuxcnc-mill", {}, {}}, progress);
+    Result<MillingContext> made =
+        makeMillingContext({std::make_shared<const Model>(model), setup, tool, "linuxcnc-mill", {}, {}}, progress);
     if (!made) std::abort(); // the test's own set-up
     return std::move(*made);
 }
@@ -319,7 +319,7 @@ private slots:
     void theRestMakesTheSameWorkpiece() {
         if (!CanonicalProgram::available()) QSKIP("rs274 (package linuxcnc-uspace) is not installed");
         QFETCH(bool, inch);
-        const Bench block = bench(flat(1));
+        const MillingContext block = milling(flat(1));
         ProgramRequest wanted = request({flat(1), flat(2)});
         if (inch) wanted.units = NcUnits::inch;
         const CanonicalProgram whole = CanonicalProgram::ofText(program);
@@ -363,7 +363,7 @@ private slots:
         QFETCH(bool, inch);
         QFETCH(bool, inLevels);
         QFETCH(int, tools);
-        const Bench block = bench(flat(1));
+        const MillingContext block = milling(flat(1));
         std::vector<PathMatter> matters{matterOfHand(1, flat(1), inLevels ? levels() : rows(), inLevels)};
         if (tools == 2) matters.push_back(matterOfHand(2, flat(2), rows(), false));
         Progress progress;
@@ -396,7 +396,7 @@ private slots:
 
     /// The tool is on the path before the line, with the spindle, coolant and offsets that the program had there.
     void theCutIsLedInto() {
-        const Bench block = bench(flat(1));
+        const MillingContext block = milling(flat(1));
         Progress progress;
         const Result<RestartedProgram> rest =
             makeRestart(block, program, 17, request({flat(1), flat(2)}), progress); // G1 X-6
@@ -423,7 +423,7 @@ private slots:
 
     /// What is cut is the rest alone: on a fresh workpiece the same text would cut through full stock.
     void itIsJudgedOnTheStockThatIsLeft() {
-        const Bench block = bench(flat(1));
+        const MillingContext block = milling(flat(1));
         Progress progress;
         const Result<RestartedProgram> rest =
             makeRestart(block, program, 41, request({flat(1), flat(2)}), progress); // the second tool alone
@@ -449,7 +449,7 @@ private slots:
         const std::string text =
             "G17 G21 G90 G94 G54\nT1 M6\nG43 H1\nS8000 M3\nG0 Z30\nX-30 Y-21.7\nZ-7\nG1 X-18 F300\n"
             "X-10\nX0\nX5\nX30\nG0 Z30\nM5\nM2\n";
-        const Bench block = bench(wide);
+        const MillingContext block = milling(wide);
         Progress progress;
         const Result<CheckedProgram> whole = checkProgram(block, text, "whole", request({wide}), progress);
         QVERIFY(whole && whole->passed());
@@ -480,7 +480,7 @@ private slots:
         QFETCH(QString, told);
         Progress progress;
         const Result<RestartedProgram> rest = makeRestart(
-            bench(flat(1)), text.toStdString(), static_cast<std::uint32_t>(line), request({flat(1)}), progress);
+            milling(flat(1)), text.toStdString(), static_cast<std::uint32_t>(line), request({flat(1)}), progress);
         QVERIFY(!rest);
         const QString all = QString::fromStdString(rest.error().subject + rest.error().place + rest.error().detail);
         QVERIFY2(all.contains(told), qPrintable(all));

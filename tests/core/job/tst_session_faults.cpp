@@ -112,11 +112,11 @@ private slots:
         QVERIFY(worst <= 0.1);
         // The work goes on where it was left: the strokes that stand, without the one that was taken back.
         for (const Take& take : takes) {
-            Bench bench = blockBench();
-            const RunVolume& workpiece = bench.embedded.workpiece;
-            const std::uint64_t whole = workpiece.amounts().units[bench.embedded.stockProperty];
-            QVERIFY(replayTake(take, sessionTool(), bench, Progress()));
-            QCOMPARE(whole - workpiece.amounts().units[bench.embedded.stockProperty], removedUnits(take));
+            MillingContext milling = blockMilling();
+            const RunVolume& workpiece = milling.embedded.workpiece;
+            const std::uint64_t whole = workpiece.amounts().units[milling.embedded.stockProperty];
+            QVERIFY(replayTake(take, sessionTool(), milling, Progress()));
+            QCOMPARE(whole - workpiece.amounts().units[milling.embedded.stockProperty], removedUnits(take));
         }
     }
 };

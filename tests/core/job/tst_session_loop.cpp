@@ -3,7 +3,7 @@
 #include "core/job/session_loop.h"
 #include "tests/core/cutting/scalar_cutter.h"
 #include "tests/core/document/sample_project.h"
-#include "tests/core/job/session_bench.h"
+#include "tests/core/job/session_milling.h"
 #include "tests/oracles/allocation_count.h"
 
 #include <QTemporaryDir>
@@ -16,13 +16,13 @@ using namespace burin::test;
 struct LoopUnderTest {
     QTemporaryDir folder;
     Project project = *Project::create(folder.filePath("p.burin").toStdString());
-    Bench bench = blockBench();
+    MillingContext milling = blockMilling();
     Progress progress;
-    std::unique_ptr<const ClearanceField> field = *clearanceField(bench, 0.5, progress);
+    std::unique_ptr<const ClearanceField> field = *clearanceField(milling, 0.5, progress);
     StrokeHand hand;
-    HapticStep step{bench.embedded.workpiece, *field, bench.tool, settingsFor(hand)};
+    HapticStep step{milling.embedded.workpiece, *field, milling.tool, settingsFor(hand)};
     std::atomic<bool> stop{false};
-    std::unique_ptr<SessionLoop> loop = std::make_unique<SessionLoop>(step, bench.embedded.workpiece, true, stop);
+    std::unique_ptr<SessionLoop> loop = std::make_unique<SessionLoop>(step, milling.embedded.workpiece, true, stop);
     Ring<Sample> unused{16};
     const Recorder recorder{unused, *project.beginTake(fixture::takeInfo("take"))};
 
@@ -138,7 +138,7 @@ private slots:
             const bool begins = state.buttons != 0 && !cutting;
             cutting = state.buttons != 0;
             if (begins) {
-                found.push_back(linesOf(test.bench.embedded.workpiece));
+                found.push_back(linesOf(test.milling.embedded.workpiece));
                 firsts.push_back(tick);
             }
             QCOMPARE(test.loop->edge(), AtEdge::tick);
@@ -168,8 +168,8 @@ private slots:
         TickTiming timing;
         timing.period = 0.001;
         Take take;
-        Bench scalarBench = blockBench();
-        tests::ScalarCutter scalar(test.bench.tool.cutter, scalarBench.embedded.workpiece.grid());
+        MillingContext scalarMilling = blockMilling();
+        tests::ScalarCutter scalar(test.milling.tool.cutter, scalarMilling.embedded.workpiece.grid());
         int ended = 0;
         bool lagged = false;
         while (test.hand.done() < strokes) {
@@ -183,17 +183,17 @@ private slots:
             const Sample& sample = take.samples.back();
             const bool cuts = std::ranges::any_of(sample.removed, [](const RemovedMaterial& m) { return m.units > 0; });
             if (cuts)
-                scalar.cut(scalarBench.embedded.workpiece, take.samples[take.samples.size() - 2].proxy.tip,
+                scalar.cut(scalarMilling.embedded.workpiece, take.samples[take.samples.size() - 2].proxy.tip,
                            sample.proxy.tip);
-            const RunVolume& workpiece = test.bench.embedded.workpiece;
-            lagged = lagged || workpiece.amounts() != scalarBench.embedded.workpiece.amounts();
+            const RunVolume& workpiece = test.milling.embedded.workpiece;
+            lagged = lagged || workpiece.amounts() != scalarMilling.embedded.workpiece.amounts();
             if (!wasUnderWay || test.loop->strokeUnderWay()) continue;
             ++ended;
-            const VolumeSnapshot shown = test.bench.embedded.workpiece.snapshot();
+            const VolumeSnapshot shown = test.milling.embedded.workpiece.snapshot();
             QVERIFY(shown.amounts() == workpiece.amounts());
-            QVERIFY(linesOf(shown) == linesOf(scalarBench.embedded.workpiece));
-            Bench replayed = blockBench();
-            QVERIFY(replayTake(take, test.bench.tool, replayed, test.progress));
+            QVERIFY(linesOf(shown) == linesOf(scalarMilling.embedded.workpiece));
+            MillingContext replayed = blockMilling();
+            QVERIFY(replayTake(take, test.milling.tool, replayed, test.progress));
             QVERIFY(linesOf(shown) == linesOf(replayed.embedded.workpiece));
         }
         QCOMPARE(ended, strokes);

@@ -4,7 +4,7 @@
 #include "core/job/job_paths.h"
 #include "core/job/milling_session.h"
 #include "tests/core/geometry/shapes.h"
-#include "tests/core/job/part_bench.h"
+#include "tests/core/job/part_milling.h"
 #include "tests/core/job/session_stage.h"
 #include "tests/oracles/tool_depth.h"
 
@@ -156,19 +156,20 @@ struct AroundStage {
         : project(*Project::create(folder.filePath("p.burin").toStdString()))
         , hand({{-6.0, -6.0, 2.0}, {22.0, 26.0, 16.0}}, 7, ticks) {
         Progress progress;
-        bounds = std::make_unique<ToolBounds>(*ToolBounds::build(bench, bench.tool, axis, surroundings, 0.5, progress));
-        if (!project.setModel(*bench.model) || !project.setSetup(bench.setup) ||
+        bounds =
+            std::make_unique<ToolBounds>(*ToolBounds::build(milling, milling.tool, axis, surroundings, 0.5, progress));
+        if (!project.setModel(*milling.model) || !project.setSetup(milling.setup) ||
             !project.setObstacles(surroundings.obstacles) || !project.setAxisMode(axis))
             std::abort();
     }
     std::unique_ptr<MillingSession> begin(const SessionRequest& request) {
         Result<std::unique_ptr<MillingSession>> session =
-            MillingSession::begin(project, bench, *bounds, hand, strokes, request);
+            MillingSession::begin(project, milling, *bounds, hand, strokes, request);
         return session ? *std::move(session) : nullptr;
     }
 
     Project project;
-    Bench bench = partBench(toolWithHolder());
+    MillingContext milling = partMilling(toolWithHolder());
     std::unique_ptr<ToolBounds> bounds;
     RovingHand hand;
     StrokeHistory strokes;
@@ -203,8 +204,8 @@ private slots:
         const Result<Take> take = stage.project.take(session->take());
         QVERIFY(take && take->samples.size() > 1700);
 
-        const oracles::ToolDepth depth(pieces(stage.bench.tool.cutter), 0.25);
-        const double allowed = 0.02 * stage.bench.setup.voxel; // on the way between two ticks
+        const oracles::ToolDepth depth(pieces(stage.milling.tool.cutter), 0.25);
+        const double allowed = 0.02 * stage.milling.setup.voxel; // on the way between two ticks
         std::array<std::uint64_t, 3> near{};
         std::uint64_t flagged = 0, moved = 0;
         for (std::size_t i = 1; i < take->samples.size(); ++i) {
@@ -254,7 +255,7 @@ private slots:
         const auto session = stage.begin(handRequest(Pace::realtime));
         stage.hand.letButton(false);
         QVERIFY(session && session->startRecording("strokes"));
-        std::vector<Lines> states{linesOf(stage.bench.embedded.workpiece)};
+        std::vector<Lines> states{linesOf(stage.milling.embedded.workpiece)};
         SessionState state;
         for (const glm::dvec3& end : {glm::dvec3(18.0, 4.0, 7.0), glm::dvec3(3.0, 17.0, 6.5)}) {
             stage.hand.leadTo({end.x, end.y, 14.0});
@@ -267,14 +268,14 @@ private slots:
         }
         QVERIFY(await([&] { return session->newest(state), stage.strokes.count() == 2; }));
         QVERIFY(session->undoStroke() && session->stopRecording() && session->end());
-        const Lines standing = linesOf(stage.bench.embedded.workpiece);
+        const Lines standing = linesOf(stage.milling.embedded.workpiece);
         QVERIFY(standing != states.front());
 
-        Bench again = partBench(toolWithHolder());
+        MillingContext again = partMilling(toolWithHolder());
         Progress progress;
         QVERIFY(replayTakes(stage.project, again, progress));
         QVERIFY(linesOf(again.embedded.workpiece) == standing);
-        Bench handedOver = partBench(toolWithHolder());
+        MillingContext handedOver = partMilling(toolWithHolder());
         QVERIFY(replayTakes(*cutsOf(stage.project), handedOver, progress));
         QVERIFY(linesOf(handedOver.embedded.workpiece) == standing);
         // The axis of each sample is that of the tool: what it cut is where the tilted tool was.
@@ -296,9 +297,9 @@ private slots:
         request.takeName = "leaning";
         const auto session = stage.begin(request);
         QVERIFY(session && await([&] { return session->ended(); }) && session->end());
-        const Result<StoredPath> path = standardPath(stage.project, stage.bench.tool.id);
+        const Result<StoredPath> path = standardPath(stage.project, stage.milling.tool.id);
         Progress progress;
-        const Result<EvaluatedPath> evaluated = evaluateStored(stage.project, stage.bench, *path, progress);
+        const Result<EvaluatedPath> evaluated = evaluateStored(stage.project, stage.milling, *path, progress);
         QVERIFY(!evaluated);
         QCOMPARE(evaluated.error().code, ErrorCode::notSupported);
         QVERIFY(evaluated.error().place.find("--axis fixed") != std::string::npos);
@@ -364,13 +365,14 @@ private slots:
         const Surroundings surroundings = surroundingsOf(aroundTheBlock());
         AroundStage live(folder, {false, axis}, surroundings, 1500);
         Progress progress;
-        const Result<ToolBounds> grown = ToolBounds::grow(live.bench, lent(live.bench.part), live.bench.tool,
+        const Result<ToolBounds> grown = ToolBounds::grow(live.milling, lent(live.milling.part), live.milling.tool,
                                                           {false, axis}, surroundings, 0.75, GrowthLimits{}, progress);
         QVERIFY(grown && grown->growth() && !grown->growth()->whole);
         SessionRequest request = handRequest(Pace::realtime);
         request.takeName = "grown";
         request.trace = file;
-        const auto session = MillingSession::begin(live.project, live.bench, *grown, live.hand, live.strokes, request);
+        const auto session =
+            MillingSession::begin(live.project, live.milling, *grown, live.hand, live.strokes, request);
         QVERIFY(session && await([&] { return (*session)->ended(); }) && (*session)->end());
         const Result<Take> original = live.project.take((*session)->take());
         QVERIFY(original && original->samples.size() > 1000);
@@ -383,14 +385,14 @@ private slots:
             const QTemporaryDir again;
             AroundStage stage(again, {false, axis}, surroundings, 0);
             const Result<ToolBounds> bounds =
-                ToolBounds::asGrown(stage.bench, stage.bench.tool, {false, axis}, surroundings, *trace, progress);
+                ToolBounds::asGrown(stage.milling, stage.milling.tool, {false, axis}, surroundings, *trace, progress);
             SessionRequest replay = handRequest(Pace::fast);
             replay.takeName = "again";
             replay.replayed = &*trace;
             TraceStylus stylus(trace->readings, trace->began->stylus);
             if (!bounds) return Take{};
             const auto played =
-                MillingSession::begin(stage.project, stage.bench, *bounds, stylus, stage.strokes, replay);
+                MillingSession::begin(stage.project, stage.milling, *bounds, stylus, stage.strokes, replay);
             if (!played || !await([&] { return (*played)->ended(); }) || !(*played)->end()) return Take{};
             return stage.project.take((*played)->take()).value();
         };
@@ -404,10 +406,10 @@ private slots:
         QVERIFY(same(play()));
         std::erase_if(trace->changes, isTile);
         QVERIFY(!same(play()));
-        // Of a bench with fewer tiles it is refused.
+        // Of a rig with fewer tiles it is refused.
         trace->changes.push_back({0, TileChange{100000, true}});
         const Result<ToolBounds> strange =
-            ToolBounds::asGrown(live.bench, live.bench.tool, {false, axis}, surroundings, *trace, progress);
+            ToolBounds::asGrown(live.milling, live.milling.tool, {false, axis}, surroundings, *trace, progress);
         QVERIFY(!strange && strange.error().code == ErrorCode::traceInvalid);
     }
 

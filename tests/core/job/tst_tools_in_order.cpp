@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/job/job_paths.h"
 #include "core/path/path_removal.h"
-#include "tests/core/job/session_bench.h"
+#include "tests/core/job/session_milling.h"
 #include "tests/core/path/path_fixture.h"
 
 #include <QtTest>
@@ -28,15 +28,16 @@ Tool flat(const char* id, int number, double width) {
     return tool;
 }
 
-Bench plateBench(const Tool& tool) {
+MillingContext plateMilling(const Tool& tool) {
     Setup setup = blockSetup();
     setup.voxel = 0.25;
     setup.stock = plate;
     setup.workOffset = {20, 10, 10};
     Progress progress;
-    Result<Bench> bench = makeBench({std::make_shared<const Model>(), setup, tool, "linuxcnc-mill", {}}, progress);
-    if (!bench) std::abort(); // the test's own set-up
-    return *std::move(bench);
+    Result<MillingContext> milling =
+        makeMillingContext({std::make_shared<const Model>(), setup, tool, "linuxcnc-mill", {}}, progress);
+    if (!milling) std::abort(); // the test's own set-up
+    return *std::move(milling);
 }
 
 /// A path of one recording along a polyline. @param from, to mm, tip
@@ -68,11 +69,11 @@ LevelFeed levelRemoval() {
 }
 
 /// Each path behind those before it.
-Result<std::vector<MilledPath>> milledInTurn(const Bench& bench, const std::vector<PathMatter>& matters) {
+Result<std::vector<MilledPath>> milledInTurn(const MillingContext& milling, const std::vector<PathMatter>& matters) {
     Progress progress;
     std::vector<MilledPath> milled;
     for (const PathMatter& each : matters) {
-        Result<EvaluatedPath> path = evaluateStored(each.sources, bench, each.tool, each.path, milled, progress);
+        Result<EvaluatedPath> path = evaluateStored(each.sources, milling, each.tool, each.path, milled, progress);
         if (!path) return path.error();
         milled.push_back({std::make_shared<const EvaluatedPath>(std::move(*path)), each.tool});
     }
@@ -80,7 +81,7 @@ Result<std::vector<MilledPath>> milledInTurn(const Bench& bench, const std::vect
 }
 
 Result<EvaluatedPath> lastOf(const std::vector<PathMatter>& matters) {
-    const Result<std::vector<MilledPath>> milled = milledInTurn(plateBench(matters.front().tool), matters);
+    const Result<std::vector<MilledPath>> milled = milledInTurn(plateMilling(matters.front().tool), matters);
     if (!milled) return milled.error();
     return *milled->back().evaluated;
 }
@@ -133,15 +134,15 @@ void TestToolsInOrder::feedsAreThoseOfTheAirWhereTheToolBeforeHasBeen() {
         matter(2, flat("follower", 2, diameter), {{-10, 10, 8}, {50, 10, 8}}, {{levelRemoval()}});
     const auto alone = lastOf({follower}), behind = lastOf({slot(), follower});
     QVERIFY(alone && behind);
-    const Bench bench = plateBench(follower.tool);
+    const MillingContext milling = plateMilling(follower.tool);
     const double inAir =
-        std::min(bench.machine.maximumFeed, behind->path.spindleSpeed * 2 * levelRemoval().largestChip);
+        std::min(milling.machine.maximumFeed, behind->path.spindleSpeed * 2 * levelRemoval().largestChip);
     const double inSlot = 60.0 * levelRemoval().target / (diameter * depth); // mm/min: width x depth x feed
     qInfo() << "in air" << inAir << "in a full slot" << inSlot << "mm/min";
     QVERIFY(inAir > 2.0 * inSlot);
     // Before the end of the cleared stretch, at 10 mm, it slows down: v² = v'² + 2 a s.
     const double braking =
-        (std::pow(inAir / 60.0, 2) - std::pow(inSlot / 60.0, 2)) / (2.0 * bench.machine.acceleration);
+        (std::pow(inAir / 60.0, 2) - std::pow(inSlot / 60.0, 2)) / (2.0 * milling.machine.acceleration);
     QVERIFY(braking < 8.0);
     const auto [least, most] = feedsWithin(behind->path, -3.0, 9.0 - braking);
     QVERIFY2(most <= inAir && least >= inAir / (1.0 + levelRemoval().leastChange),
@@ -180,10 +181,10 @@ void TestToolsInOrder::sidesAreThoseThatTheToolBeforeLeft() {
 void TestToolsInOrder::theOrderIsTheProgramsWhicheverWasGivenFirst() {
     const PathMatter follower =
         matter(2, flat("follower", 2, diameter), {{-10, 10, 8}, {50, 10, 8}}, {{levelRemoval()}});
-    const Bench bench = plateBench(follower.tool);
+    const MillingContext milling = plateMilling(follower.tool);
     Progress progress;
-    const auto one = evaluateInOrder(bench, {slot(), follower}, progress),
-               other = evaluateInOrder(bench, {follower, slot()}, progress);
+    const auto one = evaluateInOrder(milling, {slot(), follower}, progress),
+               other = evaluateInOrder(milling, {follower, slot()}, progress);
     QVERIFY(one && other);
     for (const auto& job : {*one, *other}) {
         QCOMPARE(job.program.paths.size(), std::size_t{2});
@@ -196,15 +197,15 @@ void TestToolsInOrder::theOrderIsTheProgramsWhicheverWasGivenFirst() {
 void TestToolsInOrder::aKeptPathCountsOnlyBehindTheSamePaths() {
     PathMatter first = slot(),
                follower = matter(2, flat("follower", 2, diameter), {{-10, 10, 8}, {50, 10, 8}}, {{levelRemoval()}});
-    const Bench bench = plateBench(first.tool);
+    const MillingContext milling = plateMilling(first.tool);
     Progress progress;
-    const auto path = evaluateStored(follower.sources, bench, follower.tool, follower.path, {}, progress);
+    const auto path = evaluateStored(follower.sources, milling, follower.tool, follower.path, {}, progress);
     QVERIFY(path);
     EvaluatedPath marked = *path;
     marked.path.spindleSpeed = 4321.0; // so that it is known again
     follower.evaluated = std::make_shared<const EvaluatedPath>(marked);
-    const auto alone = evaluateInOrder(bench, {follower}, progress),
-               behind = evaluateInOrder(bench, {first, follower}, progress);
+    const auto alone = evaluateInOrder(milling, {follower}, progress),
+               behind = evaluateInOrder(milling, {first, follower}, progress);
     QVERIFY(alone && behind);
     QCOMPARE(alone->program.paths[0].spindleSpeed, 4321.0);
     QVERIFY(behind->program.paths[1].spindleSpeed != 4321.0);
@@ -213,12 +214,12 @@ void TestToolsInOrder::aKeptPathCountsOnlyBehindTheSamePaths() {
 
 void TestToolsInOrder::whatIsCutOfALentStockIsForgotten() {
     const PathMatter rough = slot(), across = matter(2, flat("across", 2, 4.0), {{5, -5, 6}, {5, 25, 6}});
-    const Bench bench = plateBench(rough.tool);
+    const MillingContext milling = plateMilling(rough.tool);
     Progress progress;
-    const auto milled = milledInTurn(bench, {rough, across});
+    const auto milled = milledInTurn(milling, {rough, across});
     QVERIFY(milled);
     const auto cutOneAfterTheOther = [&](std::size_t count) {
-        Bench fresh = plateBench(rough.tool);
+        MillingContext fresh = plateMilling(rough.tool);
         for (std::size_t i = 0; i < count; ++i)
             if (!cutPath((*milled)[i].evaluated->path, (*milled)[i].tool.cutter, fresh.embedded.workpiece, progress))
                 std::abort(); // the test's own set-up
@@ -232,7 +233,7 @@ void TestToolsInOrder::whatIsCutOfALentStockIsForgotten() {
     for (const std::size_t count : {2u, 0u, 1u, 2u}) {
         const auto wanted = cutOneAfterTheOther(count);
         double removed = 0.0;
-        const auto lent = bench.stock->lend(
+        const auto lent = milling.stock->lend(
             std::span(*milled).first(count),
             [&](RunVolume& stock) -> Result<void> {
                 if (linesOf(stock) != wanted) return Error{ErrorCode::internalFault, "stock", "", ""};
@@ -254,16 +255,16 @@ void TestToolsInOrder::whatIsCutOfALentStockIsForgotten() {
 /// The states that are kept need memory too; where that is short they are given up.
 void TestToolsInOrder::aStockIsLentWhereverItCanBeCutAtAll() {
     const PathMatter rough = slot(), deeper = matter(2, flat("deeper", 2, diameter), {{-10, 10, 6}, {50, 10, 6}});
-    const Bench bench = plateBench(rough.tool);
+    const MillingContext milling = plateMilling(rough.tool);
     Progress progress;
-    const auto milled = milledInTurn(bench, {rough, deeper});
+    const auto milled = milledInTurn(milling, {rough, deeper});
     QVERIFY(milled);
     int madeAnew = 0, plain = 0;
     for (std::size_t reserve = 20'000; reserve < 400'000; reserve += 4'000) {
         int made = 0;
         const auto make = [&](Progress&) -> Result<RunVolume> {
             ++made;
-            const RunVolume& like = bench.embedded.workpiece;
+            const RunVolume& like = milling.embedded.workpiece;
             Result<RunVolume> volume = RunVolume::make(like.grid(), like.properties(), reserve);
             if (!volume) return volume;
             if (!volume->fillBlock({0, 0}, {like.grid().lineCountU(), like.grid().lineCountV()}, 0,
@@ -296,21 +297,21 @@ void TestToolsInOrder::aStockIsLentWhereverItCanBeCutAtAll() {
 
 void TestToolsInOrder::theWishToStopIsHeard() {
     const PathMatter first = slot();
-    const Bench bench = plateBench(first.tool);
+    const MillingContext milling = plateMilling(first.tool);
     Progress progress;
     progress.cancel();
-    QCOMPARE(evaluateInOrder(bench, {first}, progress).error().code, ErrorCode::cancelled);
+    QCOMPARE(evaluateInOrder(milling, {first}, progress).error().code, ErrorCode::cancelled);
     Progress other;
-    const auto path = evaluateStored(first.sources, bench, first.tool, first.path, {}, other);
+    const auto path = evaluateStored(first.sources, milling, first.tool, first.path, {}, other);
     QVERIFY(path);
     const MilledPath milled{std::make_shared<const EvaluatedPath>(*path), first.tool};
-    QCOMPARE(bench.stock
+    QCOMPARE(milling.stock
                  ->lend(
                      std::span(&milled, 1), [](RunVolume&) { return Result<void>(); }, progress)
                  .error()
                  .code,
              ErrorCode::cancelled);
-    QVERIFY(bench.stock->lend(
+    QVERIFY(milling.stock->lend(
         std::span(&milled, 1), [](RunVolume&) { return Result<void>(); }, other));
 }
 

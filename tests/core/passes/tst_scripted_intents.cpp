@@ -4,7 +4,7 @@
 #include "core/haptics/operator/operator_hand.h"
 #include "core/passes/scripted_intents.h"
 #include "tests/core/haptics/analytic_fields.h"
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 
 #include <QtTest>
 

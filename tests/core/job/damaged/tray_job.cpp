@@ -135,7 +135,7 @@ Path finishing(const Tool& tool) {
     return writer.path;
 }
 
-Bench trayBench(const Tool& tool) {
+MillingContext trayMilling(const Tool& tool) {
     Model model;
     for (const Box& box : boxes) {
         Body body;
@@ -150,15 +150,16 @@ Bench trayBench(const Tool& tool) {
     setup.stock = {{-3.0, -3.0, -1.0}, {33.0, 23.0, 9.0}};
     setup.workOffset = {15.0, 10.0, 9.0};
     Progress progress;
-    Result<Bench> bench =
-        makeBench({std::make_shared<const Model>(model), setup, tool, "linuxcnc-mill", {}, {}}, progress);
-    if (!bench) std::abort(); // the test's own set-up
-    return std::move(*bench);
+    Result<MillingContext> milling =
+        makeMillingContext({std::make_shared<const Model>(model), setup, tool, "linuxcnc-mill", {}, {}}, progress);
+    if (!milling) std::abort(); // the test's own set-up
+    return std::move(*milling);
 }
 
 } // namespace
 
-TrayJob::TrayJob() : bench(trayBench(flatTool(1, 6.0))), tools{flatTool(1, 6.0), flatTool(2, 3.0), flatTool(3, 10.0)} {
+TrayJob::TrayJob()
+    : milling(trayMilling(flatTool(1, 6.0))), tools{flatTool(1, 6.0), flatTool(2, 3.0), flatTool(3, 10.0)} {
     paths.paths = {roughing(tools[0]), finishing(tools[1])};
     paths.tools = {tools[0], tools[1]};
 }
@@ -176,7 +177,7 @@ std::string TrayJob::post(const std::string& dialect) const {
     const bool one = dialect == "grbl";
     const ProgramPaths posted = one ? ProgramPaths{{paths.paths.front()}, {tools.front()}} : paths;
     Progress progress;
-    Result<CheckedProgram> program = makeProgram(bench, posted, request(dialect), progress);
+    Result<CheckedProgram> program = makeProgram(milling, posted, request(dialect), progress);
     if (!program) std::abort();
     return std::move(program->text);
 }

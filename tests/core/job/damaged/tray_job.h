@@ -13,7 +13,7 @@ namespace burin::test {
 struct TrayJob {
     TrayJob();
 
-    Bench bench;
+    MillingContext milling;
     ProgramPaths paths;      ///< of T1, then of T2
     std::vector<Tool> tools; ///< T1 … T3; nothing is milled with T3
     ProgramRequest request(const std::string& dialect) const;

@@ -30,7 +30,7 @@ bool Verdict::names(std::uint32_t first, std::uint32_t last) const {
 
 Verdict judge(const TrayJob& job, const std::string& text, const std::string& dialect) {
     Progress progress;
-    const Result<CheckedProgram> checked = checkProgram(job.bench, text, "tray.ngc", job.request(dialect), progress);
+    const Result<CheckedProgram> checked = checkProgram(job.milling, text, "tray.ngc", job.request(dialect), progress);
     if (!checked) return verdictOf(checked.error());
     Verdict verdict;
     verdict.findings = checked->errorCount();

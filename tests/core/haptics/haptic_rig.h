@@ -61,9 +61,8 @@ struct FloorSolid {
 using FloorField = BallField<FloorSolid>;
 
 /// A step on a stock with its part, fed with positions of the hand.
-struct Bench {
-    explicit Bench(HapticSettings wanted = settings(), const Tool& tool = ballTool(),
-                   RunVolume workpiece = stockOnPart())
+struct Rig {
+    explicit Rig(HapticSettings wanted = settings(), const Tool& tool = ballTool(), RunVolume workpiece = stockOnPart())
         : volume(std::move(workpiece)), step(volume, field, tool, wanted) {}
 
     static HapticSettings settings() {

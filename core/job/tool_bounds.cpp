@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/job/bench_boundaries.h"
+#include "core/job/tool_bounds.h"
 
 #include "core/geometry/frame_along.h"
 #include "core/geometry/upright.h"
@@ -17,15 +17,15 @@ namespace {
 
 using Field = std::shared_ptr<const ClearanceField>;
 
-Result<Field> fieldFor(const Bench& bench, const Tool& tool, const glm::dvec3& axis, double maximumAllowance,
+Result<Field> fieldFor(const MillingContext& milling, const Tool& tool, const glm::dvec3& axis, double maximumAllowance,
                        Progress& progress) {
-    if (axis == uprightAxis || bench.model->bodies.empty()) {
-        Result<std::unique_ptr<const ClearanceField>> field = clearanceField(bench, tool, maximumAllowance, progress);
+    if (axis == uprightAxis || milling.model->bodies.empty()) {
+        Result<std::unique_ptr<const ClearanceField>> field = clearanceField(milling, tool, maximumAllowance, progress);
         if (!field) return std::move(field).error();
         return Field(std::move(*field));
     }
-    const ToolFieldRequest request{pieces(tool.cutter), bench.tipRegion(tool), bench.setup.voxel, maximumAllowance};
-    Result<TurnedField> field = TurnedField::build(bench.part, axis, request, progress);
+    const ToolFieldRequest request{pieces(tool.cutter), milling.tipRegion(tool), milling.setup.voxel, maximumAllowance};
+    Result<TurnedField> field = TurnedField::build(milling.part, axis, request, progress);
     if (!field) return std::move(field).error();
     return Field(std::make_shared<const TurnedField>(std::move(*field)));
 }
@@ -74,11 +74,11 @@ std::vector<BoundLayer> namesOf(const Surroundings& surroundings) {
 
 } // namespace
 
-Surroundings surroundingsOf(const Bench& bench, const TravelPlacement& placement, const AxisMode& axis) {
+Surroundings surroundingsOf(const MillingContext& milling, const TravelPlacement& placement, const AxisMode& axis) {
     Surroundings surroundings;
-    surroundings.obstacles = bench.obstacles;
+    surroundings.obstacles = milling.obstacles;
     if (!axis.free && axis.direction == uprightAxis)
-        surroundings.envelope = travelEnvelope(bench.machine, placement, bench.setup.workOffset);
+        surroundings.envelope = travelEnvelope(milling.machine, placement, milling.setup.workOffset);
     return surroundings;
 }
 
@@ -88,15 +88,15 @@ ToolBounds ToolBounds::borrowing(const ClearanceField& part) {
 
 ToolBounds::ToolBounds(std::shared_ptr<const ClearanceField> part) : field_(std::move(part)), layers_(namesOf({})) {}
 
-Result<ToolBounds> ToolBounds::withoutField(const Bench& bench, const Tool& tool, const AxisMode& axis,
+Result<ToolBounds> ToolBounds::withoutField(const MillingContext& milling, const Tool& tool, const AxisMode& axis,
                                             const Surroundings& surroundings) {
     if (!axis.free && !(std::abs(glm::length(axis.direction) - 1.0) < 1e-6))
         return Error{ErrorCode::argumentInvalid, "axis", {}, "a vector of unit length"};
     if (Result<void> usable = checkObstacles(surroundings.obstacles); !usable) return std::move(usable).error();
     ToolBounds bounds;
     bounds.axis_ = axis;
-    bounds.mesh_ = &bench.part;
-    bounds.voxel_ = bench.setup.voxel;
+    bounds.mesh_ = &milling.part;
+    bounds.voxel_ = milling.setup.voxel;
     bounds.tool_ = tool;
     bounds.obstacles_ = solidsOf(surroundings.obstacles);
     bounds.envelope_ = surroundings.envelope;
@@ -104,22 +104,22 @@ Result<ToolBounds> ToolBounds::withoutField(const Bench& bench, const Tool& tool
     return bounds;
 }
 
-Result<ToolBounds> ToolBounds::build(const Bench& bench, const Tool& tool, const AxisMode& axis,
+Result<ToolBounds> ToolBounds::build(const MillingContext& milling, const Tool& tool, const AxisMode& axis,
                                      const Surroundings& surroundings, double maximumAllowance, Progress& progress) {
-    Result<ToolBounds> bounds = withoutField(bench, tool, axis, surroundings);
+    Result<ToolBounds> bounds = withoutField(milling, tool, axis, surroundings);
     if (!bounds || axis.free) return bounds;
-    Result<Field> field = fieldFor(bench, tool, axis.direction, maximumAllowance, progress);
+    Result<Field> field = fieldFor(milling, tool, axis.direction, maximumAllowance, progress);
     if (!field) return std::move(field).error();
     bounds->field_ = std::move(*field);
     return bounds;
 }
 
-Result<void> ToolBounds::lay(const Bench& bench, const Seen& seen, const Tool& tool, double maximumAllowance,
+Result<void> ToolBounds::lay(const MillingContext& milling, const Seen& seen, const Tool& tool, double maximumAllowance,
                              const GrowthLimits& limits, Progress& progress) {
     const bool upright = seen.turn == glm::dmat3(1.0);
-    const Box tips = bench.tipRegion(tool);
-    const ToolFieldRequest request{pieces(tool.cutter), upright ? tips : boxAround(tips, seen.turn), bench.setup.voxel,
-                                   maximumAllowance};
+    const Box tips = milling.tipRegion(tool);
+    const ToolFieldRequest request{pieces(tool.cutter), upright ? tips : boxAround(tips, seen.turn),
+                                   milling.setup.voxel, maximumAllowance};
     const auto part = upright ? seen.part : std::make_shared<const MeshDistance>(turnedPart(*seen.part, seen.turn));
     Result<std::shared_ptr<GrowingField>> laid = GrowingField::lay(part, request, limits, progress);
     if (!laid) return std::move(laid).error();
@@ -130,32 +130,32 @@ Result<void> ToolBounds::lay(const Bench& bench, const Seen& seen, const Tool& t
     return {};
 }
 
-Result<ToolBounds> ToolBounds::grow(const Bench& bench, std::shared_ptr<const MeshDistance> part, const Tool& tool,
-                                    const AxisMode& axis, const Surroundings& surroundings, double maximumAllowance,
-                                    const GrowthLimits& limits, Progress& progress) {
+Result<ToolBounds> ToolBounds::grow(const MillingContext& milling, std::shared_ptr<const MeshDistance> part,
+                                    const Tool& tool, const AxisMode& axis, const Surroundings& surroundings,
+                                    double maximumAllowance, const GrowthLimits& limits, Progress& progress) {
     // A part without a body has no field that could grow.
-    if (axis.free || bench.model->bodies.empty())
-        return build(bench, tool, axis, surroundings, maximumAllowance, progress);
-    Result<ToolBounds> bounds = withoutField(bench, tool, axis, surroundings);
+    if (axis.free || milling.model->bodies.empty())
+        return build(milling, tool, axis, surroundings, maximumAllowance, progress);
+    Result<ToolBounds> bounds = withoutField(milling, tool, axis, surroundings);
     if (!bounds) return bounds;
     const Seen seen{std::move(part), axis.direction == uprightAxis ? glm::dmat3(1.0) : frameAlong(axis.direction)};
-    if (Result<void> laid = bounds->lay(bench, seen, tool, maximumAllowance, limits, progress); !laid)
+    if (Result<void> laid = bounds->lay(milling, seen, tool, maximumAllowance, limits, progress); !laid)
         return std::move(laid).error();
     constexpr double patience = 0.3; // s
-    const glm::dvec3 centre = bench.setup.stock.centre();
-    bounds->growing_->grow(bounds->turn_ * glm::dvec3(centre.x, centre.y, bench.setup.stock.high.z));
+    const glm::dvec3 centre = milling.setup.stock.centre();
+    bounds->growing_->grow(bounds->turn_ * glm::dvec3(centre.x, centre.y, milling.setup.stock.high.z));
     static_cast<void>(bounds->growing_->waitUntilQuiet(progress, patience));
     return bounds;
 }
 
-Result<ToolBounds> ToolBounds::asGrown(const Bench& bench, const Tool& tool, const AxisMode& axis,
+Result<ToolBounds> ToolBounds::asGrown(const MillingContext& milling, const Tool& tool, const AxisMode& axis,
                                        const Surroundings& surroundings, const SessionTrace& trace,
                                        Progress& progress) {
     const TracedSession::Growth growth = trace.began->growth.value();
-    Result<ToolBounds> bounds = withoutField(bench, tool, axis, surroundings);
+    Result<ToolBounds> bounds = withoutField(milling, tool, axis, surroundings);
     if (!bounds) return bounds;
-    const Seen seen{lent(bench.part), axis.direction == uprightAxis ? glm::dmat3(1.0) : frameAlong(axis.direction)};
-    if (Result<void> laid = bounds->lay(bench, seen, tool, growth.maximumAllowance, {}, progress); !laid)
+    const Seen seen{lent(milling.part), axis.direction == uprightAxis ? glm::dmat3(1.0) : frameAlong(axis.direction)};
+    if (Result<void> laid = bounds->lay(milling, seen, tool, growth.maximumAllowance, {}, progress); !laid)
         return std::move(laid).error();
     if (growth.whole) {
         if (Result<void> made = bounds->finish(progress); !made) return std::move(made).error();
@@ -207,10 +207,10 @@ BoundaryLayers ToolBounds::boundaryLayers() const {
     return layers;
 }
 
-Result<BoundaryLayers> boundaryLayers(const Bench& bench, const AxisMode& axis, const Surroundings& surroundings,
-                                      double maximumAllowance, Progress& progress) {
+Result<BoundaryLayers> boundaryLayers(const MillingContext& milling, const AxisMode& axis,
+                                      const Surroundings& surroundings, double maximumAllowance, Progress& progress) {
     const Result<ToolBounds> bounds =
-        ToolBounds::build(bench, bench.tool, axis, surroundings, maximumAllowance, progress);
+        ToolBounds::build(milling, milling.tool, axis, surroundings, maximumAllowance, progress);
     if (!bounds) return bounds.error();
     return bounds->boundaryLayers();
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/device/stylus.h"
-#include "core/job/bench.h"
+#include "core/job/milling_context.h"
 #include "tests/core/device/desktop_stylus.h"
 
 #include <atomic>
@@ -41,12 +41,12 @@ inline Setup blockSetup() {
 }
 
 /// A block without a part in it.
-inline Bench blockBench() {
+inline MillingContext blockMilling() {
     Progress progress;
-    Result<Bench> bench =
-        makeBench({std::make_shared<const Model>(), blockSetup(), sessionTool(), "linuxcnc-mill", {}}, progress);
-    if (!bench) std::abort();
-    return *std::move(bench);
+    Result<MillingContext> milling = makeMillingContext(
+        {std::make_shared<const Model>(), blockSetup(), sessionTool(), "linuxcnc-mill", {}}, progress);
+    if (!milling) std::abort();
+    return *std::move(milling);
 }
 
 /// Every scanline, copied out: what the workpiece is, whatever becomes of it later.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/job/bench_boundaries.h"
-#include "tests/core/job/part_bench.h"
+#include "core/job/tool_bounds.h"
+#include "tests/core/job/part_milling.h"
 
 #include <QtTest>
 
@@ -10,13 +10,13 @@
 using namespace burin;
 using namespace burin::test;
 
-class TestBenchBoundaries : public QObject {
+class TestToolBounds : public QObject {
     Q_OBJECT
-    Bench bench_ = partBench(sessionTool());
+    MillingContext milling_ = partMilling(sessionTool());
 
     Result<BoundaryLayers> layers(const AxisMode& axis, const Surroundings& surroundings = {}) {
         Progress progress;
-        return boundaryLayers(bench_, axis, surroundings, 0.5, progress);
+        return boundaryLayers(milling_, axis, surroundings, 0.5, progress);
     }
 
 private slots:
@@ -33,21 +33,21 @@ private slots:
         const glm::dvec3 direction(std::sin(tilt), 0.0, std::cos(tilt));
         Result<BoundaryLayers> made = layers({free, direction});
         QVERIFY(made);
-        const std::vector<RevolvedPiece> tool = pieces(bench_.tool.cutter);
-        const Box tips = bench_.part.bounds().grown(2.0);
+        const std::vector<RevolvedPiece> tool = pieces(milling_.tool.cutter);
+        const Box tips = milling_.part.bounds().grown(2.0);
         std::mt19937 engine(1);
         std::uniform_real_distribution<double> share(0.0, 1.0);
         int near = 0;
         for (int i = 0; i < 4000; ++i) {
             const ToolPose pose{tips.low + tips.size() * glm::dvec3(share(engine), share(engine), share(engine)),
                                 direction};
-            const double exact = bench_.part.clearance(tool, pose).clearance;
+            const double exact = milling_.part.clearance(tool, pose).clearance;
             const PoseSample sample = made->at(pose, 1.0);
             // Never farther than it is, but for the edges of the block: what a field promises of smooth faces.
-            if (exact > 0.0) QVERIFY(sample.clearance <= exact + 0.1 * bench_.setup.voxel);
+            if (exact > 0.0) QVERIFY(sample.clearance <= exact + 0.1 * milling_.setup.voxel);
             if (!sample.fine || exact < 0.0 || exact > 0.5) continue;
             ++near;
-            QVERIFY(sample.clearance >= exact - 0.25 * bench_.setup.voxel);
+            QVERIFY(sample.clearance >= exact - 0.25 * milling_.setup.voxel);
         }
         QVERIFY(near > 20);
     }
@@ -73,5 +73,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBenchBoundaries)
-#include "tst_bench_boundaries.moc"
+QTEST_GUILESS_MAIN(TestToolBounds)
+#include "tst_tool_bounds.moc"

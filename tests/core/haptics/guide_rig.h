@@ -4,7 +4,7 @@
 
 #include "core/haptics/guides/guide_set.h"
 #include "tests/core/haptics/analytic_fields.h"
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 
 namespace burin::test {
 
@@ -12,8 +12,8 @@ inline constexpr int settled = 150; ///< ticks: longer than a guide fades
 
 /// A guide set beside a solid, fed with places of the hand; the tool is wherever the guides want it.
 template <class Solid = PlaneSolid>
-struct GuideBench {
-    explicit GuideBench(Solid solid = {}, double scale = 1.0) : field(solid, 3.0), guides(field, Bench::settings()) {
+struct GuideRig {
+    explicit GuideRig(Solid solid = {}, double scale = 1.0) : field(solid, 3.0), guides(field, Rig::settings()) {
         mapping.scale = scale;
     }
     GuidedHand feed(const glm::dvec3& place, const glm::dvec3& axis = {0, 0, 1}) {

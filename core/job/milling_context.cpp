@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/job/bench.h"
+#include "core/job/milling_context.h"
 
-#include "core/job/bench_materials.h"
+#include "core/job/milling_materials.h"
 #include "core/machine/machine_library.h"
 #include "core/recording/stroke_count.h"
 #include "core/setup/material_change.h"
@@ -34,7 +34,7 @@ MeshDistance wholePart(const Model& model) {
 }
 
 /// Of the request's own model, setup and materials, whatever becomes of it.
-std::function<Result<RunVolume>(Progress&)> stockMaker(const BenchRequest& request) {
+std::function<Result<RunVolume>(Progress&)> stockMaker(const MillingContextRequest& request) {
     return [model = request.model, setup = request.setup,
             materials = request.materials](Progress& progress) -> Result<RunVolume> {
         Result<EmbeddedSetup> embedded = embed(*model, setup, materials, progress);
@@ -74,7 +74,7 @@ private:
 
 } // namespace
 
-double Bench::safeHeight() const {
+double MillingContext::safeHeight() const {
     const double working = setup.stock.high.z + travelAboveStock;
     double height = working;
     for (const Obstacle& obstacle : obstacles) {
@@ -85,17 +85,17 @@ double Bench::safeHeight() const {
     return height;
 }
 
-Box Bench::tipRegion() const {
+Box MillingContext::tipRegion() const {
     return tipRegion(tool);
 }
 
-Box Bench::tipRegion(const Tool& other) const {
+Box MillingContext::tipRegion(const Tool& other) const {
     Box region = setup.stock.grown(2.0 * other.cutter.diameter + travelAboveStock);
     region.high.z = setup.stock.high.z + 3.0 * travelAboveStock;
     return region;
 }
 
-double Bench::workpieceVolume() const {
+double MillingContext::workpieceVolume() const {
     const RunVolume& workpiece = embedded.workpiece;
     std::uint64_t units = 0;
     for (int property = 1; property < workpiece.properties().size(); ++property)
@@ -112,7 +112,7 @@ Result<Tool> toolFor(const Project& project, const std::string& id) {
     return loadTool(id);
 }
 
-Result<Bench> makeBench(const BenchRequest& request, Progress& progress) {
+Result<MillingContext> makeMillingContext(const MillingContextRequest& request, Progress& progress) {
     progress.stage(0.0, 0.3);
     for (const Obstacle& obstacle : request.obstacles)
         if (Result<void> usable = checkObstacle(obstacle); !usable) return std::move(usable).error();
@@ -127,12 +127,13 @@ Result<Bench> makeBench(const BenchRequest& request, Progress& progress) {
         cuttingConditions(request.tool, material, machine->maximumSpindleSpeed, machine->maximumFeed);
     if (!conditions) return conditions.error();
     auto stock = std::make_shared<MilledStock>(stockMaker(request));
-    return Bench{request.model,       request.setup,  request.materials, request.tool,
-                 std::move(*machine), *conditions,    std::move(part),   std::move(*embedded),
-                 request.obstacles,   request.travel, std::move(stock)};
+    return MillingContext{request.model,       request.setup,  request.materials, request.tool,
+                          std::move(*machine), *conditions,    std::move(part),   std::move(*embedded),
+                          request.obstacles,   request.travel, std::move(stock)};
 }
 
-Result<Bench> makeBench(const Project& project, const Tool& tool, const std::string& machineId, Progress& progress) {
+Result<MillingContext> makeMillingContext(const Project& project, const Tool& tool, const std::string& machineId,
+                                          Progress& progress) {
     Result<Model> model = project.model();
     if (!model) return std::move(model).error();
     Result<Setup> setup = project.setup();
@@ -145,48 +146,48 @@ Result<Bench> makeBench(const Project& project, const Tool& tool, const std::str
     if (!travel) return travel.error();
     const Result<ProgramTarget> target = project.programTarget();
     if (!target) return target.error();
-    BenchRequest request{std::make_shared<const Model>(std::move(*model)),
-                         std::move(*setup),
-                         tool,
-                         machineId.empty() ? target->machine : machineId,
-                         {}};
+    MillingContextRequest request{std::make_shared<const Model>(std::move(*model)),
+                                  std::move(*setup),
+                                  tool,
+                                  machineId.empty() ? target->machine : machineId,
+                                  {}};
     request.obstacles = std::move(*obstacles);
     request.travel = *travel;
     if (materials) request.materials = std::move(*materials);
-    return makeBench(request, progress);
+    return makeMillingContext(request, progress);
 }
 
-Result<void> changeMaterials(Bench& bench, const Setup& setup, const std::vector<Property>& materials) {
-    Result<EmbeddedSetup> embedded = withMaterials(bench.embedded, *bench.model, setup, materials);
+Result<void> changeMaterials(MillingContext& milling, const Setup& setup, const std::vector<Property>& materials) {
+    Result<EmbeddedSetup> embedded = withMaterials(milling.embedded, *milling.model, setup, materials);
     if (!embedded) return std::move(embedded).error();
     const Result<CuttingConditions> conditions =
-        cuttingConditions(bench.tool, embedded->workpiece.properties()[embedded->stockProperty],
-                          bench.machine.maximumSpindleSpeed, bench.machine.maximumFeed);
+        cuttingConditions(milling.tool, embedded->workpiece.properties()[embedded->stockProperty],
+                          milling.machine.maximumSpindleSpeed, milling.machine.maximumFeed);
     if (!conditions) return conditions.error();
-    bench.setup = setup;
-    bench.materials = materials;
-    bench.embedded = std::move(*embedded);
-    bench.conditions = *conditions;
-    bench.stock =
-        std::make_shared<MilledStock>(stockMaker({bench.model, setup, bench.tool, bench.machine.id, materials}));
+    milling.setup = setup;
+    milling.materials = materials;
+    milling.embedded = std::move(*embedded);
+    milling.conditions = *conditions;
+    milling.stock =
+        std::make_shared<MilledStock>(stockMaker({milling.model, setup, milling.tool, milling.machine.id, materials}));
     return {};
 }
 
-Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, double maximumAllowance,
+Result<std::unique_ptr<const ClearanceField>> clearanceField(const MillingContext& milling, double maximumAllowance,
                                                              Progress& progress) {
-    return clearanceField(bench, bench.tool, maximumAllowance, progress);
+    return clearanceField(milling, milling.tool, maximumAllowance, progress);
 }
 
-Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, const Tool& tool,
+Result<std::unique_ptr<const ClearanceField>> clearanceField(const MillingContext& milling, const Tool& tool,
                                                              double maximumAllowance, Progress& progress) {
     using Field = std::unique_ptr<const ClearanceField>;
-    if (bench.model->bodies.empty()) return Field(std::make_unique<OpenField>(bench.setup.voxel));
+    if (milling.model->bodies.empty()) return Field(std::make_unique<OpenField>(milling.setup.voxel));
     ToolFieldRequest request;
     request.tool = pieces(tool.cutter);
-    request.tips = bench.tipRegion(tool);
-    request.voxel = bench.setup.voxel;
+    request.tips = milling.tipRegion(tool);
+    request.voxel = milling.setup.voxel;
     request.maximumAllowance = maximumAllowance;
-    Result<ToolField> field = ToolField::build(bench.part, request, progress);
+    Result<ToolField> field = ToolField::build(milling.part, request, progress);
     if (!field) return std::move(field).error();
     return Field(std::make_unique<ToolField>(std::move(*field)));
 }
@@ -218,18 +219,18 @@ Result<std::vector<RecordedCuts>> cutsOf(const Project& project) {
     return takes;
 }
 
-Result<void> replayTake(const Take& take, const Tool& tool, Bench& bench, const Progress& progress) {
-    CutReplay replay(tool, bench.embedded.workpiece);
+Result<void> replayTake(const Take& take, const Tool& tool, MillingContext& milling, const Progress& progress) {
+    CutReplay replay(tool, milling.embedded.workpiece);
     CutFinder finder(take.undone);
     if (Result<void> cut = finder.find(take.samples, cutAgain(replay, progress)); !cut) return cut;
     return replay.finish();
 }
 
-Result<void> replayTakes(const std::vector<RecordedCuts>& takes, Bench& bench, Progress& progress) {
+Result<void> replayTakes(const std::vector<RecordedCuts>& takes, MillingContext& milling, Progress& progress) {
     ReplayedShare share(progress);
     for (const RecordedCuts& take : takes) share.expect(take.motions.count());
     for (const RecordedCuts& take : takes) {
-        CutReplay replay(take.tool, bench.embedded.workpiece);
+        CutReplay replay(take.tool, milling.embedded.workpiece);
         const CutFinder::Use cut = cutAgain(replay, progress);
         Result<void> done = take.motions.visit([&](const ToolPose& from, const ToolPose& to) {
             share.did(1);
@@ -242,7 +243,7 @@ Result<void> replayTakes(const std::vector<RecordedCuts>& takes, Bench& bench, P
     return {};
 }
 
-Result<void> replayTakes(const Project& project, Bench& bench, Progress& progress) {
+Result<void> replayTakes(const Project& project, MillingContext& milling, Progress& progress) {
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes) return takes.error();
     ReplayedShare share(progress);
@@ -252,7 +253,7 @@ Result<void> replayTakes(const Project& project, Bench& bench, Progress& progres
         if (!take) return take.error();
         const Result<Tool> tool = toolFor(project, info.toolId);
         if (!tool) return tool.error();
-        CutReplay replay(*tool, bench.embedded.workpiece);
+        CutReplay replay(*tool, milling.embedded.workpiece);
         CutFinder finder(take->undone);
         Result<void> done = project.visitSamples(info.id, [&](std::span<const Sample> samples) -> Result<void> {
             if (progress.cancelled()) return replayCancelled();

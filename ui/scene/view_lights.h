@@ -13,14 +13,14 @@ namespace burin {
 
 /// Lights that go with the eye: a strong one from the upper left, so that faces of every direction differ and a groove
 /// reads as a groove, a weak one from the right, and what a bright sky gives.
-void addBenchLights(vtkRenderer& renderer);
+void addViewLights(vtkRenderer& renderer);
 
 /// What is seen behind everything.
 void setBackdrop(vtkRenderer& renderer, const QColor& top, const QColor& bottom);
 
-/// Shades a matt surface by the bench's lights as an eye far away would see it: no reflection, power or root a light
-/// and pixel, which in software takes half of the time of a picture. Hollow edges are darker, raised ones lighter. For
-/// surfaces with normals at their points.
+/// Shades a matt surface by the workpiece's lights as an eye far away would see it: no reflection, power or root a
+/// light and pixel, which in software takes half of the time of a picture. Hollow edges are darker, raised ones
+/// lighter. For surfaces with normals at their points.
 void shadeSimply(vtkActor& actor);
 
 /// Between which distances from the eye a surface gets dimmer, mm, along the direction of sight: floors of one

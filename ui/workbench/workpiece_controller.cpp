@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/workbench/bench_controller.h"
+#include "ui/workbench/workpiece_controller.h"
 
-#include "core/job/bench_materials.h"
+#include "core/job/milling_materials.h"
 #include "core/machine/machine_library.h"
 #include "ui/workbench/setup_controller.h"
 #include "ui/workbench/tool_controller.h"
@@ -15,31 +15,31 @@ namespace burin {
 
 namespace {
 
-/// A bench with what its recordings cut, and how many strokes stand in each of them.
-struct ReplayedBench {
-    std::shared_ptr<Bench> bench;
+/// A workpiece with what its recordings cut, and how many strokes stand in each of them.
+struct ReplayedMilling {
+    std::shared_ptr<MillingContext> milling;
     std::map<std::int64_t, std::size_t> strokes;
 };
 
 } // namespace
 
-void BenchController::setWanted(std::shared_ptr<const Model> model, const Setup& setup,
-                                const std::vector<Property>& materials, const Tool& tool) {
+void WorkpieceController::setWanted(std::shared_ptr<const Model> model, const Setup& setup,
+                                    const std::vector<Property>& materials, const Tool& tool) {
     const bool otherTool = tool.id != tool_.id;
     model_ = std::move(model);
     setup_ = setup;
     materials_ = materials;
     tool_ = tool;
-    if (otherTool && bench_) buildBounds();
-    if (bench_ && bench_->model == model_ && !embedded() && shapedAlike(bench_->setup, setup_)) changeMaterials();
+    if (otherTool && milling_) buildBounds();
+    if (milling_ && milling_->model == model_ && !embedded() && shapedAlike(milling_->setup, setup_)) changeMaterials();
     emit changed();
 }
 
 /// The workpiece stays, and so do the bounds, which know no material.
-void BenchController::changeMaterials() {
+void WorkpieceController::changeMaterials() {
     letGo([this] {
-        if (!bench_ || embedded() || !shapedAlike(bench_->setup, setup_)) return; // changed again meanwhile
-        if (const Result<void> done = burin::changeMaterials(*bench_, setup_, materials_); !done) {
+        if (!milling_ || embedded() || !shapedAlike(milling_->setup, setup_)) return; // changed again meanwhile
+        if (const Result<void> done = burin::changeMaterials(*milling_, setup_, materials_); !done) {
             emit failed(done.error());
             return;
         }
@@ -49,72 +49,72 @@ void BenchController::changeMaterials() {
     });
 }
 
-void BenchController::setWanted(const WantedBounds& bounds) {
+void WorkpieceController::setWanted(const WantedBounds& bounds) {
     const WantedBounds before = std::exchange(wanted_, bounds);
-    if (!bench_) return;
+    if (!milling_) return;
     if (before.obstacles != bounds.obstacles || before.travel.zero != bounds.travel.zero) emit surroundingsChanged();
     if (boundAlike(before, bounds)) {
         if (before.obstacles != bounds.obstacles) switchObstacles();
         return;
     }
-    // How high travel is free, and so where a tip may go, is the bench's to say.
+    // How high travel is free, and so where a tip may go, is the workpiece's to say.
     desk_.tasks.abandon(TaskKind::field);
     letGo([this] {
-        if (!bench_) return;
-        bench_->obstacles = obstaclesOf(wanted_.obstacles);
-        bench_->travel = wanted_.travel;
+        if (!milling_) return;
+        milling_->obstacles = obstaclesOf(wanted_.obstacles);
+        milling_->travel = wanted_.travel;
         buildBounds();
     });
 }
 
 /// A session has layers of its own.
-void BenchController::switchObstacles() {
+void WorkpieceController::switchObstacles() {
     stopReaders([this] {
-        if (bench_ && bench_->obstacles.size() == wanted_.obstacles.size())
+        if (milling_ && milling_->obstacles.size() == wanted_.obstacles.size())
             for (std::size_t i = 0; i < wanted_.obstacles.size(); ++i)
-                bench_->obstacles[i].on = wanted_.obstacles[i].on;
+                milling_->obstacles[i].on = wanted_.obstacles[i].on;
         goOn();
     });
 }
 
-void BenchController::setWanted(const MachineProfile& machine) {
+void WorkpieceController::setWanted(const MachineProfile& machine) {
     if (toJson(machine) == toJson(machine_)) return; // its values may have changed under the same id
     machine_ = machine;
-    if (!bench_) return;
+    if (!milling_) return;
     emit machineChanged();
     desk_.tasks.abandon(TaskKind::field);
     letGo([this] {
-        if (!bench_) return;
-        bench_->machine = machine_;
+        if (!milling_) return;
+        milling_->machine = machine_;
         buildBounds();
     });
 }
 
-std::shared_ptr<const ClearanceField> BenchController::field() const {
+std::shared_ptr<const ClearanceField> WorkpieceController::field() const {
     if (!bounds_ || bounds_->field() == nullptr) return nullptr;
     return {bounds_, bounds_->field()}; // it goes with the bounds
 }
 
-bool BenchController::embedded() const {
-    return bench_ && model_ && embedAlike(bench_->setup, setup_);
+bool WorkpieceController::embedded() const {
+    return milling_ && model_ && embedAlike(milling_->setup, setup_);
 }
 
-bool BenchController::ready() const {
+bool WorkpieceController::ready() const {
     return embedded() && bounds_ && !embedding();
 }
 
-void BenchController::clear() {
+void WorkpieceController::clear() {
     desk_.tasks.abandon(TaskKind::embedding);
     desk_.tasks.abandon(TaskKind::field);
     desk_.tasks.abandon(TaskKind::growth);
-    bench_.reset();
+    milling_.reset();
     bounds_.reset();
     strokes_.clear();
     emit workpieceChanged();
     emit changed();
 }
 
-void BenchController::embed() {
+void WorkpieceController::embed() {
     if (!model_ || embedding()) return;
     reading_ = true;
     emit changed();
@@ -129,85 +129,85 @@ void BenchController::embed() {
                       });
 }
 
-void BenchController::embedWith(std::vector<RecordedCuts> takes) {
-    BenchRequest request{model_,        setup_, tool_, machine_.id, materials_, obstaclesOf(wanted_.obstacles),
-                         wanted_.travel};
+void WorkpieceController::embedWith(std::vector<RecordedCuts> takes) {
+    MillingContextRequest request{model_,        setup_, tool_, machine_.id, materials_, obstaclesOf(wanted_.obstacles),
+                                  wanted_.travel};
     desk_.tasks.start(
         TaskKind::embedding, tr("Embedding the part"),
-        [request = std::move(request), takes = std::move(takes)](Progress& progress) -> Result<ReplayedBench> {
-            Result<Bench> bench = makeBench(request, progress);
-            if (!bench) return std::move(bench).error();
+        [request = std::move(request), takes = std::move(takes)](Progress& progress) -> Result<ReplayedMilling> {
+            Result<MillingContext> milling = makeMillingContext(request, progress);
+            if (!milling) return std::move(milling).error();
             progress.stage(0.0, 1.0);
-            if (Result<void> replayed = replayTakes(takes, *bench, progress); !replayed) return replayed.error();
-            ReplayedBench made{std::make_shared<Bench>(std::move(*bench)), {}};
+            if (Result<void> replayed = replayTakes(takes, *milling, progress); !replayed) return replayed.error();
+            ReplayedMilling made{std::make_shared<MillingContext>(std::move(*milling)), {}};
             for (const RecordedCuts& take : takes) made.strokes[take.take] = take.strokes;
             return made;
         },
-        [this](Result<ReplayedBench> outcome) {
+        [this](Result<ReplayedMilling> outcome) {
             if (!outcome) {
                 emit changed();
                 emit failed(outcome.error());
                 return;
             }
             letGo([this, made = *outcome] {
-                adopt(made.bench);
+                adopt(made.milling);
                 emit replayed(made.strokes);
             });
         });
     emit changed();
 }
 
-void BenchController::adopt(std::shared_ptr<Bench> bench) {
+void WorkpieceController::adopt(std::shared_ptr<MillingContext> milling) {
     bounds_.reset();
     strokes_.clear();
-    bench_ = std::move(bench);
+    milling_ = std::move(milling);
     emit workpieceChanged();
     emit toolChanged();
-    bench_->obstacles = obstaclesOf(wanted_.obstacles);
-    bench_->travel = wanted_.travel;
+    milling_->obstacles = obstaclesOf(wanted_.obstacles);
+    milling_->travel = wanted_.travel;
     buildBounds();
     emit changed();
 }
 
-void BenchController::buildBounds() {
+void WorkpieceController::buildBounds() {
     desk_.tasks.start(
         TaskKind::field,
         tr("Computing the boundary for %1").arg(QCoreApplication::translate("Resource", tool_.name.c_str())),
-        [bench = bench_, tool = tool_,
+        [milling = milling_, tool = tool_,
          wanted = wanted_](Progress& progress) -> Result<std::shared_ptr<const ToolBounds>> {
             TravelPlacement travel = wanted.travel;
-            travel.on = true;                                                    // it is a layer that sessions switch
-            const std::shared_ptr<const MeshDistance> part(bench, &bench->part); // it keeps the bench
+            travel.on = true; // it is a layer that sessions switch
+            const std::shared_ptr<const MeshDistance> part(milling, &milling->part); // it keeps the workpiece
             Result<ToolBounds> bounds =
-                ToolBounds::grow(*bench, part, tool, wanted.axis, surroundingsOf(*bench, travel, wanted.axis),
+                ToolBounds::grow(*milling, part, tool, wanted.axis, surroundingsOf(*milling, travel, wanted.axis),
                                  maximumAllowance, {}, progress);
             if (!bounds) return std::move(bounds).error();
             return std::make_shared<const ToolBounds>(std::move(*bounds));
         },
-        [this, bench = bench_, tool = tool_, wanted = wanted_](Result<std::shared_ptr<const ToolBounds>> outcome) {
+        [this, milling = milling_, tool = tool_, wanted = wanted_](Result<std::shared_ptr<const ToolBounds>> outcome) {
             if (!outcome) {
                 emit changed();
                 emit failed(outcome.error());
-            } else if (bench == bench_) {
+            } else if (milling == milling_) {
                 letGo([this, tool, wanted, bounds = *outcome] { adoptBounds(tool, wanted, bounds); });
             }
         });
     emit changed();
 }
 
-void BenchController::adoptBounds(const Tool& tool, const WantedBounds& wanted,
-                                  std::shared_ptr<const ToolBounds> bounds) {
-    if (!bench_) return;
-    const PropertyList& properties = bench_->embedded.workpiece.properties();
+void WorkpieceController::adoptBounds(const Tool& tool, const WantedBounds& wanted,
+                                      std::shared_ptr<const ToolBounds> bounds) {
+    if (!milling_) return;
+    const PropertyList& properties = milling_->embedded.workpiece.properties();
     const Result<CuttingConditions> conditions =
-        cuttingConditions(tool, properties[bench_->embedded.stockProperty], bench_->machine.maximumSpindleSpeed,
-                          bench_->machine.maximumFeed);
+        cuttingConditions(tool, properties[milling_->embedded.stockProperty], milling_->machine.maximumSpindleSpeed,
+                          milling_->machine.maximumFeed);
     if (!conditions) {
         emit failed(conditions.error());
         return;
     }
-    bench_->tool = tool;
-    bench_->conditions = *conditions;
+    milling_->tool = tool;
+    milling_->conditions = *conditions;
     bounds_ = std::move(bounds);
     bound_ = wanted;
     emit toolChanged();
@@ -215,7 +215,7 @@ void BenchController::adoptBounds(const Tool& tool, const WantedBounds& wanted,
 }
 
 /// The tool can mill meanwhile: it is held where the boundary is not there yet.
-void BenchController::watchGrowth() {
+void WorkpieceController::watchGrowth() {
     if (!bounds_ || bounds_->complete()) return;
     desk_.tasks.start(
         TaskKind::growth, tr("Computing the boundary around the tool"),
@@ -226,8 +226,8 @@ void BenchController::watchGrowth() {
         });
 }
 
-/// What reads the bench in the background would read it while it changes.
-void BenchController::stopReaders(std::function<void()> then) {
+/// What reads the workpiece in the background would read it while it changes.
+void WorkpieceController::stopReaders(std::function<void()> then) {
     ++changes_;
     emit readersStop();
     desk_.tasks.abandon(TaskKind::growth);
@@ -237,14 +237,14 @@ void BenchController::stopReaders(std::function<void()> then) {
     desk_.tasks.whenIdle(std::move(then));
 }
 
-void BenchController::goOn() {
+void WorkpieceController::goOn() {
     --changes_;
     if (!changing()) watchGrowth();
     emit readersGoOn();
-    emit changed(); // what needs a bench that stands still may be done again
+    emit changed(); // what needs a workpiece that stands still may be done again
 }
 
-void BenchController::letGo(std::function<void()> then) {
+void WorkpieceController::letGo(std::function<void()> then) {
     stopReaders([this, then = std::move(then)] {
         const auto change = [this, then] {
             then();

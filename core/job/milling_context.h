@@ -22,7 +22,7 @@ namespace burin {
 /// What a project is worked on with: its part on a fine mesh, its workpiece as the takes so far left it, one tool in
 /// one machine. Made from a project in seconds; the project stays the truth.
 /// Thread: one at a time; the haptic loop while it mills.
-struct Bench {
+struct MillingContext {
     std::shared_ptr<const Model> model; ///< never null
     Setup setup;
     std::vector<Property> materials; ///< that the project keeps, by id; the library has the others
@@ -41,8 +41,8 @@ struct Bench {
     double workpieceVolume() const;         ///< mm³ of machinable material
 };
 
-/// What a bench is made of, as values: no project is needed on the thread that makes it.
-struct BenchRequest {
+/// What a milling context is made of, as values: no project is needed on the thread that makes it.
+struct MillingContextRequest {
     std::shared_ptr<const Model> model;
     Setup setup;
     Tool tool;
@@ -53,19 +53,20 @@ struct BenchRequest {
 };
 
 /// Errors: those of loadMaterial, loadMachine, embed, cuttingConditions, checkObstacle, cancelled.
-Result<Bench> makeBench(const BenchRequest& request, Progress& progress);
+Result<MillingContext> makeMillingContext(const MillingContextRequest& request, Progress& progress);
 /// The same from a project; its own machine where `machineId` is empty. Errors: also projectIncomplete.
-Result<Bench> makeBench(const Project& project, const Tool& tool, const std::string& machineId, Progress& progress);
+Result<MillingContext> makeMillingContext(const Project& project, const Tool& tool, const std::string& machineId,
+                                          Progress& progress);
 
 /// The tool of a project by id, or of the library where the project has none of that name.
 Result<Tool> toolFor(const Project& project, const std::string& id);
 
 /// The field that a tool's proxy moves in; a field without walls where the model has no body.
 /// Errors: cancelled, outOfMemory.
-Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, double maximumAllowance,
+Result<std::unique_ptr<const ClearanceField>> clearanceField(const MillingContext& milling, double maximumAllowance,
                                                              Progress& progress);
-/// The same for a tool that the bench is about to get: its own stays in force meanwhile.
-Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, const Tool& tool,
+/// The same for a tool that the milling context is about to get: its own stays in force meanwhile.
+Result<std::unique_ptr<const ClearanceField>> clearanceField(const MillingContext& milling, const Tool& tool,
                                                              double maximumAllowance, Progress& progress);
 
 /// What a recording cut, with the cutter that it was made with.
@@ -80,10 +81,10 @@ struct RecordedCuts {
 Result<std::vector<RecordedCuts>> cutsOf(const Project& project);
 
 /// Cuts again what a take cut, but for what was taken back. Errors: volumeOutOfMemory, cancelled.
-Result<void> replayTake(const Take& take, const Tool& tool, Bench& bench, const Progress& progress);
+Result<void> replayTake(const Take& take, const Tool& tool, MillingContext& milling, const Progress& progress);
 /// All of them, in order: the workpiece as it stands.
-Result<void> replayTakes(const std::vector<RecordedCuts>& takes, Bench& bench, Progress& progress);
+Result<void> replayTakes(const std::vector<RecordedCuts>& takes, MillingContext& milling, Progress& progress);
 /// Those of a project, some thousands of samples at a time in memory. Errors: also fileDamaged.
-Result<void> replayTakes(const Project& project, Bench& bench, Progress& progress);
+Result<void> replayTakes(const Project& project, MillingContext& milling, Progress& progress);
 
 } // namespace burin

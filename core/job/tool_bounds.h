@@ -7,7 +7,7 @@
 #include "core/haptics/boundary/growing_boundary.h"
 #include "core/haptics/boundary/tool_boundaries.h"
 #include "core/haptics/trace/session_trace.h"
-#include "core/job/bench.h"
+#include "core/job/milling_context.h"
 #include "core/machine/envelope.h"
 #include "core/setup/axis_mode.h"
 #include "core/setup/obstacle.h"
@@ -19,20 +19,20 @@
 
 namespace burin {
 
-/// A mesh that somebody keeps for longer than what gets it: the bench's own part, as a rule.
+/// A mesh that somebody keeps for longer than what gets it: the milling context's own part, as a rule.
 inline std::shared_ptr<const MeshDistance> lent(const MeshDistance& mesh) {
     return {std::shared_ptr<void>(), &mesh};
 }
 
-/// What bounds a bench's tool besides the part.
+/// What bounds a milling context's tool besides the part.
 struct Surroundings {
     std::vector<Obstacle> obstacles; ///< layers 1, 2, …
     Envelope envelope;               ///< the layer after them, where it sets a limit
 };
 
-/// What stands around a bench, and the travel of its machine. A travel bounds an upright tool alone: how a three-axis
-/// machine's axes move a tilted one is not known.
-Surroundings surroundingsOf(const Bench& bench, const TravelPlacement& placement, const AxisMode& axis);
+/// What stands around a milling context, and the travel of its machine. A travel bounds an upright tool alone: how a
+/// three-axis machine's axes move a tilted one is not known.
+Surroundings surroundingsOf(const MillingContext& milling, const TravelPlacement& placement, const AxisMode& axis);
 
 /// One of the layers that bound a tool, for whoever shows and switches it.
 struct BoundLayer {
@@ -42,8 +42,8 @@ struct BoundLayer {
     bool on = true;   ///< from the start
 };
 
-/// What bounds a tool on a bench, made once in the background and used by any number of sessions: each gets layers of
-/// its own. Immutable; shares what is large when it is copied; any thread.
+/// What bounds a tool on a milling context, made once in the background and used by any number of sessions: each gets
+/// layers of its own. Immutable; shares what is large when it is copied; any thread.
 class ToolBounds {
 public:
     /// Of layers, the part's and the travel's among them.
@@ -55,25 +55,26 @@ public:
     /// The same; the field goes with the object.
     explicit ToolBounds(std::shared_ptr<const ClearanceField> part);
 
-    /// The part is layer 0: a field of tips where the axis stands, the mesh itself where it is free. The bench outlives
-    /// what is made. Cost: that of `clearanceField`, none with a free axis; and of a search tree an obstacle.
-    /// @param tool that the bench has or is about to get
+    /// The part is layer 0: a field of tips where the axis stands, the mesh itself where it is free. The milling
+    /// context outlives what is made. Cost: that of `clearanceField`, none with a free axis; and of a search tree an
+    /// obstacle.
+    /// @param tool that the milling context has or is about to get
     /// Errors: cancelled, outOfMemory, those of checkObstacle, argumentInvalid (an axis that is not of unit length, too
     /// many obstacles).
-    static Result<ToolBounds> build(const Bench& bench, const Tool& tool, const AxisMode& axis,
+    static Result<ToolBounds> build(const MillingContext& milling, const Tool& tool, const AxisMode& axis,
                                     const Surroundings& surroundings, double maximumAllowance, Progress& progress);
 
     /// The same, to mill with in a moment whatever the size: the part's field grows in the background, around the tool
     /// first, and holds the tool where it is not there yet. What is whole within some tenths of a second is awaited.
     /// A free axis has no field.
-    /// @param part the bench's mesh; shared by what is made @param limits of the field
-    static Result<ToolBounds> grow(const Bench& bench, std::shared_ptr<const MeshDistance> part, const Tool& tool,
-                                   const AxisMode& axis, const Surroundings& surroundings, double maximumAllowance,
-                                   const GrowthLimits& limits, Progress& progress);
+    /// @param part the milling context's mesh; shared by what is made @param limits of the field
+    static Result<ToolBounds> grow(const MillingContext& milling, std::shared_ptr<const MeshDistance> part,
+                                   const Tool& tool, const AxisMode& axis, const Surroundings& surroundings,
+                                   double maximumAllowance, const GrowthLimits& limits, Progress& progress);
     /// As they grew while a trace was recorded whose `TracedSession::growth` says so: for a session that plays it
     /// (SessionRequest::replayed). Makes what the trace names, in the caller's thread. Errors: also traceInvalid (it
-    /// names what this bench does not have).
-    static Result<ToolBounds> asGrown(const Bench& bench, const Tool& tool, const AxisMode& axis,
+    /// names what this milling context does not have).
+    static Result<ToolBounds> asGrown(const MillingContext& milling, const Tool& tool, const AxisMode& axis,
                                       const Surroundings& surroundings, const SessionTrace& trace, Progress& progress);
 
     /// Waits until the field has nothing left to do for the tool where it is; at once where none grows.
@@ -105,9 +106,9 @@ private:
         glm::dmat3 turn{1.0};
     };
     ToolBounds() = default;
-    static Result<ToolBounds> withoutField(const Bench& bench, const Tool& tool, const AxisMode& axis,
+    static Result<ToolBounds> withoutField(const MillingContext& milling, const Tool& tool, const AxisMode& axis,
                                            const Surroundings& surroundings);
-    Result<void> lay(const Bench& bench, const Seen& seen, const Tool& tool, double maximumAllowance,
+    Result<void> lay(const MillingContext& milling, const Seen& seen, const Tool& tool, double maximumAllowance,
                      const GrowthLimits& limits, Progress& progress);
     std::unique_ptr<PoseBoundary> partBoundary() const;
 
@@ -117,7 +118,7 @@ private:
     glm::dmat3 turn_{1.0};                  ///< from the setup frame to the growing field's
     double maximumAllowance_ = 0.0;         ///< mm, of the growing field
     std::optional<GrowingBoundary::Tiles> replayed_;
-    const MeshDistance* mesh_ = nullptr; ///< the bench's; null: the part's field alone
+    const MeshDistance* mesh_ = nullptr; ///< the milling context's; null: the part's field alone
     double voxel_ = 0.0;                 ///< mm
     Tool tool_;
     std::vector<ObstacleSolid> obstacles_;
@@ -125,8 +126,8 @@ private:
     std::vector<BoundLayer> layers_;
 };
 
-/// What bounds the bench's own tool, for HapticStep: the layers of its ToolBounds.
-Result<BoundaryLayers> boundaryLayers(const Bench& bench, const AxisMode& axis, const Surroundings& surroundings,
-                                      double maximumAllowance, Progress& progress);
+/// What bounds the milling context's own tool, for HapticStep: the layers of its ToolBounds.
+Result<BoundaryLayers> boundaryLayers(const MillingContext& milling, const AxisMode& axis,
+                                      const Surroundings& surroundings, double maximumAllowance, Progress& progress);
 
 } // namespace burin

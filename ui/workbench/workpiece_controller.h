@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/job/bench_boundaries.h"
 #include "core/job/stroke_history.h"
+#include "core/job/tool_bounds.h"
 #include "ui/workbench/controller.h"
 #include "ui/workbench/surroundings.h"
 
@@ -15,7 +15,7 @@ namespace burin {
 
 /// The workpiece that is milled: embeds the part in its stock, cuts again what recordings cut, and keeps the bounds of
 /// the tool in force. Both are made in the background; what stood before stays in force meanwhile.
-class BenchController final : public Controller {
+class WorkpieceController final : public Controller {
     Q_OBJECT
 public:
     using Controller::Controller;
@@ -23,7 +23,7 @@ public:
     /// Largest allowance that fields are made for, mm.
     static constexpr double maximumAllowance = 2.0;
 
-    /// What embedding will take. A bench that no longer fits stays until the next `embed`.
+    /// What embedding will take. A workpiece that no longer fits stays until the next `embed`.
     /// @param materials looked through by id before the library
     void setWanted(std::shared_ptr<const Model> model, const Setup& setup, const std::vector<Property>& materials,
                    const Tool& tool);
@@ -48,7 +48,7 @@ public:
     void clear();
 
     /// Shared with what reads it in the background. While a session runs the workpiece is the session's.
-    const std::shared_ptr<Bench>& bench() const noexcept { return bench_; }
+    const std::shared_ptr<MillingContext>& milling() const noexcept { return milling_; }
     const std::shared_ptr<const ToolBounds>& bounds() const noexcept { return bounds_; }
     /// What `bounds` were made of.
     const WantedBounds& bound() const noexcept { return bound_; }
@@ -58,7 +58,7 @@ public:
     bool fieldComplete() const { return bounds_ && bounds_->complete(); }
     StrokeHistory& strokes() noexcept { return strokes_; }
 
-    /// Asked before bench, tool or field change: whoever mills lets go of them and then calls what it is given.
+    /// Asked before workpiece, tool or field change: whoever mills lets go of them and then calls what it is given.
     void setGuard(std::function<void(std::function<void()>)> guard) { guard_ = std::move(guard); }
 
 signals:
@@ -66,7 +66,7 @@ signals:
     void toolChanged();         ///< the tool in force
     void surroundingsChanged(); ///< the requested obstacles or position of the travel
     void machineChanged();      ///< the requested one
-    void readersStop();         ///< the bench is about to change: work in the background that reads it is abandoned
+    void readersStop();         ///< the workpiece is about to change: work in the background that reads it is abandoned
     void readersGoOn();         ///< it has changed: what was abandoned can be done again
     /// The workpiece was made anew with these recordings: how many strokes stand in each.
     void replayed(const std::map<std::int64_t, std::size_t>& strokes);
@@ -74,21 +74,21 @@ signals:
 private:
     void changeMaterials();
     void embedWith(std::vector<RecordedCuts> takes);
-    void adopt(std::shared_ptr<Bench> bench);
+    void adopt(std::shared_ptr<MillingContext> milling);
     void buildBounds();
     void adoptBounds(const Tool& tool, const WantedBounds& wanted, std::shared_ptr<const ToolBounds> bounds);
     void watchGrowth();
     void switchObstacles();
     void stopReaders(std::function<void()> then); ///< `then` ends with `goOn`
     void goOn();
-    void letGo(std::function<void()> then); ///< of the bench, whoever mills it too
+    void letGo(std::function<void()> then); ///< of the workpiece, whoever mills it too
 
     std::shared_ptr<const Model> model_;
     Setup setup_;
     std::vector<Property> materials_;
     Tool tool_;
     MachineProfile machine_;
-    std::shared_ptr<Bench> bench_;
+    std::shared_ptr<MillingContext> milling_;
     std::shared_ptr<const ToolBounds> bounds_;
     WantedBounds wanted_, bound_;
     StrokeHistory strokes_;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/scene/bench_lights.h"
+#include "ui/scene/view_lights.h"
 
 #include <vtkLight.h>
 #include <vtkNew.h>
@@ -19,12 +19,12 @@ namespace burin {
 
 namespace {
 
-struct BenchLight {
+struct ViewLight {
     glm::dvec3 from; ///< in the camera's frame
     double intensity;
 };
 
-constexpr BenchLight keyLight{{-0.4, 0.55, 0.58}, 0.72}, fillLight{{0.8, -0.3, 0.6}, 0.26};
+constexpr ViewLight keyLight{{-0.4, 0.55, 0.58}, 0.72}, fillLight{{0.8, -0.3, 0.6}, 0.26};
 /// Light from everywhere, and how much more of it comes from above than from the side.
 constexpr double skyLight = 0.36, skySlope = 0.12;
 /// How much light the farthest of a depth cue loses.
@@ -39,7 +39,7 @@ std::string number(double value) {
     return text.str();
 }
 
-std::string lightOf(const BenchLight& light) {
+std::string lightOf(const ViewLight& light) {
     const glm::dvec3 towards = glm::normalize(light.from);
     return number(light.intensity) + " * max(0.0, dot(normalVCVSOutput, vec3(" + number(towards.x) + ", " +
            number(towards.y) + ", " + number(towards.z) + ")))";
@@ -55,7 +55,7 @@ std::string simpleShading() {
            ");\n  gl_FragData[0] = vec4(ambientColor + lit * diffuseColor, opacity);\n";
 }
 
-void addLight(vtkRenderer& renderer, const BenchLight& of) {
+void addLight(vtkRenderer& renderer, const ViewLight& of) {
     vtkNew<vtkLight> light;
     light->SetLightTypeToCameraLight();
     light->SetPosition(of.from.x, of.from.y, of.from.z);
@@ -66,9 +66,9 @@ void addLight(vtkRenderer& renderer, const BenchLight& of) {
 
 } // namespace
 
-void addBenchLights(vtkRenderer& renderer) {
+void addViewLights(vtkRenderer& renderer) {
     renderer.AutomaticLightCreationOff();
-    for (const BenchLight& light : {keyLight, fillLight}) addLight(renderer, light);
+    for (const ViewLight& light : {keyLight, fillLight}) addLight(renderer, light);
     addLight(renderer, {{0.0, 0.3, 1.0}, skyLight}); // VTK has no sky
 }
 

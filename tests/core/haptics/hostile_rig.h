@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/haptics/operator/hostile_stylus.h"
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/haptic_rig.h"
 
 namespace burin::test {
 
