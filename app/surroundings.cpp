@@ -3,6 +3,7 @@
 #include "app/surroundings.h"
 
 #include "app/command.h"
+#include "app/number_list.h"
 #include "app/report.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
@@ -21,26 +22,6 @@ namespace {
 using nlohmann::json;
 
 constexpr glm::dvec3 upright(0.0, 0.0, 1.0);
-
-/// Numbers with commas between them; nothing where it is not just so many.
-std::optional<std::vector<double>> numbersOf(const std::string& text, std::size_t count) {
-    std::vector<double> numbers;
-    for (std::size_t start = 0; start <= text.size();) {
-        const std::size_t end = std::min(text.find(',', start), text.size());
-        const std::optional<double> number = parseNumber(std::string_view(text).substr(start, end - start));
-        if (!number) return std::nullopt;
-        numbers.push_back(*number);
-        start = end + 1;
-    }
-    if (numbers.size() != count) return std::nullopt;
-    return numbers;
-}
-
-std::optional<glm::dvec3> vectorOf(const std::string& text) {
-    const std::optional<std::vector<double>> numbers = numbersOf(text, 3);
-    if (!numbers) return std::nullopt;
-    return glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
-}
 
 Result<Obstacle> keepOutOf(const std::string& text, double clearance) {
     const Error wrong{

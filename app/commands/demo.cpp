@@ -188,7 +188,7 @@ glm::dvec3 placeToShow(const Path& path) {
 Result<StagedFile> drawResult(const DemoResult& result, const PictureOptions& options, const fs::path& file) {
     PictureContent content;
     content.workpiece = result.program.machined;
-    content.part = result.milling.model;
+    content.part = result.milling.partModel;
     content.tool = result.milling.tool;
     content.pose.tip = placeToShow(result.path.path);
     const Result<std::string> png = pictureOf(std::move(content), options);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
 #include "app/report.h"
+#include "app/stock_arguments.h"
 #include "app/surroundings.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
@@ -19,41 +20,15 @@ namespace {
 
 struct EmbedArguments {
     std::string model, output;
-    double voxel = 0.5, margin = 5.0, stlUnit = 1.0;
-    std::string stock = "box", material = "aluminium-6061";
-    std::vector<std::string> bodyMaterials;
+    double voxel = 0.5, stlUnit = 1.0;
+    StockArguments stock;
     SurroundingsArguments around;
     bool replace = false, overrides = false;
 };
 
-/// "BODY=NAME" for each body that differs. Errors: argumentInvalid, nameUnknown.
-Result<std::vector<std::string>> bodyMaterials(const EmbedArguments& arguments, const Model& model) {
-    std::vector<std::string> materials(model.bodies.size());
-    for (const std::string& pair : arguments.bodyMaterials) {
-        const std::size_t equals = pair.rfind('=');
-        if (equals == std::string::npos)
-            return Error{ErrorCode::argumentInvalid, "--body-material", pair,
-                         worded(BURIN_TEXT("Command", "BODY=NAME"))};
-        const std::string name = pair.substr(0, equals);
-        bool found = false;
-        std::string known;
-        for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-            known += (known.empty() ? "" : ", ") + model.bodies[i].name;
-            if (model.bodies[i].name != name) continue;
-            materials[i] = pair.substr(equals + 1);
-            found = true;
-        }
-        if (!found) return Error{ErrorCode::nameUnknown, "body", name, known};
-    }
-    return materials;
-}
-
 Result<std::vector<Property>> materialsOf(const Setup& setup) {
     std::vector<Property> materials;
-    std::vector<std::string> ids{setup.stockMaterial};
-    for (const std::string& id : setup.bodyMaterials)
-        if (!id.empty() && std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
-    for (const std::string& id : ids) {
+    for (const std::string& id : materialsUsed(setup)) {
         Result<Property> material = loadMaterial(id);
         if (!material) return std::move(material).error();
         materials.push_back(std::move(*material));
@@ -77,7 +52,8 @@ Result<void> mayBeReplaced(const EmbedArguments& arguments) {
 
 /// The model and the fixtures: none of them is where the project, or what Burin keeps beside it, will be.
 Result<void> checkPlaces(const EmbedArguments& arguments) {
-    std::vector<std::filesystem::path> inputs{arguments.model};
+    std::vector<std::filesystem::path> inputs;
+    if (!arguments.model.empty()) inputs.emplace_back(arguments.model);
     inputs.insert(inputs.end(), arguments.around.fixtures.begin(), arguments.around.fixtures.end());
     if (Result<void> free = checkOutput("--output", arguments.output, inputs); !free) return free;
     const std::array<std::filesystem::path, 1> output{arguments.output};
@@ -87,25 +63,35 @@ Result<void> checkPlaces(const EmbedArguments& arguments) {
     return {};
 }
 
-int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
-    if (const Result<void> free = checkPlaces(arguments); !free) return context.fail(free.error());
-    if (const Result<void> allowed = mayBeReplaced(arguments); !allowed) return context.fail(allowed.error());
-    if (arguments.stock != "box")
-        return context.fail({ErrorCode::notSupported, "--stock " + arguments.stock, "--stock box", {}});
+/// Free carving needs none.
+Result<Model> modelOf(const EmbedArguments& arguments, CommandContext& context) {
+    if (arguments.model.empty()) {
+        if (arguments.stock.freeCarving) return Model{};
+        return Error{
+            ErrorCode::argumentInvalid, "MODEL", {}, worded(BURIN_TEXT("Command", "a model file, or --free-carving"))};
+    }
     ImportOptions options;
     options.stlUnit = arguments.stlUnit;
     context.stage(BURIN_TEXT("Command", "Importing"));
-    const Result<Model> model = importModel(arguments.model, options, context.progress());
-    if (!model) return context.fail(model.error());
+    return importModel(arguments.model, options, context.progress());
+}
 
-    Setup wanted;
-    wanted.voxel = arguments.voxel;
-    wanted.marginLow = wanted.marginHigh = glm::dvec3(arguments.margin);
-    wanted.stockMaterial = arguments.material;
-    Result<std::vector<std::string>> perBody = bodyMaterials(arguments, *model);
-    if (!perBody) return context.fail(perBody.error());
-    wanted.bodyMaterials = std::move(*perBody);
-    const Result<Setup> setup = placeStock(*model, wanted);
+nlohmann::json rolesOf(const Model& model, const Setup& setup) {
+    nlohmann::json roles = nlohmann::json::object();
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) roles[nameOf(model, i)] = idOf(roleOf(setup, i));
+    return roles;
+}
+
+int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
+    if (const Result<void> free = checkPlaces(arguments); !free) return context.fail(free.error());
+    if (const Result<void> allowed = mayBeReplaced(arguments); !allowed) return context.fail(allowed.error());
+    const Result<Model> model = modelOf(arguments, context);
+    if (!model) return context.fail(model.error());
+    Setup asked;
+    asked.voxel = arguments.voxel;
+    const Result<Setup> wanted = withStock(std::move(asked), arguments.stock, *model);
+    if (!wanted) return context.fail(wanted.error());
+    const Result<Setup> setup = placeStock(*model, *wanted);
     if (!setup) return context.fail(setup.error());
     const Result<std::vector<Property>> materials = materialsOf(*setup);
     if (!materials) return context.fail(materials.error());
@@ -153,6 +139,11 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
                                 {"stock_volume_mm3", embedded->stockVolume},
                                 {"work_offset_mm", burin::jsonOf(setup->workOffset)},
                                 {"material", setup->stockMaterial},
+                                {"stock_form", idOf(setup->form)},
+                                {"free_carving", setup->freeCarving},
+                                {"roles", rolesOf(*model, *setup)},
+                                {"materials", jsonOfMaterials(*embedded)},
+                                {"graded", jsonOfGradings(*embedded)},
                                 {"axis", jsonOf(*axis)},
                                 {"obstacles", jsonOf(*obstacles)},
                                 {"warnings", warnings}};
@@ -160,7 +151,7 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
         worded(BURIN_TEXT("Command", "part %1 mm^3 in stock %2 mm^3, %3 x %4 x %5 voxels of %6 mm"),
                {formatFixed(embedded->partVolume, 1), formatFixed(embedded->stockVolume, 1), std::to_string(voxels.x),
                 std::to_string(voxels.y), std::to_string(voxels.z), formatShortest(setup->voxel)});
-    context.answer(answer, text + textOfDoubts(*model, *embedded));
+    context.answer(answer, text + textOfMaterials(*setup, *embedded) + textOfDoubts(*model, *embedded));
     return 0;
 }
 
@@ -170,21 +161,14 @@ void registerEmbed(CommandParser program, CommandContext& context, int& status) 
     auto arguments = std::make_shared<EmbedArguments>();
     const CommandParser command =
         program.command("embed", BURIN_TEXT("Help", "Embed a CAD model in stock and make a project"));
-    command
-        .positional(BURIN_TEXT("Argument", "MODEL"), arguments->model,
-                    BURIN_TEXT("Help", "STEP, IGES, BREP or STL file"))
-        .required();
+    command.positional(BURIN_TEXT("Argument", "MODEL"), arguments->model,
+                       BURIN_TEXT("Help", "STEP, IGES, BREP or STL file; with --free-carving it may be left out"));
     command.option("-o,--output", arguments->output, BURIN_TEXT("Help", "Project file to write (.burin)")).required();
     command.flag("--replace", arguments->replace, BURIN_TEXT("Help", "Replace a project that holds recordings"));
     command.flag("--override", arguments->overrides,
                  BURIN_TEXT("Help", "Make the project even if bodies are too small for the voxels to be protected"));
     command.option("--voxel", arguments->voxel, BURIN_TEXT("Help", "Edge of a voxel, mm")).showDefault();
-    command.option("--stock", arguments->stock, BURIN_TEXT("Help", "Shape of the stock: box")).showDefault();
-    command.option("--margin", arguments->margin, BURIN_TEXT("Help", "Stock around the part on every side, mm"))
-        .showDefault();
-    command.option("--material", arguments->material, BURIN_TEXT("Help", "Material of the stock")).showDefault();
-    command.option("--body-material", arguments->bodyMaterials,
-                   BURIN_TEXT("Help", "Material of a body: BODY=NAME; may be repeated"));
+    addStock(command, arguments->stock);
     command.option("--stl-unit", arguments->stlUnit, BURIN_TEXT("Help", "Millimetres per unit of an STL file"))
         .range(1e-6, 1e6)
         .showDefault();

@@ -67,8 +67,8 @@ Result<PictureContent> contentOf(const ProjectPictureArguments& arguments, Comma
     if (!paths) return std::move(paths).error();
     PictureContent content;
     content.workpiece = milling->embedded.workpiece.snapshot();
-    content.part = milling->model;
-    content.obstacles = milling->obstacles;
+    content.part = milling->partModel;
+    content.obstacles = milling->surroundings();
     content.paths = std::move(*paths);
     return content;
 }

@@ -45,14 +45,14 @@ Result<void> checkFile(const fs::path& file) {
 }
 
 /// One share for each process; a process takes about as long to start as a few points take to measure.
-std::vector<WorkerRequest> shares(const std::string& brep, std::span<const glm::dvec3> points) {
+std::vector<WorkerRequest> shares(const Model& model, std::span<const glm::dvec3> points) {
     constexpr std::size_t processes = 2, leastShare = 16;
     const std::size_t count = std::clamp<std::size_t>(points.size() / leastShare, 1, processes);
     std::vector<WorkerRequest> requests;
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t first = points.size() * i / count, last = points.size() * (i + 1) / count;
         const auto share = points.subspan(first, last - first);
-        requests.emplace_back(DistanceRequest{brep, {share.begin(), share.end()}});
+        requests.emplace_back(DistanceRequest{model.brep, model.brepSolids, {share.begin(), share.end()}});
     }
     return requests;
 }
@@ -90,12 +90,12 @@ Result<Model> importModel(const fs::path& file, const ImportOptions& options, Pr
     return Error{ErrorCode::outOfMemory, file.string(), {}, "for the imported model"};
 }
 
-Result<std::vector<double>> exactSignedDistances(const std::string& brep, std::span<const glm::dvec3> points,
+Result<std::vector<double>> exactSignedDistances(const Model& model, std::span<const glm::dvec3> points,
                                                  const ImportOptions& options, Progress& progress) try {
     const std::string subject = "B-rep";
-    if (brep.empty()) return Error{ErrorCode::argumentInvalid, subject, "", "a model with a B-rep"};
+    if (model.brep.empty()) return Error{ErrorCode::argumentInvalid, subject, "", "a model with a B-rep"};
     if (points.empty()) return std::vector<double>{};
-    auto answers = runWorkers(shares(brep, points), options, subject, progress);
+    auto answers = runWorkers(shares(model, points), options, subject, progress);
     if (!answers) return std::move(answers).error();
     std::vector<double> distances;
     for (const WorkerAnswer& answer : *answers)
@@ -108,12 +108,12 @@ Result<std::vector<double>> exactSignedDistances(const std::string& brep, std::s
     return Error{ErrorCode::outOfMemory, "exact distances", {}, std::to_string(points.size()) + " points"};
 }
 
-Result<std::vector<PartEdge>> partEdges(const std::string& brep, double chord, const ImportOptions& options,
+Result<std::vector<PartEdge>> partEdges(const Model& model, double chord, const ImportOptions& options,
                                         Progress& progress) try {
     const std::string subject = "B-rep";
-    if (brep.empty()) return Error{ErrorCode::argumentInvalid, subject, "", "a model with a B-rep"};
+    if (model.brep.empty()) return Error{ErrorCode::argumentInvalid, subject, "", "a model with a B-rep"};
     if (!isPositive(chord)) return Error{ErrorCode::argumentInvalid, "chord", std::to_string(chord), "> 0 mm"};
-    auto answers = runWorkers({EdgeRequest{brep, chord}}, options, subject, progress);
+    auto answers = runWorkers({EdgeRequest{model.brep, model.brepSolids, chord}}, options, subject, progress);
     if (!answers) return std::move(answers).error();
     auto* edges = std::get_if<std::vector<PartEdge>>(&answers->front());
     if (!edges) return Error{ErrorCode::importCrashed, subject, {}, "it answered something else"};

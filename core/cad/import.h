@@ -40,9 +40,9 @@ using PreviewSink = std::function<void(ModelPreview preview)>;
 Result<Model> importModel(const std::filesystem::path& file, const ImportOptions& options, Progress& progress,
                           const PreviewSink& show = {});
 
-/// Exact distances from points to a B-rep (`Model::brep`), mm, negative inside: OpenCASCADE's extrema, in child
-/// processes. Measured: 1 to 3 ms a point. Errors: as importModel.
-Result<std::vector<double>> exactSignedDistances(const std::string& brep, std::span<const glm::dvec3> points,
+/// Exact distances from points to a model's B-rep, mm, negative inside: OpenCASCADE's extrema, in child processes.
+/// Measured: 1 to 3 ms a point. Errors: as importModel, argumentInvalid (no B-rep).
+Result<std::vector<double>> exactSignedDistances(const Model& model, std::span<const glm::dvec3> points,
                                                  const ImportOptions& options, Progress& progress);
 
 } // namespace burin

@@ -5,6 +5,7 @@
 #include "core/geometry/triangle_mesh.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,8 @@ struct Model {
     std::vector<Body> bodies;
     std::vector<ImportNote> notes;
     std::string brep; ///< healed B-rep, OpenCASCADE binary form; empty for a mesh file
+    /// Which of the B-rep's solids the bodies are, in order, where the model is a part of an imported one; empty: all.
+    std::vector<std::uint32_t> brepSolids;
 
     Box box() const;       ///< of all bodies, mm, frame of the model; empty without any
     double volume() const; ///< of all bodies, mm³

@@ -13,10 +13,10 @@ struct PartEdge {
     double length = 0.0;              ///< mm, of the points' polyline
 };
 
-/// The edges of a B-rep (`Model::brep`), in its own order; points so near that the curve is within `chord` of the
+/// The edges of a model's B-rep, in its own order; points so near that the curve is within `chord` of the
 /// polyline. Left out: seams of faces that close upon themselves, and edges that are a point. Runs in the import
 /// program. Errors: as importModel, argumentInvalid (no B-rep, a chord not > 0).
-Result<std::vector<PartEdge>> partEdges(const std::string& brep, double chord, const ImportOptions& options,
+Result<std::vector<PartEdge>> partEdges(const Model& model, double chord, const ImportOptions& options,
                                         Progress& progress);
 
 } // namespace burin

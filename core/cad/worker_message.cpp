@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t requestMark = 0x51525542; // "BURQ"
 constexpr std::uint32_t frameMark = 0x46525542;   // "BURF"
-constexpr std::uint32_t messageVersion = 4;
+constexpr std::uint32_t messageVersion = 5;
 
 enum class FrameKind : std::uint32_t { progress, error, model, distances, edges, preview };
 
@@ -285,9 +285,11 @@ std::string encodeRequest(const WorkerRequest& request) {
         to.value(static_cast<std::uint8_t>(read->preview));
     } else if (const auto* distance = std::get_if<DistanceRequest>(&request)) {
         to.text(distance->brep);
+        to.list(distance->solids);
         to.list(distance->points);
     } else if (const auto* edges = std::get_if<EdgeRequest>(&request)) {
         to.text(edges->brep);
+        to.list(edges->solids);
         to.value(edges->chord);
     }
     return to.take();
@@ -310,11 +312,13 @@ std::optional<WorkerRequest> decodeRequest(std::string_view bytes) {
     } else if (kind == 1) {
         DistanceRequest distance;
         distance.brep = from.text();
+        distance.solids = from.list<std::uint32_t>();
         distance.points = from.list<glm::dvec3>();
         request = std::move(distance);
     } else {
         EdgeRequest edges;
         edges.brep = from.text();
+        edges.solids = from.list<std::uint32_t>();
         edges.chord = from.value<double>();
         request = std::move(edges);
     }

@@ -33,14 +33,16 @@ struct ReadRequest {
 
 /// Measure these points.
 struct DistanceRequest {
-    std::string brep;               ///< `Model::brep`
-    std::vector<glm::dvec3> points; ///< mm
+    std::string brep;                  ///< `Model::brep`
+    std::vector<std::uint32_t> solids; ///< `Model::brepSolids`
+    std::vector<glm::dvec3> points;    ///< mm
 };
 
 /// Follow the edges.
 struct EdgeRequest {
-    std::string brep;     ///< `Model::brep`
-    double chord = 0.005; ///< mm
+    std::string brep;                  ///< `Model::brep`
+    std::vector<std::uint32_t> solids; ///< `Model::brepSolids`
+    double chord = 0.005;              ///< mm
 };
 
 using WorkerRequest = std::variant<ReadRequest, DistanceRequest, EdgeRequest>;

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/document/setup_record.h"
 
-#include "core/document/json_vector.h"
+#include "core/document/json_cylinder.h"
 #include "core/geometry/pose.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -20,11 +21,93 @@ const char* notFinite(const Setup& setup) {
     if (!isFinite(setup.marginLow)) return "margin_low_mm";
     if (!isFinite(setup.marginHigh)) return "margin_high_mm";
     if (!isFinite(setup.workOffset)) return "work_offset_mm";
+    const CylinderShape& cylinder = setup.cylinder;
+    if (!isFinite(cylinder.base) || !isFinite(cylinder.axis) || !std::isfinite(cylinder.radius) ||
+        !std::isfinite(cylinder.height))
+        return "stock_cylinder";
+    const auto isSound = [](const MaterialRegion& region) {
+        return !std::isnan(region.from) && !std::isnan(region.to);
+    };
+    if (!std::ranges::all_of(setup.regions, isSound)) return "regions";
     if (!setup.stock.empty() && !(isFinite(setup.stock.low) && isFinite(setup.stock.high))) return "stock_mm";
     return "";
 }
 
 constexpr std::string_view axisNames = "xyz"; // in the order of RunAxis
+
+std::string axisName(int axis) {
+    return std::string(1, axisNames[static_cast<std::size_t>(axis)]);
+}
+
+[[noreturn]] void refuse(const char* key, const json& record) {
+    throw json::other_error::create(501, key, &record);
+}
+
+int axisOf(const std::string& name, const char* key, const json& record) {
+    const std::size_t axis = name.size() == 1 ? axisNames.find(name) : std::string_view::npos;
+    if (axis == std::string_view::npos) refuse(key, record);
+    return static_cast<int>(axis);
+}
+
+/// JSON has no infinity: a side without a plane is null.
+json planeOf(double place) {
+    return std::isfinite(place) ? json(place) : json();
+}
+
+json recordOf(const RegionGrade& grade) {
+    json table = json::array();
+    for (const Grading::Control& control : grade.table) table.push_back({control.distance, control.value});
+    return {{"value", grade.value},
+            {"formula", grade.formula},
+            {"axis", axisName(grade.axis)},
+            {"table", std::move(table)},
+            {"bands", grade.entries}};
+}
+
+json recordOf(const MaterialRegion& region) {
+    return {{"name", region.name},           {"material", region.material},
+            {"axis", axisName(region.axis)}, {"from_mm", planeOf(region.from)},
+            {"to_mm", planeOf(region.to)},   {"grade", region.grade ? recordOf(*region.grade) : json()}};
+}
+
+RegionGrade gradeOf(const json& record) {
+    RegionGrade grade;
+    grade.value = record.at("value").get<std::string>();
+    grade.formula = record.at("formula").get<std::string>();
+    grade.axis = axisOf(record.at("axis").get<std::string>(), "axis", record);
+    for (const json& line : record.at("table"))
+        grade.table.push_back({line.at(0).get<double>(), line.at(1).get<double>()});
+    grade.entries = record.at("bands").get<int>();
+    return grade;
+}
+
+MaterialRegion regionOf(const json& record) {
+    MaterialRegion region;
+    region.name = record.at("name").get<std::string>();
+    region.material = record.at("material").get<std::string>();
+    region.axis = axisOf(record.at("axis").get<std::string>(), "axis", record);
+    if (const json& from = record.at("from_mm"); !from.is_null()) region.from = from.get<double>();
+    if (const json& to = record.at("to_mm"); !to.is_null()) region.to = to.get<double>();
+    if (const json& grade = record.at("grade"); !grade.is_null()) region.grade = gradeOf(grade);
+    return region;
+}
+
+/// What the versions before 5 left out: every body was a part in a box of one material.
+void readStock(const json& record, Setup& setup) {
+    if (!record.contains("roles")) return;
+    for (const json& id : record.at("roles")) {
+        const std::optional<BodyRole> role = bodyRoleFromId(id.get<std::string>());
+        if (!role) refuse("roles", record);
+        setup.roles.push_back(*role);
+    }
+    const std::optional<StockForm> form = stockFormFromId(record.at("stock_form").get<std::string>());
+    if (!form) refuse("stock_form", record);
+    setup.form = *form;
+    setup.stated = record.at("stock_stated").get<bool>();
+    setup.cylinder = cylinderOf(record.at("stock_cylinder"));
+    setup.freeCarving = record.at("free_carving").get<bool>();
+    for (const json& region : record.at("regions")) setup.regions.push_back(regionOf(region));
+}
 
 Setup read(const json& record) {
     Setup setup;
@@ -37,10 +120,8 @@ Setup read(const json& record) {
         setup.stock = {vectorOf(stock.at(0)), vectorOf(stock.at(1))};
     setup.workOffset = vectorOf(record.at("work_offset_mm"));
     // Left out by the versions that knew no other.
-    const std::string runs = record.value("run_axis", "z");
-    const std::size_t axis = runs.size() == 1 ? axisNames.find(runs) : std::string_view::npos;
-    if (axis == std::string_view::npos) throw json::other_error::create(501, "run_axis", &record);
-    setup.runs = static_cast<RunAxis>(axis);
+    setup.runs = static_cast<RunAxis>(axisOf(record.value("run_axis", "z"), "run_axis", record));
+    readStock(record, setup);
     return setup;
 }
 
@@ -49,6 +130,9 @@ Setup read(const json& record) {
 Result<std::string> toJson(const Setup& setup) {
     if (const std::string key = notFinite(setup); !key.empty())
         return Error{ErrorCode::argumentInvalid, key, "not a number", "a finite number"};
+    json roles = json::array(), regions = json::array();
+    for (const BodyRole role : setup.roles) roles.push_back(idOf(role));
+    for (const MaterialRegion& region : setup.regions) regions.push_back(recordOf(region));
     const json record = {
         {"voxel_mm", setup.voxel},
         {"margin_low_mm", jsonOf(setup.marginLow)},
@@ -57,7 +141,13 @@ Result<std::string> toJson(const Setup& setup) {
         {"body_materials", setup.bodyMaterials},
         {"stock_mm", setup.stock.empty() ? json() : json::array({jsonOf(setup.stock.low), jsonOf(setup.stock.high)})},
         {"work_offset_mm", jsonOf(setup.workOffset)},
-        {"run_axis", std::string(1, axisNames[static_cast<std::size_t>(setup.runs)])},
+        {"run_axis", axisName(static_cast<int>(setup.runs))},
+        {"roles", std::move(roles)},
+        {"stock_form", idOf(setup.form)},
+        {"stock_stated", setup.stated},
+        {"stock_cylinder", jsonOf(setup.cylinder)},
+        {"free_carving", setup.freeCarving},
+        {"regions", std::move(regions)},
     };
     return record.dump(-1, ' ', false, json::error_handler_t::replace);
 }

@@ -3,7 +3,7 @@
 #include "core/document/surroundings_record.h"
 
 #include "core/document/column_codec.h"
-#include "core/document/json_vector.h"
+#include "core/document/json_cylinder.h"
 #include "core/document/mesh_blob.h"
 #include "core/geometry/pose.h"
 
@@ -47,18 +47,10 @@ void add(json& record, const Box& box) {
 }
 
 void add(json& record, const CylinderShape& cylinder) {
-    record["cylinder"] = {{"base_mm", jsonOf(cylinder.base)},
-                          {"axis", jsonOf(cylinder.axis)},
-                          {"radius_mm", cylinder.radius},
-                          {"height_mm", cylinder.height}};
+    record["cylinder"] = jsonOf(cylinder);
 }
 
 void add(json&, const TriangleMesh&) {}
-
-CylinderShape cylinderOf(const json& record) {
-    return {vectorOf(record.at("base_mm")), vectorOf(record.at("axis")), record.at("radius_mm").get<double>(),
-            record.at("height_mm").get<double>()};
-}
 
 std::optional<Obstacle> readObstacle(const json& record, std::string_view blob) {
     Obstacle obstacle;

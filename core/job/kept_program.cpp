@@ -39,10 +39,10 @@ Result<void> addMaterials(const Project& project, Parts& parts) {
     if (!setup) return setup.error();
     Result<std::vector<Property>> own = project.materials();
     if (!own && own.error().code != ErrorCode::projectIncomplete) return std::move(own).error();
-    std::set<std::string> wanted(setup->bodyMaterials.begin(), setup->bodyMaterials.end());
-    wanted.insert(setup->stockMaterial);
+    const std::vector<std::string> used = materialsUsed(*setup);
+    const std::set<std::string> wanted(used.begin(), used.end());
     for (const std::string& id : wanted) {
-        if (id.empty() || (own && std::ranges::find(*own, id, &Property::id) != own->end())) continue;
+        if (own && std::ranges::find(*own, id, &Property::id) != own->end()) continue;
         const Result<Property> material = loadMaterial(id);
         if (!material) return material.error();
         parts.add(toJson(*material));

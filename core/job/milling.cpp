@@ -152,7 +152,7 @@ StandingStock standingStock(const MillingContext& milling) {
 
 Result<MillingPlan> planFor(const MillingContext& milling, const PlanningFrame& frame, const OperatorRequest& request,
                             const OperatorSettings& hand, double scale) {
-    if (milling.model->bodies.empty()) {
+    if (milling.partModel->bodies.empty()) {
         MillingPlan plan;
         plan.roughing = freeHandGrooves(milling);
         return plan;
@@ -207,7 +207,7 @@ Box ledRegion(const Box& stock, const Tool& tool) {
 /// What the operator means to do, and in which takes.
 Result<void> addStages(const MillingContext& milling, const PlanningFrame& frame, const OperatorRequest& request,
                        OperatorPlan& planned) {
-    const bool freeHand = milling.model->bodies.empty();
+    const bool freeHand = milling.partModel->bodies.empty();
     if (request.intent == OperatorIntent::scribble) {
         ScribbleRequest scribble{.region = freeRegion(milling), .seconds = freeSeconds(request), .seed = request.seed};
         Result<std::vector<IntentPoint>> way = planScribble(scribble);

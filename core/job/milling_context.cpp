@@ -77,12 +77,18 @@ private:
 double MillingContext::safeHeight() const {
     const double working = setup.stock.high.z + travelAboveStock;
     double height = working;
-    for (const Obstacle& obstacle : obstacles) {
+    for (const Obstacle& obstacle : surroundings()) {
         const Box box = boundsOf(obstacle);
         if (obstacle.on && box.low.z < working)
             height = std::max(height, box.high.z + obstacle.margin + travelAboveStock);
     }
     return height;
+}
+
+std::vector<Obstacle> MillingContext::surroundings() const {
+    std::vector<Obstacle> all = obstacles;
+    all.insert(all.end(), bodyFixtures.begin(), bodyFixtures.end());
+    return all;
 }
 
 Box MillingContext::tipRegion() const {
@@ -118,7 +124,10 @@ Result<MillingContext> makeMillingContext(const MillingContextRequest& request, 
         if (Result<void> usable = checkObstacle(obstacle); !usable) return std::move(usable).error();
     Result<MachineProfile> machine = loadMachine(request.machineId);
     if (!machine) return std::move(machine).error();
-    MeshDistance part = wholePart(*request.model);
+    Result<std::vector<Obstacle>> fixtures = bodyFixtures(*request.model, request.setup);
+    if (!fixtures) return std::move(fixtures).error();
+    std::shared_ptr<const Model> partModel = protectedPart(request.model, request.setup);
+    MeshDistance part = wholePart(*partModel);
     progress.stage(0.3, 1.0);
     Result<EmbeddedSetup> embedded = embed(*request.model, request.setup, request.materials, progress);
     if (!embedded) return std::move(embedded).error();
@@ -127,9 +136,10 @@ Result<MillingContext> makeMillingContext(const MillingContextRequest& request, 
         cuttingConditions(request.tool, material, machine->maximumSpindleSpeed, machine->maximumFeed);
     if (!conditions) return conditions.error();
     auto stock = std::make_shared<MilledStock>(stockMaker(request));
-    return MillingContext{request.model,       request.setup,  request.materials, request.tool,
-                          std::move(*machine), *conditions,    std::move(part),   std::move(*embedded),
-                          request.obstacles,   request.travel, std::move(stock)};
+    return MillingContext{request.model,        std::move(partModel), request.setup,        request.materials,
+                          request.tool,         std::move(*machine),  *conditions,          std::move(part),
+                          std::move(*embedded), request.obstacles,    std::move(*fixtures), request.travel,
+                          std::move(stock)};
 }
 
 Result<MillingContext> makeMillingContext(const Project& project, const Tool& tool, const std::string& machineId,
@@ -181,7 +191,7 @@ Result<std::unique_ptr<const ClearanceField>> clearanceField(const MillingContex
 Result<std::unique_ptr<const ClearanceField>> clearanceField(const MillingContext& milling, const Tool& tool,
                                                              double maximumAllowance, Progress& progress) {
     using Field = std::unique_ptr<const ClearanceField>;
-    if (milling.model->bodies.empty()) return Field(std::make_unique<OpenField>(milling.setup.voxel));
+    if (milling.partModel->bodies.empty()) return Field(std::make_unique<OpenField>(milling.setup.voxel));
     ToolFieldRequest request;
     request.tool = pieces(tool.cutter);
     request.tips = milling.tipRegion(tool);

@@ -23,18 +23,21 @@ namespace burin {
 /// one machine. Made from a project in seconds; the project stays the truth.
 /// Thread: one at a time; the haptic loop while it mills.
 struct MillingContext {
-    std::shared_ptr<const Model> model; ///< never null
+    std::shared_ptr<const Model> model;     ///< all that was imported, whatever its roles; never null
+    std::shared_ptr<const Model> partModel; ///< the bodies that nothing may cut, maybe none; never null
     Setup setup;
     std::vector<Property> materials; ///< that the project keeps, by id; the library has the others
     Tool tool;
     MachineProfile machine;
     CuttingConditions conditions; ///< of the tool in the stock's material
-    MeshDistance part;            ///< all bodies
+    MeshDistance part;            ///< all bodies of `partModel`
     EmbeddedSetup embedded;
-    std::vector<Obstacle> obstacles; ///< around the stock
+    std::vector<Obstacle> obstacles;    ///< around the stock
+    std::vector<Obstacle> bodyFixtures; ///< bodies of the model that hold it
     TravelPlacement travel;
     std::shared_ptr<MilledStock> stock; ///< as paths leave it; of model, setup and materials; never null
 
+    std::vector<Obstacle> surroundings() const; ///< all that the tool keeps clear of: `obstacles`, then `bodyFixtures`
     Box tipRegion() const; ///< where the tip may go: stock grown by the cutter, up to the safe height, mm
     Box tipRegion(const Tool& other) const; ///< the same for another tool
     double safeHeight() const;              ///< mm, setup frame: above the stock and what stands beside it

@@ -11,11 +11,11 @@ PlanningFrame::PlanningFrame(const MillingContext& milling, const ClearanceField
     : upright_(axis == uprightAxis), turn_(frameAlong(axis)), setupField_(&field), seenField_(field, turn_) {
     if (upright_) {
         stock_ = milling.setup.stock;
-        part_ = milling.model->box();
+        part_ = milling.partModel->box();
         return;
     }
     stock_ = boxAround(milling.setup.stock, turn_);
-    for (const Body& body : milling.model->bodies)
+    for (const Body& body : milling.partModel->bodies)
         for (const glm::dvec3& vertex : body.mesh.vertices) part_.include(turn_ * vertex);
 }
 

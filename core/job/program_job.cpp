@@ -135,6 +135,23 @@ bool isPosted(std::string_view text) {
             }).empty();
 }
 
+namespace {
+
+/// Those that are milled besides the stock's, with commas between them.
+std::string otherMaterials(const EmbeddedSetup& embedded) {
+    const PropertyList& list = embedded.workpiece.properties();
+    std::string names;
+    for (int i = 1; i < list.size(); ++i) {
+        const auto property = static_cast<PropertyIndex>(i);
+        if (property == embedded.stockProperty || list.isProtected(property) || list.baseOf(property) != property)
+            continue;
+        names += (names.empty() ? "" : ", ") + list[property].name;
+    }
+    return names;
+}
+
+} // namespace
+
 std::vector<std::string> programHeader(const MillingContext& milling, const std::vector<Tool>& tools) {
     const auto length = [](double value) { return formatFixed(value, 3); };
     const auto place = [&](const glm::dvec3& v) { return "X" + length(v.x) + " Y" + length(v.y) + " Z" + length(v.z); };
@@ -144,6 +161,8 @@ std::vector<std::string> programHeader(const MillingContext& milling, const std:
     if (!milling.model->sourceFile.empty())
         lines.push_back("Part: " + std::filesystem::path(milling.model->sourceFile).filename().string());
     lines.push_back("Stock: " + milling.setup.stockMaterial + ", size " + place(stock.size()) + " mm");
+    if (const std::string others = otherMaterials(milling.embedded); !others.empty())
+        lines.push_back("Stock of several materials, also: " + others);
     lines.push_back("Program zero: centre of the stock's top face; in the model's frame " +
                     place(milling.setup.workOffset) + " mm");
     lines.push_back("Stock in program coordinates: " + place(stock.low - milling.setup.workOffset) + " to " +
@@ -231,6 +250,28 @@ Result<std::vector<SourceStrokes>> strokesOf(const Project& project, const Store
     return strokes;
 }
 
+namespace {
+
+/// By property; none where the stock is of one material.
+Result<std::vector<CuttingConditions>> conditionsByMaterial(const MillingContext& milling, const Tool& tool) {
+    const PropertyList& list = milling.embedded.workpiece.properties();
+    std::vector<CuttingConditions> conditions(static_cast<std::size_t>(list.size()));
+    int milled = 0;
+    for (int i = 1; i < list.size(); ++i) {
+        const auto property = static_cast<PropertyIndex>(i);
+        if (list.isProtected(property)) continue;
+        ++milled;
+        const Result<CuttingConditions> found =
+            cuttingConditions(tool, list[property], milling.machine.maximumSpindleSpeed, milling.machine.maximumFeed);
+        if (!found) return found.error();
+        conditions[property] = *found;
+    }
+    if (milled < 2) conditions.clear();
+    return conditions;
+}
+
+} // namespace
+
 Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const MillingContext& milling,
                                      const Tool& tool, const StoredPath& path, std::span<const MilledPath> before,
                                      Progress& progress) {
@@ -242,10 +283,15 @@ Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const M
     context.part = &milling.part;
     context.tool = tool;
     context.conditions = *conditions;
+    Result<std::vector<CuttingConditions>> byMaterial = conditionsByMaterial(milling, tool);
+    if (!byMaterial) return std::move(byMaterial).error();
+    for (const CuttingConditions& each : *byMaterial)
+        if (each.rampAngle > 0.0) context.conditions.rampAngle = std::min(context.conditions.rampAngle, each.rampAngle);
+    context.materialConditions = std::move(*byMaterial);
     context.advisedCoolant = advisedCoolant(material);
     context.machine = milling.machine;
     context.stock = milling.setup.stock;
-    context.obstacles = solidsOf(milling.obstacles);
+    context.obstacles = solidsOf(milling.surroundings());
     context.workOffset = milling.setup.workOffset;
     context.lendStock = [&milling, before](const StockUse& use, Progress& lending) {
         return milling.stock->lend(before, use, lending);
@@ -332,10 +378,11 @@ Result<CheckedProgram> checkProgram(const MillingContext& milling, std::string t
     verification.program = &*parsed;
     verification.control = &control;
     verification.model = milling.model.get();
+    verification.partModel = milling.partModel.get();
     verification.part = &milling.part;
     verification.setup = milling.setup;
     verification.materials = milling.materials;
-    verification.obstacles = milling.obstacles;
+    verification.obstacles = milling.surroundings();
     if (milling.travel.zero) // what is only the rule's guess refuses no program
         verification.travel = travelEnvelope(milling.machine, milling.travel, milling.setup.workOffset).tips;
     Result<std::vector<Tool>> tools = toolsMeant(*parsed, milling, request);

@@ -19,7 +19,7 @@ using Field = std::shared_ptr<const ClearanceField>;
 
 Result<Field> fieldFor(const MillingContext& milling, const Tool& tool, const glm::dvec3& axis, double maximumAllowance,
                        Progress& progress) {
-    if (axis == uprightAxis || milling.model->bodies.empty()) {
+    if (axis == uprightAxis || milling.partModel->bodies.empty()) {
         Result<std::unique_ptr<const ClearanceField>> field = clearanceField(milling, tool, maximumAllowance, progress);
         if (!field) return std::move(field).error();
         return Field(std::move(*field));
@@ -76,7 +76,7 @@ std::vector<BoundLayer> namesOf(const Surroundings& surroundings) {
 
 Surroundings surroundingsOf(const MillingContext& milling, const TravelPlacement& placement, const AxisMode& axis) {
     Surroundings surroundings;
-    surroundings.obstacles = milling.obstacles;
+    surroundings.obstacles = milling.surroundings();
     if (!axis.free && axis.direction == uprightAxis)
         surroundings.envelope = travelEnvelope(milling.machine, placement, milling.setup.workOffset);
     return surroundings;
@@ -134,7 +134,7 @@ Result<ToolBounds> ToolBounds::grow(const MillingContext& milling, std::shared_p
                                     const Tool& tool, const AxisMode& axis, const Surroundings& surroundings,
                                     double maximumAllowance, const GrowthLimits& limits, Progress& progress) {
     // A part without a body has no field that could grow.
-    if (axis.free || milling.model->bodies.empty())
+    if (axis.free || milling.partModel->bodies.empty())
         return build(milling, tool, axis, surroundings, maximumAllowance, progress);
     Result<ToolBounds> bounds = withoutField(milling, tool, axis, surroundings);
     if (!bounds) return bounds;

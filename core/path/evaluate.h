@@ -34,7 +34,9 @@ using StockUse = std::function<Result<void>(RunVolume& stock)>;
 struct PathContext {
     const MeshDistance* part = nullptr; ///< chord <= 0.005 mm
     Tool tool;
-    CuttingConditions conditions;
+    CuttingConditions conditions; ///< in the stock's material
+    /// By property, in a stock of several materials that are milled; those of no such material are zero. Empty: one.
+    std::vector<CuttingConditions> materialConditions{};
     Coolant advisedCoolant = Coolant::off; ///< by the material
     MachineProfile machine;
     Box stock;                            ///< mm, setup frame

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/path/apply.h"
+#include "core/path/material_feed.h"
 
 #include "core/base/numbers.h"
 #include "core/base/units.h"
@@ -38,8 +38,7 @@ double rampFeed(const glm::dvec3& from, const PathPoint& to, double cutting, dou
 }
 
 /// The tables' conditions as the user wants them, within what tool and machine can do.
-CuttingConditions wantedConditions(const SetFeed& edit, const PathContext& context) {
-    CuttingConditions wanted = context.conditions;
+CuttingConditions wantedConditions(CuttingConditions wanted, const SetFeed& edit, const PathContext& context) {
     double fastest = wanted.spindleSpeed * edit.speedFactor;
     for (const double limit : {context.machine.maximumSpindleSpeed, context.tool.maximumSpindleSpeed})
         if (limit > 0.0) fastest = std::min(fastest, limit);
@@ -61,8 +60,8 @@ Result<Coolant> wantedCoolant(SetFeed::Cooling cooling, const PathContext& conte
 
 } // namespace
 
-Result<Deviation> apply(const SetFeed& edit, PathUnderEdit& state, const PathContext& context, Progress&) {
-    const CuttingConditions conditions = wantedConditions(edit, context);
+Result<Deviation> apply(const SetFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
+    const CuttingConditions conditions = wantedConditions(context.conditions, edit, context);
     const Result<Coolant> coolant = wantedCoolant(edit.cooling, context);
     if (!coolant) return coolant.error();
     for (const auto& [name, value] :
@@ -88,6 +87,15 @@ Result<Deviation> apply(const SetFeed& edit, PathUnderEdit& state, const PathCon
     }
     state.spindleSpeed = conditions.spindleSpeed;
     state.coolant = *coolant;
+    if (context.materialConditions.empty() || !context.lendStock) return Deviation{};
+    std::vector<CuttingConditions> each;
+    for (const CuttingConditions& material : context.materialConditions)
+        each.push_back(wantedConditions(material, edit, context));
+    CuttingConditions given = conditions;
+    given.feed = cutting;
+    given.plungeFeed = plunging;
+    if (Result<void> done = feedByMaterial(state, context, each, given, progress); !done)
+        return std::move(done).error();
     return Deviation{};
 }
 

@@ -1,9 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/numbers.h"
+#include "core/setup/cylinder_stock.h"
+#include "core/setup/insert_overlap.h"
 #include "core/setup/material_change.h"
 #include "core/setup/setup.h"
+#include "core/setup/setup_materials.h"
 #include "core/setup/stock_shape.h"
+#include "core/volume/operations/graded.h"
+#include "core/volume/operations/repaint.h"
 #include "core/volume/runs/assembly.h"
 #include "core/volume/voxelisation/voxelisation.h"
 
@@ -14,69 +19,21 @@ namespace burin {
 
 namespace {
 
-/// The entries of a setup, in the order of the property list: stock, then one a body.
-struct Materials {
-    PropertyList list;
-    PropertyIndex stock = airProperty;
-    std::vector<PropertyIndex> bodies;
-};
+constexpr double roundingOfBoxes = 1e-6; // mm
 
-std::string nameOf(const Model& model, std::size_t body) {
-    const std::string& name = model.bodies[body].name;
-    return name.empty() ? "Body " + std::to_string(body + 1) : name;
+/// mm by which a box reaches out of another.
+double beyond(const Box& box, const Box& outer) {
+    double most = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+        most = std::max({most, outer.low[axis] - box.low[axis], box.high[axis] - outer.high[axis]});
+    return most;
 }
 
-/// Ids of a property list are unique; bodies of one name get numbers.
-Result<PropertyIndex> addNumbered(PropertyList& list, Property property) {
-    const auto taken = [&](const std::string& id) {
-        for (int i = 0; i < list.size(); ++i)
-            if (list[static_cast<PropertyIndex>(i)].id == id) return true;
-        return false;
-    };
-    const std::string id = property.id;
-    for (int number = 2; taken(property.id); ++number) property.id = id + " " + std::to_string(number);
-    return list.add(std::move(property));
-}
-
-Result<Property> materialOf(const std::string& id, const std::vector<Property>& known) {
-    for (const Property& material : known)
-        if (material.id == id) return material;
-    return loadMaterial(id);
-}
-
-Result<Materials> gatherMaterials(const Model& model, const Setup& setup, const std::vector<Property>& known) {
-    Materials materials;
-    Result<Property> stock = materialOf(setup.stockMaterial, known);
-    if (!stock) return stock.error();
-    stock->machinability = Machinability::machinable;
-    const Property stockMaterial = *stock;
-    const Result<PropertyIndex> stockIndex = materials.list.add(*std::move(stock));
-    if (!stockIndex) return stockIndex.error();
-    materials.stock = *stockIndex;
+Result<void> requireInside(const Model& model, const Setup& setup) {
     for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-        const bool own = i < setup.bodyMaterials.size() && !setup.bodyMaterials[i].empty();
-        Result<Property> material = own ? materialOf(setup.bodyMaterials[i], known) : Result<Property>(stockMaterial);
-        if (!material) return material.error();
-        material->machinability = Machinability::isProtected;
-        material->id += " (" + nameOf(model, i) + ")";
-        material->name += " (" + nameOf(model, i) + ")";
-        if (model.bodies[i].colour) material->colour = *model.bodies[i].colour;
-        const Result<PropertyIndex> index = addNumbered(materials.list, *std::move(material));
-        if (!index) return index.error();
-        materials.bodies.push_back(*index);
-    }
-    return materials;
-}
-
-Result<void> requireInside(const Model& model, const Box& stock) {
-    constexpr double roundingOfBoxes = 1e-6; // mm
-    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-        const Box& box = model.bodies[i].box;
-        double beyond = 0.0;
-        for (int axis = 0; axis < 3; ++axis)
-            beyond = std::max({beyond, stock.low[axis] - box.low[axis], box.high[axis] - stock.high[axis]});
-        if (beyond > roundingOfBoxes)
-            return Error{ErrorCode::partOutsideStock, nameOf(model, i), formatFixed(beyond, 3) + " mm", {}};
+        if (!isEmbedded(roleOf(setup, i))) continue;
+        if (const double out = beyond(model.bodies[i].box, setup.stock); out > roundingOfBoxes)
+            return Error{ErrorCode::partOutsideStock, nameOf(model, i), formatFixed(out, 3) + " mm", {}};
     }
     return {};
 }
@@ -105,10 +62,12 @@ std::vector<EmbeddingFinding> findingsOf(const Body& body, const VoxelisationRep
     return findings;
 }
 
-/// And about it among the others.
-void note(const Model& model, std::size_t body, const VoxelisationReport& report, EmbeddedSetup& embedded) {
+/// And about it among the others that are protected.
+void note(const Model& model, std::size_t body, const Setup& setup, const VoxelisationReport& report,
+          EmbeddedSetup& embedded) {
     std::vector<EmbeddingFinding> findings = findingsOf(model.bodies[body], report);
-    for (std::size_t earlier = 0; earlier < body; ++earlier) {
+    for (std::size_t earlier = 0; earlier < body && isProtected(roleOf(setup, body)); ++earlier) {
+        if (!isProtected(roleOf(setup, earlier))) continue;
         const std::uint64_t lost = report.replaced.units[embedded.bodyProperties[earlier]];
         if (lost > 0)
             findings.push_back({.kind = EmbeddingFinding::Kind::overlappingBodies,
@@ -121,15 +80,93 @@ void note(const Model& model, std::size_t body, const VoxelisationReport& report
     }
 }
 
-/// Where bodies overlap the later one has the place.
-Result<void> fillBodies(const Model& model, EmbeddedSetup& embedded, Progress& progress) {
-    std::vector<BodyMesh> bodies;
-    for (std::size_t i = 0; i < model.bodies.size(); ++i)
-        bodies.push_back({&model.bodies[i].mesh, embedded.bodyProperties[i]});
-    const Result<std::vector<VoxelisationReport>> reports = voxelise(bodies, embedded.workpiece, progress);
+/// A box is as it is said; of another form, what it holds is known once it is filled: the part must not stand out of
+/// it, where nothing would be left to mill it of.
+Result<void> requireStockAround(const Model& model, std::size_t body, const Setup& setup,
+                                const VoxelisationReport& report, const RunVolume& workpiece) {
+    if (setup.form == StockForm::box || !isProtected(roleOf(setup, body))) return {};
+    constexpr double skin = 0.02; // mm: what meshes of curved faces that lie on each other may differ by
+    const double out = static_cast<double>(report.replaced.units[airProperty]) * workpiece.grid().unitVolume();
+    if (out <= skin * model.bodies[body].area) return {};
+    return Error{ErrorCode::partOutsideStock, nameOf(model, body), formatFixed(out, 1) + " mm^3", {}};
+}
+
+Result<void> requireVoxels(const Model& model, std::size_t body, const Setup& setup, const VoxelisationReport& report) {
+    if (roleOf(setup, body) != BodyRole::insert || report.filledUnits > 0) return {};
+    return Error{ErrorCode::argumentInvalid, nameOf(model, body), "insert",
+                 "a body that a scanline meets; smaller voxels may help"};
+}
+
+/// Inserts first, then what is protected: it has the place.
+Result<void> fillBodies(const Model& model, const Setup& setup, EmbeddedSetup& embedded, Progress& progress) {
+    std::vector<BodyMesh> meshes;
+    std::vector<std::size_t> bodies;
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+        const BodyRole role = roleOf(setup, i);
+        if (!isEmbedded(role)) continue;
+        meshes.push_back({&model.bodies[i].mesh, embedded.bodyProperties[i], isProtected(role) ? 1 : 0});
+        bodies.push_back(i);
+    }
+    const Result<std::vector<VoxelisationReport>> reports = voxelise(meshes, embedded.workpiece, progress);
     if (!reports) return reports.error();
-    for (std::size_t i = 0; i < model.bodies.size(); ++i) note(model, i, (*reports)[i], embedded);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const VoxelisationReport& report = (*reports)[i];
+        if (Result<void> sound = requireStockAround(model, bodies[i], setup, report, embedded.workpiece); !sound)
+            return sound;
+        if (Result<void> sound = requireVoxels(model, bodies[i], setup, report); !sound) return sound;
+        note(model, bodies[i], setup, report, embedded);
+    }
     return {};
+}
+
+Error outOfReserve(const RunVolume& volume) {
+    return {ErrorCode::volumeOutOfMemory, std::to_string(volume.reservedBytes()), {}, {}};
+}
+
+Result<void> fillStock(const Model& model, const Setup& setup, EmbeddedSetup& embedded, Progress& progress) {
+    RunVolume& workpiece = embedded.workpiece;
+    if (setup.form == StockForm::box)
+        return BoxStock(setup.stock).fill(workpiece, embedded.stockProperty) ? Result<void>() : outOfReserve(workpiece);
+    if (setup.form == StockForm::cylinder)
+        return fillCylinder(workpiece, setup.cylinder, embedded.stockProperty) ? Result<void>()
+                                                                               : outOfReserve(workpiece);
+    std::vector<BodyMesh> solids;
+    for (std::size_t i = 0; i < model.bodies.size(); ++i)
+        if (roleOf(setup, i) == BodyRole::stock) solids.push_back({&model.bodies[i].mesh, embedded.stockProperty});
+    const Result<std::vector<VoxelisationReport>> filled = voxelise(solids, workpiece, progress);
+    return filled ? Result<void>() : filled.error();
+}
+
+RegionGrading gradingOf(const MaterialRegion& region, const GradedMaterial& graded, const PropertyList& list) {
+    const NamedValue& value = list[graded.base].values.find(region.grade->value)->second;
+    return {region.name,           region.grade->value, value.unit,    graded.grading.low(),
+            graded.grading.high(), graded.entries,      graded.error()};
+}
+
+/// In their order: the later layer has the place.
+Result<void> fillRegions(const Setup& setup, const SetupMaterials& materials, EmbeddedSetup& embedded) {
+    for (std::size_t i = 0; i < setup.regions.size(); ++i) {
+        const MaterialRegion& region = setup.regions[i];
+        const PropertyIndex property = materials.regions[i];
+        if (Result<void> done = repaint(embedded.workpiece, property, region.axis, region.from, region.to); !done)
+            return done;
+        const std::optional<GradedMaterial>& graded = materials.graded[i];
+        if (!graded) continue;
+        if (Result<void> done = gradeRuns(embedded.workpiece, *graded); !done) return done;
+        embedded.gradings.push_back(gradingOf(region, *graded, embedded.workpiece.properties()));
+    }
+    return {};
+}
+
+void measure(EmbeddedSetup& embedded) {
+    const RunVolume& workpiece = embedded.workpiece;
+    std::uint64_t part = 0, stock = 0;
+    for (int i = 1; i < workpiece.properties().size(); ++i) {
+        const auto property = static_cast<PropertyIndex>(i);
+        (workpiece.properties().isProtected(property) ? part : stock) += workpiece.amounts().units[property];
+    }
+    embedded.partVolume = static_cast<double>(part) * workpiece.grid().unitVolume();
+    embedded.stockVolume = static_cast<double>(stock) * workpiece.grid().unitVolume();
 }
 
 } // namespace
@@ -138,40 +175,27 @@ Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, const std::v
                             Progress& progress) {
     const Result<EmbeddingSize> size = embeddingSize(setup);
     if (!size) return size.error();
-    if (Result<void> inside = requireInside(model, setup.stock); !inside) return inside.error();
-    Result<Materials> materials = gatherMaterials(model, setup, known);
+    if (Result<void> inside = requireInside(model, setup); !inside) return inside.error();
+    if (Result<void> apart = requireInsertsApart(model, setup, progress); !apart) return std::move(apart).error();
+    Result<SetupMaterials> materials = setupMaterials(model, setup, known);
     if (!materials) return materials.error();
     const Result<Grid> grid = Grid::make(setup.stock.low, setup.voxel, size->voxels, setup.runs);
     if (!grid) return grid.error();
-    Result<RunVolume> volume = RunVolume::make(*grid, std::move(materials->list));
+    Result<RunVolume> volume = RunVolume::make(*grid, materials->list);
     if (!volume) return volume.error();
 
-    EmbeddedSetup embedded{*std::move(volume), std::move(materials->bodies), materials->stock, 0.0, 0.0, {}};
-    if (!BoxStock(setup.stock).fill(embedded.workpiece, embedded.stockProperty))
-        return Error{ErrorCode::volumeOutOfMemory, std::to_string(embedded.workpiece.reservedBytes()), {}, {}};
-    if (Result<void> filled = fillBodies(model, embedded, progress); !filled) return filled.error();
-    const RunAmounts& amounts = embedded.workpiece.amounts();
-    for (const PropertyIndex property : embedded.bodyProperties)
-        embedded.partVolume += static_cast<double>(amounts.units[property]) * grid->unitVolume();
-    embedded.stockVolume = static_cast<double>(amounts.units[embedded.stockProperty]) * grid->unitVolume();
+    EmbeddedSetup embedded{
+        *std::move(volume), materials->bodies, materials->stock, materials->regions, {}, 0.0, 0.0, {}};
+    if (Result<void> filled = fillStock(model, setup, embedded, progress); !filled) return std::move(filled).error();
+    if (Result<void> filled = fillRegions(setup, *materials, embedded); !filled) return std::move(filled).error();
+    if (Result<void> filled = fillBodies(model, setup, embedded, progress); !filled) return std::move(filled).error();
+    measure(embedded);
     return embedded;
-}
-
-Result<PropertyList> propertyListOf(const Model& model, const Setup& setup, const std::vector<Property>& materials) {
-    Result<Materials> gathered = gatherMaterials(model, setup, materials);
-    if (!gathered) return gathered.error();
-    return std::move(gathered->list);
-}
-
-std::vector<std::string> idsOf(const PropertyList& list) {
-    std::vector<std::string> ids;
-    for (int i = 0; i < list.size(); ++i) ids.push_back(list[static_cast<PropertyIndex>(i)].id);
-    return ids;
 }
 
 Result<EmbeddedSetup> withMaterials(const EmbeddedSetup& embedded, const Model& model, const Setup& setup,
                                     const std::vector<Property>& materials) {
-    Result<Materials> gathered = gatherMaterials(model, setup, materials);
+    Result<SetupMaterials> gathered = setupMaterials(model, setup, materials);
     if (!gathered) return std::move(gathered).error();
     const RunVolume& before = embedded.workpiece;
     Result<RunVolume> workpiece =
@@ -180,8 +204,10 @@ Result<EmbeddedSetup> withMaterials(const EmbeddedSetup& embedded, const Model& 
             segments.assign(kept.begin(), kept.end());
         });
     if (!workpiece) return std::move(workpiece).error();
-    return EmbeddedSetup{std::move(*workpiece), std::move(gathered->bodies), gathered->stock,
-                         embedded.partVolume,   embedded.stockVolume,        embedded.findings};
+    EmbeddedSetup changed{
+        *std::move(workpiece), std::move(gathered->bodies), gathered->stock,      std::move(gathered->regions),
+        embedded.gradings,     embedded.partVolume,         embedded.stockVolume, embedded.findings};
+    return changed;
 }
 
 } // namespace burin

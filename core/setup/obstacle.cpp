@@ -56,15 +56,7 @@ Box boundsOf(const Box& box) {
 }
 
 Box boundsOf(const CylinderShape& cylinder) {
-    Box box;
-    for (const glm::dvec3& centre : {cylinder.base, cylinder.base + cylinder.height * cylinder.axis}) {
-        glm::dvec3 reach(0.0); // of a circle square to the axis
-        for (int axis = 0; axis < 3; ++axis)
-            reach[axis] = cylinder.radius * std::sqrt(std::max(0.0, 1.0 - cylinder.axis[axis] * cylinder.axis[axis]));
-        box.include(centre - reach);
-        box.include(centre + reach);
-    }
-    return box;
+    return boxAround(cylinder);
 }
 
 Box boundsOf(const TriangleMesh& mesh) {
@@ -76,7 +68,7 @@ bool same(const Box& one, const Box& other) {
 }
 
 bool same(const CylinderShape& one, const CylinderShape& other) {
-    return one.base == other.base && one.axis == other.axis && one.radius == other.radius && one.height == other.height;
+    return one == other;
 }
 
 bool same(const TriangleMesh& one, const TriangleMesh& other) {

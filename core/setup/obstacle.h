@@ -7,6 +7,7 @@
 #include "core/geometry/box.h"
 #include "core/geometry/mesh_distance.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/setup/cylinder_shape.h"
 
 #include <cstdint>
 #include <memory>
@@ -16,13 +17,6 @@
 #include <vector>
 
 namespace burin {
-
-struct CylinderShape {
-    glm::dvec3 base{0.0};           ///< mm, middle of the lower face, setup frame
-    glm::dvec3 axis{0.0, 0.0, 1.0}; ///< unit
-    double radius = 0.0;            ///< mm, > 0
-    double height = 0.0;            ///< mm, > 0
-};
 
 enum class ObstacleKind : std::uint8_t {
     fixture, ///< holds the stock, or stands beside it

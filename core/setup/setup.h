@@ -5,12 +5,31 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/cad/model.h"
+#include "core/setup/body_role.h"
+#include "core/setup/cylinder_shape.h"
+#include "core/setup/material_region.h"
+#include "core/setup/obstacle.h"
 #include "core/volume/runs/run_volume.h"
 
+#include <array>
+#include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace burin {
+
+/// What the raw material looks like before it is milled.
+enum class StockForm : std::uint8_t {
+    box,      ///< its edges along the axes of the setup frame
+    cylinder, ///< round bar, whichever way it lies
+    solids    ///< the bodies of the model whose role is stock
+};
+inline constexpr std::array stockForms{StockForm::box, StockForm::cylinder, StockForm::solids};
+/// Stable id, for files and the command line: "box", "cylinder", "solids".
+std::string_view idOf(StockForm form) noexcept;
+std::optional<StockForm> stockFormFromId(std::string_view id) noexcept;
 
 /// How a part lies in its stock: one clamping. The setup frame is the model's frame.
 struct Setup {
@@ -19,13 +38,36 @@ struct Setup {
     glm::dvec3 marginHigh{5.0}; ///< mm above
     std::string stockMaterial = "aluminium-6061";
     std::vector<std::string> bodyMaterials; ///< per body; empty: the stock's
-    Box stock;                              ///< mm; filled by `placeStock`
-    glm::dvec3 workOffset{0.0};             ///< program zero in the setup frame, mm; filled by `placeStock`
-    RunAxis runs = RunAxis::z;              ///< of the volume: along the spindle, or what comes next to it
+    std::vector<BodyRole> roles;            ///< per body; those that it does not name are parts
+    std::vector<MaterialRegion> regions;    ///< layers of the stock that have a material of their own
+    StockForm form = StockForm::box;
+    bool stated = false;      ///< box or cylinder as they stand here, whatever the part; else the part and the margins
+    CylinderShape cylinder;   ///< of that form; its axis is the user's, the rest `placeStock` fills in unless stated
+    bool freeCarving = false; ///< no part is wanted: nothing pushes back
+    Box stock;                ///< mm: the stock, or the box around it; filled by `placeStock` unless a box is stated
+    glm::dvec3 workOffset{0.0}; ///< program zero in the setup frame, mm; filled by `placeStock`
+    RunAxis runs = RunAxis::z;  ///< of the volume: along the spindle, or what comes next to it
 };
 
-/// Box stock around a model: its box grown by the margins. Program zero: centre of the stock's top face.
-/// Errors: stockInvalid (a margin below 0 or not finite, a voxel not > 0).
+BodyRole roleOf(const Setup& setup, std::size_t body) noexcept;
+
+/// Its name; "Body 2" where the model has none.
+std::string nameOf(const Model& model, std::size_t body);
+
+/// Ids of all materials that it names, each once: the stock's, those of bodies, those of layers.
+std::vector<std::string> materialsUsed(const Setup& setup);
+
+/// The bodies that nothing may cut: the model itself, shared, where that is all of them. Copies their meshes else.
+std::shared_ptr<const Model> protectedPart(std::shared_ptr<const Model> model, const Setup& setup);
+
+/// The bodies whose role is fixture, as obstacles without a margin. Errors: those of fixturesOf.
+Result<std::vector<Obstacle>> bodyFixtures(const Model& model, const Setup& setup);
+
+/// Finds where the stock lies. A box or cylinder that is not stated is the smallest around part and inserts, grown by
+/// the margins: a cylinder goes round the middle of their box; its ends have the margins of the axis that it lies
+/// nearest to, its side the largest of the others. Program zero: centre of the top face of the stock's box.
+/// Errors: stockInvalid (a margin below 0 or not finite, a voxel not > 0, no part and no free carving, a stated stock
+/// that is none, stock of solids without one), those of checkRegions.
 Result<Setup> placeStock(const Model& model, Setup setup);
 
 /// What a grid would take, before it is made.
@@ -61,21 +103,34 @@ struct EmbeddingFinding {
     bool harmless() const noexcept { return kind == Kind::unseenOpening || kind == Kind::duplicateTriangles; }
 };
 
+/// What became of a graded region: the values that were found in it, sorted into bands.
+struct RegionGrading {
+    std::string region, value, unit; ///< names, and the value's unit
+    double low = 0.0, high = 0.0;    ///< of the value, in its unit
+    int bands = 0;
+    double error = 0.0; ///< by which a place's value may be off, in its unit
+};
+
 /// A part in its stock, as runs.
 struct EmbeddedSetup {
     RunVolume workpiece;
-    std::vector<PropertyIndex> bodyProperties; ///< protected, per body
-    PropertyIndex stockProperty = airProperty; ///< machinable
-    double partVolume = 0.0;                   ///< mm³ of protected runs
-    double stockVolume = 0.0;                  ///< mm³ of machinable runs
-    std::vector<EmbeddingFinding> findings;    ///< by body
+    std::vector<PropertyIndex> bodyProperties;   ///< per body; air for one that is not embedded
+    PropertyIndex stockProperty = airProperty;   ///< machinable
+    std::vector<PropertyIndex> regionProperties; ///< per region; of a graded one the material that it is a grade of
+    std::vector<RegionGrading> gradings;         ///< of the graded ones, in order
+    double partVolume = 0.0;                     ///< mm³ of protected runs
+    double stockVolume = 0.0;                    ///< mm³ of machinable runs
+    std::vector<EmbeddingFinding> findings;      ///< by body
 };
 
-/// Fills a grid with the stock (machinable) and the bodies (protected). Where bodies overlap the later one has the
-/// place. A body whose surface is open, folded or turned is filled by the rules of voxelise(), with a finding that says
-/// where. Stock faces lie on run ends along the run axis exactly and on voxel faces across (the grid is the stock box,
-/// rounded up to whole voxels; the overhang is air). Errors: volumeTooLarge, outOfMemory, volumeOutOfMemory,
-/// nameUnknown (a material), partOutsideStock, cancelled.
+/// Fills a grid with the stock, its layers in their order, the inserts, then what is protected. Where protected bodies
+/// overlap the later one has the place. A body whose surface is open, folded or turned is filled by the rules of
+/// voxelise(), with a finding that says where. Faces of a stock that is a box lie on run ends along the run axis
+/// exactly and on voxel faces across (the grid is the stock's box, rounded up to whole voxels; the overhang is air).
+/// Errors: volumeTooLarge, outOfMemory, volumeOutOfMemory, nameUnknown (a material), partOutsideStock (part or insert
+/// out of the stock's box, or the part out of a stock of another form), argumentInvalid (inserts that overlap by more
+/// than a thousandth of the smaller, an insert too small for the voxels, more materials than a cut can tell apart, a
+/// material without a specific cutting energy or Kienzle force, what gradingOf finds), cancelled.
 /// @param materials looked through by id before the library: those that a project keeps
 Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, const std::vector<Property>& materials,
                             Progress& progress);

@@ -98,9 +98,9 @@ void markReached(const VerifyRequest& request, const TouchingTool& tool, double 
 Result<std::vector<DeviationSample>> measureExcess(const RunVolume& workpiece, const VerifyRequest& request,
                                                    std::span<const Tool> tools, Progress& progress) {
     SurfacePlaces places(workpiece.grid().edge());
-    for (const Body& body : request.model->bodies) places.add(body.mesh);
+    for (const Body& body : request.protectedBodies().bodies) places.add(body.mesh);
     std::vector<DeviationSample> samples(places.count());
-    const double lowest = request.model->box().low.z;
+    const double lowest = request.protectedBodies().box().low.z;
     const std::vector<TouchingTool> touching(tools.begin(), tools.end());
     const LeftOver left(workpiece);
     const std::size_t length = batchLength(places.count());

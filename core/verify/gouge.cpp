@@ -27,7 +27,7 @@ ExactQuestion questionFor(const GougeSample& sample, const Cutter& cutter) {
 
 /// How many samples are to be judged on the B-rep.
 std::size_t exactCount(const VerifyRequest& request) {
-    return request.model->brep.empty() ? 0 : request.exactSamples;
+    return request.protectedBodies().brep.empty() ? 0 : request.exactSamples;
 }
 
 /// The worst samples on the B-rep; they stand first in `samples` afterwards.
@@ -46,7 +46,7 @@ Result<std::vector<double>> exactDepths(std::vector<GougeSample>& samples, const
         points.push_back(question.point);
         offsets.push_back(question.offset);
     }
-    Result<std::vector<double>> distances = exactSignedDistances(request.model->brep, points, request.import, progress);
+    Result<std::vector<double>> distances = exactSignedDistances(request.protectedBodies(), points, request.import, progress);
     if (!distances) return distances;
     for (std::size_t i = 0; i < count; ++i) (*distances)[i] = offsets[i] - (*distances)[i];
     return distances;

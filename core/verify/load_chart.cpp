@@ -79,30 +79,52 @@ private:
     std::array<double, 257> upTo_;        ///< mm², seen from the side, by height
 };
 
+/// Sums over a part of the path, of one material.
+struct MetMaterial {
+    PropertyIndex material = airProperty;
+    double volume = 0.0, surface = 0.0; ///< mm³; mm² times mm
+    glm::dvec3 tangentChip{0.0}, tangentEdge{0.0}, normalChip{0.0}, normalEdge{0.0};
+
+    void scale(double share) {
+        for (double* sum : {&volume, &surface}) *sum *= share;
+        for (glm::dvec3* sum : {&tangentChip, &tangentEdge, &normalChip, &normalEdge}) *sum *= share;
+    }
+};
+
 /// Means over a part of the path.
 struct Engaged {
-    double length = 0.0;                ///< mm of path that this is summed over
-    double most = 0.0;                  ///< mm² that the tool can meet along it
-    double volume = 0.0, surface = 0.0; ///< mm³; mm² times mm
-    glm::dvec3 moment{0.0};             ///< mm³ times mm
-    glm::dvec3 tangentChip{0.0}, tangentEdge{0.0}, normalChip{0.0}, normalEdge{0.0};
+    double length = 0.0;    ///< mm of path that this is summed over
+    double most = 0.0;      ///< mm² that the tool can meet along it
+    double volume = 0.0;    ///< mm³
+    glm::dvec3 moment{0.0}; ///< mm³ times mm
+    std::vector<MetMaterial> materials;
 
     /// @param share of the step. @param way mm that it is of the path
     void add(const StepCut& cut, double share, double way) {
         volume += share * cut.volume;
         moment += share * cut.volume * glm::dvec3(cut.place);
-        surface += way * cut.surface;
-        tangentChip += way * glm::dvec3(cut.tangentChip);
-        tangentEdge += way * glm::dvec3(cut.tangentEdge);
-        normalChip += way * glm::dvec3(cut.normalChip);
-        normalEdge += way * glm::dvec3(cut.normalEdge);
+        MetMaterial& met = of(cut.material);
+        met.volume += share * cut.volume;
+        met.surface += way * cut.surface;
+        met.tangentChip += way * glm::dvec3(cut.tangentChip);
+        met.tangentEdge += way * glm::dvec3(cut.tangentEdge);
+        met.normalChip += way * glm::dvec3(cut.normalChip);
+        met.normalEdge += way * glm::dvec3(cut.normalEdge);
     }
     /// On a path shorter than a voxel, whole columns of voxels would count more than the tool is large.
     void keepWithinTool() {
         if (!(volume > most * length)) return;
         const double share = most * length / volume;
-        for (double* sum : {&volume, &surface}) *sum *= share;
-        for (glm::dvec3* sum : {&moment, &tangentChip, &tangentEdge, &normalChip, &normalEdge}) *sum *= share;
+        volume *= share;
+        moment *= share;
+        for (MetMaterial& met : materials) met.scale(share);
+    }
+
+private:
+    MetMaterial& of(PropertyIndex material) {
+        const auto found = std::ranges::find(materials, material, &MetMaterial::material);
+        if (found != materials.end()) return *found;
+        return materials.emplace_back(MetMaterial{.material = material});
     }
 };
 
@@ -126,32 +148,45 @@ Turning turningOf(const NcMotion& motion, const Tool& tool, const MotionTime& ti
     return turning;
 }
 
-CutLoad loadOf(const Engaged& engaged, const StepCut& here, const Turning& turning,
-               const CuttingCoefficients::Entry& material) {
+/// Adds what one material asks for.
+void addLoad(const MetMaterial& met, double length, const Turning& turning, const CuttingCoefficients::Entry& material,
+             CutLoad& load) {
+    const double edgeSpeed = 2.0 * pi * turning.radius * turning.turns, teeth = turning.turns * turning.teeth; // 1/s
+    const double surface = met.surface / length;
+    if (!(surface > 0.0)) return;
+    const double removalRate = met.volume / length * turning.speed;
+    const double perChip = newtonMillimetresPerJoule * material.energyAt(removalRate / (teeth * surface)); // N/mm²
+    const double ofChip = perChip * removalRate / edgeSpeed;
+    const double edge = turning.teeth * surface / (2.0 * pi * turning.radius); // mm, engaged in the mean
+    load.force += ofChip + material.edgeForce * edge;
+    load.radial += material.radialRatio * ofChip + material.radialEdgeForce * edge;
+    const double chip = perChip * load.feedPerTooth, sense = turning.clockwise ? 1.0 : -1.0;
+    const glm::dvec3 sum = sense * (chip * met.tangentChip + material.edgeForce * met.tangentEdge) +
+                           chip * material.radialRatio * met.normalChip + material.radialEdgeForce * met.normalEdge;
+    load.vector += -turning.teeth / (2.0 * pi) / length * sum;
+}
+
+/// @param top, bottom mm above the tip, of what was met
+CutLoad loadOf(const Engaged& engaged, float bottom, float top, const Turning& turning,
+               const CuttingCoefficients& coefficients) {
     CutLoad load;
     const double length = engaged.length;
     load.place = engaged.moment / engaged.volume;
-    load.depth = here.top - here.bottom;
-    load.height = 0.5 * (here.top + here.bottom);
-    const double area = engaged.volume / length, surface = engaged.surface / length;
+    load.depth = top - bottom;
+    load.height = 0.5 * (top + bottom);
+    const double area = engaged.volume / length;
+    double surface = 0.0;
+    for (const MetMaterial& met : engaged.materials) surface += met.surface / length;
     if (load.depth > 0.0) load.width = std::min(area / load.depth, 2.0 * turning.radius); // a plunge has no depth
     load.removalRate = area * turning.speed;
     const double edgeSpeed = 2.0 * pi * turning.radius * turning.turns, teeth = turning.turns * turning.teeth; // 1/s
     if (!(edgeSpeed > 0.0) || !(surface > 0.0)) return load;
     load.feedPerTooth = turning.speed / teeth;
     load.chip = load.removalRate / (teeth * surface);
-    const double perChip = newtonMillimetresPerJoule * material.energyAt(load.chip); // N/mm²
-    const double ofChip = perChip * load.removalRate / edgeSpeed;
-    const double edge = turning.teeth * surface / (2.0 * pi * turning.radius); // mm, engaged in the mean
-    load.force = ofChip + material.edgeForce * edge;
-    load.radial = material.radialRatio * ofChip + material.radialEdgeForce * edge;
+    for (const MetMaterial& met : engaged.materials)
+        addLoad(met, length, turning, coefficients.byProperty[met.material], load);
     load.power = load.force * edgeSpeed / newtonMillimetresPerJoule;
     load.torque = load.force * turning.radius / millimetresPerMetre;
-    const double chip = perChip * load.feedPerTooth, sense = turning.clockwise ? 1.0 : -1.0;
-    const glm::dvec3 sum = sense * (chip * engaged.tangentChip + material.edgeForce * engaged.tangentEdge) +
-                           chip * material.radialRatio * engaged.normalChip +
-                           material.radialEdgeForce * engaged.normalEdge;
-    load.vector = -turning.teeth / (2.0 * pi) / length * sum;
     load.axial = load.vector.z;
     load.side = std::hypot(load.vector.x, load.vector.y);
     return load;
@@ -164,10 +199,10 @@ bool isLess(const CutLoad& a, const CutLoad& b) {
 /// Goes through the steps with the part of the path about each.
 class LoadRecorder {
 public:
-    LoadRecorder(const ReplayedProgram& replayed, const PropertyList& properties, PropertyIndex material)
+    LoadRecorder(const ReplayedProgram& replayed, const PropertyList& properties)
         : replayed_(replayed), lengths_(*replayed.moves, replayed.program->motions.size()) {
         for (const Tool& tool : replayed.tools) {
-            coefficients_.push_back(cuttingCoefficients(properties, tool.cutter.diameter).byProperty[material]);
+            coefficients_.push_back(cuttingCoefficients(properties, tool.cutter.diameter));
             silhouettes_.emplace_back(tool.cutter);
         }
     }
@@ -175,7 +210,12 @@ public:
     LoadRecord record(const LoadVisitor& visit) {
         startMotions();
         const std::vector<StepCut>& steps = *replayed_.steps;
-        for (std::size_t i = 0; i < steps.size(); ++i) tell(i, visit);
+        for (std::size_t i = 0; i < steps.size();) {
+            std::size_t end = i + 1; // of the same step, whatever the material
+            while (end < steps.size() && steps[end].move == steps[i].move && steps[end].step == steps[i].step) ++end;
+            tell(i, end, visit);
+            i = end;
+        }
         finishMotions();
         return std::move(record_);
     }
@@ -244,8 +284,10 @@ private:
         return engaged;
     }
 
-    void tell(std::size_t i, const LoadVisitor& visit) {
-        const StepCut& here = (*replayed_.steps)[i];
+    /// @param i, end the step's records, of a material each
+    void tell(std::size_t i, std::size_t end, const LoadVisitor& visit) {
+        StepCut here = (*replayed_.steps)[i];
+        for (std::size_t other = i + 1; other < end; ++other) here.add((*replayed_.steps)[other]);
         const ToolMove& move = (*replayed_.moves)[here.move];
         const NcMotion& motion = replayed_.program->motions[move.motion];
         const MotionTime& time = replayed_.time->motions[move.motion];
@@ -253,8 +295,8 @@ private:
         const Engaged engaged = around(i);
         if (!(engaged.length > 0.0) || !(engaged.volume > 0.0)) return;
         const Turning turning = turningOf(motion, replayed_.tools[move.tool], time);
-        const auto& material = coefficients_[move.tool];
-        CutLoad load = loadOf(engaged, here, turning, material);
+        const CuttingCoefficients& coefficients = coefficients_[move.tool];
+        CutLoad load = loadOf(engaged, here.bottom, here.top, turning, coefficients);
         const double all = lengths_.ofMotion(move.motion), share = lengthOf(here) / all;
         const double begin = (path.before + here.step * lengthOf(here)) / all;
         load.at = time.start + time.duration * (begin + 0.5 * share);
@@ -271,24 +313,23 @@ private:
         const std::function<CutLoad(double)> at = [&](double feed) {
             Turning slower = turning;
             slower.speed = feed / secondsPerMinute;
-            return loadOf(engaged, here, slower, material);
+            return loadOf(engaged, here.bottom, here.top, slower, coefficients);
         };
         visit({move.motion, motion, move.tool, load, turning.speed * secondsPerMinute, at});
     }
 
     const ReplayedProgram& replayed_;
     PathLengths lengths_;
-    std::vector<CuttingCoefficients::Entry> coefficients_; ///< by tool
-    std::vector<Silhouette> silhouettes_;                  ///< by tool
+    std::vector<CuttingCoefficients> coefficients_; ///< by tool
+    std::vector<Silhouette> silhouettes_;           ///< by tool
     std::vector<MotionLoad> byMotion_;
     LoadRecord record_;
 };
 
 } // namespace
 
-LoadRecord recordLoads(const ReplayedProgram& replayed, const PropertyList& properties, PropertyIndex material,
-                       const LoadVisitor& visit) {
-    return LoadRecorder(replayed, properties, material).record(visit);
+LoadRecord recordLoads(const ReplayedProgram& replayed, const PropertyList& properties, const LoadVisitor& visit) {
+    return LoadRecorder(replayed, properties).record(visit);
 }
 
 const MotionLoad* peakLoad(const std::vector<MotionLoad>& loads) {

@@ -48,10 +48,9 @@ using LoadVisitor = std::function<void(const ToldLoad&)>;
 /// bends by more than 45 degrees is looked at on either side by itself. With v the feed, or what the machine reaches of
 /// it, n the turns and z the teeth: MRR = A v, mean chip h = MRR / (n z S), power P = K(h) MRR + Kte n z S, Ft = P / v
 /// of the edge, Fr = Kr (Ft of the chip) + Kre z S / (2 pi R) (Chen & Yang 2004, eq. 12; shear and edge forces as
-/// Altintas has them). core/verify/README.md states the rules.
-/// @param material what is removed
-LoadRecord recordLoads(const ReplayedProgram& replayed, const PropertyList& properties, PropertyIndex material,
-                       const LoadVisitor& visit);
+/// Altintas has them). Where a step meets several materials, each has its own S, A and K, and the loads add up.
+/// core/verify/README.md states the rules.
+LoadRecord recordLoads(const ReplayedProgram& replayed, const PropertyList& properties, const LoadVisitor& visit);
 
 /// The motion whose peak has the greatest force, or removal rate where no force is known; null for none.
 const MotionLoad* peakLoad(const std::vector<MotionLoad>& loads);

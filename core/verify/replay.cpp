@@ -113,7 +113,7 @@ std::vector<StepCut> stepsOf(std::vector<RowResult>& rows) {
         all.insert(all.end(), row.steps.begin(), row.steps.end());
         row.steps = {};
     }
-    const auto key = [](const StepCut& cut) { return std::pair(cut.move, cut.step); };
+    const auto key = [](const StepCut& cut) { return std::tuple(cut.move, cut.step, cut.material); };
     std::ranges::stable_sort(all, {}, key);
     std::size_t count = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {

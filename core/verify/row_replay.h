@@ -75,7 +75,7 @@ public:
         , moves_(moves)
         , tools_(tools)
         , reach_(stock.reach())
-        , meter_(grid)
+        , meter_(stock.volume())
         , meters_(meters)
         , grazes_(grazes) {}
 

@@ -35,6 +35,7 @@ public:
     /// @param row of bricks, from 0 along v
     RowStock(const RunVolume& volume, std::int32_t row);
 
+    const RunVolume& volume() const noexcept { return volume_; } ///< as before all cuts
     std::int32_t firstV() const noexcept { return firstV_; }
     std::int32_t lineCountV() const noexcept { return countV_; }
     std::int32_t brickCount() const noexcept { return bricks_; }

@@ -40,6 +40,16 @@ void StepCut::add(const StepCut& other) noexcept {
     normalEdge += other.normalEdge;
 }
 
+StepMeter::StepMeter(const RunVolume& workpiece) : workpiece_(&workpiece), grid_(&workpiece.grid()) {
+    const PropertyList& list = workpiece.properties();
+    for (int i = 1; i < list.size(); ++i) {
+        const auto property = static_cast<PropertyIndex>(i);
+        if (list.isProtected(property)) continue;
+        placeOf_[property] = static_cast<std::uint8_t>(materials_.size());
+        materials_.push_back(property);
+    }
+}
+
 void StepMeter::begin(std::uint32_t move, std::span<const RevolvedPiece> flutes, const glm::dvec3& from,
                       const glm::dvec3& to, const glm::dvec3& axis) {
     move_ = move;
@@ -55,7 +65,7 @@ void StepMeter::begin(std::uint32_t move, std::span<const RevolvedPiece> flutes,
 void StepMeter::prepare() {
     const double widest = widestOf(flutes_);
     steps_ = loadStepsOf(length_, grid_->edge(), widest);
-    if (sums_.size() < steps_) sums_.resize(steps_);
+    if (sums_.size() < steps_ * materials_.size()) sums_.resize(steps_ * materials_.size());
     slice_ = std::max(1.0, widest / slicesPerRadius / grid_->edge()) * unitsPerVoxel;
     // Upright walls on a level move meet all of a run at once.
     const RevolvedPiece& lowest = flutes_.front();
@@ -67,6 +77,21 @@ void StepMeter::prepare() {
 
 void StepMeter::add(LineIndex line, double low, double high) {
     if (steps_ == 0) prepare();
+    if (materials_.size() == 1) return addRun(line, low, high);
+    // Borders within the stretch; what is not of a material that can be milled goes with the one before it.
+    double from = low;
+    for (const Segment segment : workpiece_->line(line)) {
+        const double end = std::min(high, static_cast<double>(segment.end()));
+        if (end <= from) continue;
+        if (segment.property() != airProperty && !workpiece_->properties().isProtected(segment.property()))
+            material_ = placeOf_[segment.property()];
+        addRun(line, from, end);
+        from = end;
+        if (from >= high) return;
+    }
+}
+
+void StepMeter::addRun(LineIndex line, double low, double high) {
     const glm::dvec3 corner = inLineFrame(*grid_, grid_->low());
     const double edge = grid_->edge();
     const glm::dvec2 centre = grid_->lineCentre(line);
@@ -148,10 +173,11 @@ void StepMeter::addSlice(const glm::dvec3& place, double volume, double halfHeig
     }
 }
 
-void StepMeter::addTo(std::uint32_t step, const Met& met, const glm::dvec3& place, double volume, double halfHeight) {
-    Sum& sum = sums_[step];
+void StepMeter::addTo(std::size_t step, const Met& met, const glm::dvec3& place, double volume, double halfHeight) {
+    const std::size_t entry = step * materials_.size() + material_;
+    Sum& sum = sums_[entry];
     if (!(sum.volume > 0.0)) {
-        touched_.push_back(step);
+        touched_.push_back(entry);
         sum.bottom = sum.top = met.height;
     }
     const double seen = length_ > 0.0 ? volume * steps_ / length_ : 0.0; // mm², along the move
@@ -170,12 +196,13 @@ void StepMeter::addTo(std::uint32_t step, const Met& met, const glm::dvec3& plac
 
 void StepMeter::finish(std::vector<StepCut>& cuts) {
     std::ranges::sort(touched_);
-    for (const std::uint32_t step : touched_) {
-        const Sum sum = std::exchange(sums_[step], Sum{});
+    for (const std::size_t entry : touched_) {
+        const Sum sum = std::exchange(sums_[entry], Sum{});
         const auto ofSetup = [&](const glm::dvec3& v) { return glm::vec3(inSetupFrame(*grid_, v)); };
         StepCut cut;
         cut.move = move_;
-        cut.step = step;
+        cut.step = static_cast<std::uint32_t>(entry / materials_.size());
+        cut.material = materials_[entry % materials_.size()];
         cut.steps = steps_;
         cut.volume = static_cast<float>(sum.volume);
         cut.surface = static_cast<float>(sum.surface);

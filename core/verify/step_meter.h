@@ -3,21 +3,24 @@
 #pragma once
 
 #include "core/geometry/revolved_piece.h"
-#include "core/volume/runs/grid.h"
+#include "core/volume/runs/run_volume.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace burin {
 
-/// What the flutes met in one of the equal steps that a move is looked at in. n: outward normal of the flutes where
-/// they met it; t: direction in which a tooth of a clockwise spindle goes there; r: distance from the tool's axis; d:
-/// direction of the move. Sums over the surface that met material, in the mean over the step. Setup frame.
+/// What the flutes met of one material in one of the equal steps that a move is looked at in. n: outward normal of the
+/// flutes where they met it; t: direction in which a tooth of a clockwise spindle goes there; r: distance from the
+/// tool's axis; d: direction of the move. Sums over the surface that met material, in the mean over the step. Setup
+/// frame.
 struct StepCut {
     std::uint32_t move = 0;
-    std::uint32_t step = 0;   ///< from 0 of `steps`
-    std::uint32_t steps = 1;  ///< of the move
+    std::uint32_t step = 0;  ///< from 0 of `steps`
+    std::uint32_t steps = 1; ///< of the move
+    PropertyIndex material = airProperty;
     float volume = 0.0F;      ///< mm³
     float surface = 0.0F;     ///< mm²
     float bottom = 0.0F;      ///< mm above the tip, of what was met
@@ -36,14 +39,14 @@ struct StepCut {
 /// at which the flutes hold it, which is exact, as the pieces of a tool are convex. One thread.
 class StepMeter {
 public:
-    explicit StepMeter(const Grid& grid) : grid_(&grid) {}
+    explicit StepMeter(const RunVolume& workpiece);
 
     /// @param flutes outlive the move. @param from, to tips, mm, line frame. @param axis of the tool, line frame
     void begin(std::uint32_t move, std::span<const RevolvedPiece> flutes, const glm::dvec3& from, const glm::dvec3& to,
                const glm::dvec3& axis);
-    /// A run that the move took. @param low, high run units
+    /// A stretch that the move took, of what the workpiece held there before all moves. @param low, high run units
     void add(LineIndex line, double low, double high);
-    /// Appends what the steps of the move met, in their order.
+    /// Appends what the steps of the move met, in their order, of each material apart.
     void finish(std::vector<StepCut>& cuts);
 
 private:
@@ -60,20 +63,25 @@ private:
         glm::dvec3 moment{0.0}, tangentChip{0.0}, tangentEdge{0.0}, normalChip{0.0}, normalEdge{0.0};
     };
     void prepare();
+    void addRun(LineIndex line, double low, double high);
     Met meet(const glm::dvec3& place) const;
     double surfaceFor(const Met& met) const;
     void addSlice(const glm::dvec3& place, double volume, double halfHeight);
-    void addTo(std::uint32_t step, const Met& met, const glm::dvec3& place, double volume, double halfHeight);
+    void addTo(std::size_t step, const Met& met, const glm::dvec3& place, double volume, double halfHeight);
 
+    const RunVolume* workpiece_;
     const Grid* grid_;
+    std::vector<PropertyIndex> materials_;    ///< that can be milled
+    std::array<std::uint8_t, 256> placeOf_{}; ///< of each property among them; 0 for what can't be milled
+    std::size_t material_ = 0;                ///< place of what is being added
     std::span<const RevolvedPiece> flutes_;
     std::uint32_t move_ = 0;
     glm::dvec3 from_{0.0}, direction_{0.0}, axis_{0.0};
     double length_ = 0.0;     ///< mm
     double slice_ = 1.0;      ///< run units of a removed run that are looked at by themselves, at most
     std::uint32_t steps_ = 0; ///< of the move; 0: it has taken nothing yet
-    std::vector<Sum> sums_;   ///< by step; all zero but those touched
-    std::vector<std::uint32_t> touched_;
+    std::vector<Sum> sums_;   ///< by step, of each by material; all zero but those touched
+    std::vector<std::size_t> touched_;
 };
 
 /// Steps that the load of a move is told in: of a voxel, or a 16th of the radius where that is more.

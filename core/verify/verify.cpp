@@ -25,6 +25,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace burin {
 
@@ -104,9 +106,9 @@ void take(const GougeJudgement& gouges, VerifyReport& report) {
 }
 
 void judgeLoads(const ReplayedProgram& replayed, const VerifyRequest& request, const PropertyList& properties,
-                PropertyIndex material, Findings& findings, VerifyReport& report) {
+                Findings& findings, VerifyReport& report) {
     LoadJudge judge(request.machine, replayed.tools, request.gougeTolerance);
-    LoadRecord record = recordLoads(replayed, properties, material, [&](const ToldLoad& told) { judge.look(told); });
+    LoadRecord record = recordLoads(replayed, properties, [&](const ToldLoad& told) { judge.look(told); });
     report.loads = std::move(record.motions);
     report.loadSteps = std::move(record.steps);
     judge.conclude(findings, report.warnings);
@@ -190,14 +192,17 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     progress.stage(0.05, 0.4);
     std::vector<StepCut> steps;
     const ExactStock exact{request.setup.stock, earlier->moves, earlier->tools};
-    const SideLines sides(workpiece, request.setup.stock);
+    // The exact width of a stock is known of a box alone.
+    const std::optional<SideLines> sides = request.setup.form == StockForm::box
+                                               ? std::optional<SideLines>(std::in_place, workpiece, request.setup.stock)
+                                               : std::nullopt;
     const Result<std::vector<MoveCut>> cuts =
         replay(moves, tools->tools, workpiece, findings, progress, {request.nearDistance, &passes}, &steps, &exact);
     if (!cuts) return cuts.error();
     for (const MoveCut& cut : *cuts) report.removed += cut.volume;
-    report.removed += sides.removedBeside(workpiece);
+    if (sides) report.removed += sides->removedBeside(workpiece);
     const ReplayedProgram replayed{request.program, &moves, &*cuts, &steps, tools->tools, &time, request.setup.voxel};
-    judgeLoads(replayed, request, workpiece.properties(), embedded->stockProperty, findings, report);
+    judgeLoads(replayed, request, workpiece.properties(), findings, report);
     judgePlunges(replayed, findings);
     report.times = time.motions;
     report.toolChanges = time.toolChanges;

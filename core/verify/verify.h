@@ -25,8 +25,9 @@ namespace burin {
 /// rest is in the setup frame.
 struct VerifyRequest {
     const ParsedProgram* program = nullptr;
-    const Model* model = nullptr;
-    const MeshDistance* part = nullptr; ///< of the model's meshes, chord <= 0.005 mm
+    const Model* model = nullptr;       ///< all bodies, with the roles of `setup`
+    const Model* partModel = nullptr;   ///< those that nothing may cut; null: all of them
+    const MeshDistance* part = nullptr; ///< of their meshes, chord <= 0.005 mm
     Setup setup;
     std::vector<Property> materials; ///< by id, before the library's: those that a project keeps
     std::vector<Obstacle> obstacles; ///< those that are on are judged
@@ -49,6 +50,8 @@ struct VerifyRequest {
     double nearDistance = 1.0;      ///< mm: a shank or holder that passes nearer is told, but is no fault; 0: none
     std::size_t exactSamples = 500; ///< of the worst samples are judged on the exact B-rep; 0, or no B-rep: mesh only
     ImportOptions import;           ///< worker and limits for the exact distances
+
+    const Model& protectedBodies() const noexcept { return partModel != nullptr ? *partModel : *model; }
 };
 
 enum class FindingKind : std::uint8_t {

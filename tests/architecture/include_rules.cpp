@@ -58,13 +58,17 @@ bool isHidapi(std::string_view header) {
 bool isSystemd(std::string_view header) {
     return header.starts_with("systemd/");
 }
+bool isMuParser(std::string_view header) {
+    return header.starts_with("muParser");
+}
 bool isSqlite(std::string_view header) {
     return header.starts_with("sqlite3");
 }
 
-constexpr std::array<Foreign, 6> foreigners{
+constexpr std::array<Foreign, 7> foreigners{
     Foreign{"Qt", isQt},         Foreign{"VTK", isVtk},       Foreign{"OpenCASCADE", isOcct},
-    Foreign{"SQLite", isSqlite}, Foreign{"hidapi", isHidapi}, Foreign{"libsystemd", isSystemd}};
+    Foreign{"SQLite", isSqlite}, Foreign{"hidapi", isHidapi}, Foreign{"libsystemd", isSystemd},
+    Foreign{"muParser", isMuParser}};
 
 bool allowed(const Arrows& arrows, const std::string& library, const std::string& header, const std::string& source) {
     if (library == "plugins")

@@ -70,7 +70,7 @@ public:
         std::vector<glm::dvec3> centres;
         for (std::size_t i = 0; i < count; ++i) centres.push_back(samples[i].tip + glm::dvec3(0.0, 0.0, radius_));
         burin::Progress progress;
-        const auto distances = burin::exactSignedDistances(model_.brep, centres, importOptions(), progress);
+        const auto distances = burin::exactSignedDistances(model_, centres, importOptions(), progress);
         if (!distances) return std::nullopt;
         double gouge = 0.0;
         for (const double distance : *distances) gouge = std::max(gouge, radius_ - distance);

@@ -59,7 +59,7 @@ std::optional<double> exactGouge(const PartJudge& judge, const Take& take, doubl
     std::vector<glm::dvec3> centres;
     for (std::size_t i = 0; i < count; ++i) centres.push_back(poses[i].second.tip + radius * poses[i].second.axis);
     Progress progress;
-    const auto distances = exactSignedDistances(judge.model().brep, centres, PartJudge::importOptions(), progress);
+    const auto distances = exactSignedDistances(judge.model(), centres, PartJudge::importOptions(), progress);
     if (!distances) return std::nullopt;
     double gouge = 0.0;
     for (const double distance : *distances) gouge = std::max(gouge, radius - distance);

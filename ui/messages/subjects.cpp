@@ -27,6 +27,8 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "dialect"),
     BURIN_TEXT("Subject", "edit"),
     BURIN_TEXT("Subject", "file"),
+    BURIN_TEXT("Subject", "insert"),
+    BURIN_TEXT("Subject", "layer"),
     BURIN_TEXT("Subject", "machine"),
     BURIN_TEXT("Subject", "material"),
     BURIN_TEXT("Subject", "obstacle"),

@@ -28,17 +28,17 @@ GuideController::GuideController(const Desk& desk, WorkpieceController& workpiec
 }
 
 bool GuideController::hasEdges() const {
-    return workpiece_.milling() && workpiece_.milling()->model && !workpiece_.milling()->model->brep.empty();
+    return workpiece_.milling() && !workpiece_.milling()->partModel->brep.empty();
 }
 
 void GuideController::addNearestEdge() {
     if (!hasEdges() || desk_.tasks.running(TaskKind::edges)) return;
-    const std::shared_ptr<const Model> model = workpiece_.milling()->model;
+    const std::shared_ptr<const Model> model = workpiece_.milling()->partModel;
     if (model == followed_) return addEdge();
     desk_.tasks.start(
         TaskKind::edges, tr("Following the part's edges"),
         [model](Progress& progress) -> Result<Curves> {
-            Result<std::vector<PartEdge>> edges = partEdges(model->brep, edgeChord, ImportOptions{}, progress);
+            Result<std::vector<PartEdge>> edges = partEdges(*model, edgeChord, ImportOptions{}, progress);
             if (!edges) return std::move(edges).error();
             Curves curves;
             for (PartEdge& edge : *edges) {

@@ -14,8 +14,44 @@ namespace {
 
 constexpr const char* defaultMaterial = "machinable-wax";
 
-int kindOfChange(const Setup& before, const Setup& after) {
-    return before.voxel != after.voxel ? voxelValue : marginValue;
+/// What an edit of the stock's shape is called, and with what it merges.
+struct ShapeChange {
+    QString title;
+    int kind = -1;
+};
+
+ShapeChange changeFrom(const Setup& before, const Setup& after) {
+    if (before.voxel != after.voxel) return {SetupController::tr("voxel size"), voxelValue};
+    if (before.freeCarving != after.freeCarving) return {SetupController::tr("free carving"), -1};
+    if (before.form != after.form || before.stated != after.stated)
+        return {SetupController::tr("shape of the stock"), -1};
+    if (before.marginLow != after.marginLow || before.marginHigh != after.marginHigh)
+        return {SetupController::tr("stock margin"), marginValue};
+    return {SetupController::tr("shape of the stock"), stockShapeValue};
+}
+
+bool sameForm(const Setup& one, const Setup& other) {
+    if (one.form != other.form || one.stated != other.stated || one.freeCarving != other.freeCarving) return false;
+    if (one.form == StockForm::cylinder)
+        return one.stated ? one.cylinder == other.cylinder : one.cylinder.axis == other.cylinder.axis;
+    return one.form != StockForm::box || !one.stated ||
+           (one.stock.low == other.stock.low && one.stock.high == other.stock.high);
+}
+
+/// Roles of a setup that names none are those of one that names parts alone.
+bool sameRoles(const Setup& one, const Setup& other) {
+    for (std::size_t i = 0; i < std::max(one.roles.size(), other.roles.size()); ++i)
+        if (roleOf(one, i) != roleOf(other, i)) return false;
+    return true;
+}
+
+bool sameMaterials(const Setup& one, const Setup& other) {
+    return one.stockMaterial == other.stockMaterial && one.bodyMaterials == other.bodyMaterials;
+}
+
+/// Machinable bodies and layers of one material are one entry of the property list: another material may split it.
+bool sharesMaterials(const Setup& setup) {
+    return !setup.regions.empty() || std::ranges::find(setup.roles, BodyRole::insert) != setup.roles.end();
 }
 
 } // namespace
@@ -37,12 +73,13 @@ double suitableVoxel(const Box& part) {
 }
 
 bool shapedAlike(const Setup& one, const Setup& other) {
-    return one.voxel == other.voxel && one.marginLow == other.marginLow && one.marginHigh == other.marginHigh;
+    return one.voxel == other.voxel && one.marginLow == other.marginLow && one.marginHigh == other.marginHigh &&
+           sameForm(one, other) && sameRoles(one, other) && one.regions == other.regions &&
+           (!sharesMaterials(one) || sameMaterials(one, other));
 }
 
 bool embedAlike(const Setup& one, const Setup& other) {
-    return shapedAlike(one, other) && one.stockMaterial == other.stockMaterial &&
-           one.bodyMaterials == other.bodyMaterials;
+    return shapedAlike(one, other) && sameMaterials(one, other);
 }
 
 SetupController::SetupController(const Desk& desk, QObject* parent) : Controller(desk, parent) {
@@ -93,9 +130,9 @@ void SetupController::load(std::shared_ptr<const Model> model, const std::option
 
 void SetupController::edit(const Setup& setup) {
     if (locked_ || embedAlike(setup, setup_)) return;
-    const bool voxel = kindOfChange(setup_, setup) == voxelValue;
-    desk_.undo.push(new ValueCommand<Setup>(voxel ? tr("voxel size") : tr("stock margin"), kindOfChange(setup_, setup),
-                                            setup_, setup, [this](const Setup& value) { apply(value); }));
+    const ShapeChange change = changeFrom(setup_, setup);
+    desk_.undo.push(new ValueCommand<Setup>(change.title, change.kind, setup_, setup,
+                                            [this](const Setup& value) { apply(value); }));
 }
 
 void SetupController::chooseStockMaterial(const std::string& id) {
@@ -114,6 +151,23 @@ void SetupController::chooseBodyMaterial(std::size_t body, const std::string& id
     setup.bodyMaterials[body] = id;
     desk_.undo.push(new ValueCommand<Setup>(tr("material of a body"), -1, setup_, setup,
                                             [this](const Setup& value) { apply(value); }));
+}
+
+void SetupController::chooseRole(std::size_t body, BodyRole role) {
+    if (locked_ || !model_ || body >= model_->bodies.size() || roleOf(setup_, body) == role) return;
+    Setup setup = setup_;
+    setup.roles.resize(model_->bodies.size(), BodyRole::part);
+    setup.roles[body] = role;
+    desk_.undo.push(
+        new ValueCommand<Setup>(tr("role of a body"), -1, setup_, setup, [this](const Setup& value) { apply(value); }));
+}
+
+void SetupController::setRegions(const std::vector<MaterialRegion>& regions) {
+    if (locked_ || regions == setup_.regions) return;
+    Setup setup = setup_;
+    setup.regions = regions;
+    desk_.undo.push(
+        new ValueCommand<Setup>(tr("layers"), -1, setup_, setup, [this](const Setup& value) { apply(value); }));
 }
 
 void SetupController::apply(const Setup& setup) {
@@ -141,11 +195,10 @@ void SetupController::place(const Setup& setup) {
 }
 
 void SetupController::storeSetup() {
+    const std::vector<std::string> ids = materialsUsed(setup_);
     std::vector<Property> used;
     for (const Property& material : materials_)
-        if (material.id == setup_.stockMaterial ||
-            std::ranges::find(setup_.bodyMaterials, material.id) != setup_.bodyMaterials.end())
-            used.push_back(material);
+        if (std::ranges::find(ids, material.id) != ids.end()) used.push_back(material);
     store([setup = setup_, used](Project& project) {
         if (Result<void> done = project.setSetup(setup); !done) return done;
         return project.setMaterials(used);

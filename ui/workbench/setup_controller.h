@@ -39,6 +39,8 @@ public:
     void edit(const Setup& setup);
     void chooseStockMaterial(const std::string& id);
     void chooseBodyMaterial(std::size_t body, const std::string& id);
+    void chooseRole(std::size_t body, BodyRole role);
+    void setRegions(const std::vector<MaterialRegion>& regions);
 
 private:
     void apply(const Setup& setup);
@@ -61,7 +63,7 @@ double suitableVoxel(const Box& part);
 /// Around a part whose stock nobody has set yet, mm.
 inline constexpr double firstMargin = 5.0;
 
-/// Whether two setups embed to workpieces of one shape, whatever their materials.
+/// Whether the workpiece of one becomes that of the other by other materials alone: nothing has to be embedded anew.
 bool shapedAlike(const Setup& one, const Setup& other);
 /// Whether two setups embed to the same workpiece.
 bool embedAlike(const Setup& one, const Setup& other);

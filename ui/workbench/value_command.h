@@ -49,6 +49,7 @@ enum ValueKind : int {
     allowanceValue = 1,
     voxelValue,
     marginValue,
+    stockShapeValue,
     guideValue, ///< and, with its place, of each guide
     axisValue = 500,
     obstacleValue = 1000, ///< and, with its place, of each obstacle

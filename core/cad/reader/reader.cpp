@@ -9,10 +9,14 @@
 #include "core/cad/reader/measure.h"
 #include "core/cad/reader/model_size.h"
 
+#include <BRep_Builder.hxx>
 #include <BinTools.hxx>
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
 
+#include <algorithm>
 #include <exception>
 #include <fstream>
 #include <new>
@@ -68,10 +72,22 @@ Result<T> guarded(Work work) {
     }
 }
 
-Result<TopoDS_Shape> shapeOf(const std::string& brep) {
+/// Of a compound, the children of those numbers.
+TopoDS_Shape chosenOf(const TopoDS_Shape& whole, const std::vector<std::uint32_t>& solids) {
+    TopoDS_Compound chosen;
+    BRep_Builder builder;
+    builder.MakeCompound(chosen);
+    std::uint32_t number = 0;
+    for (TopoDS_Iterator child(whole); child.More(); child.Next())
+        if (std::ranges::find(solids, number++) != solids.end()) builder.Add(chosen, child.Value());
+    return chosen;
+}
+
+Result<TopoDS_Shape> shapeOf(const std::string& brep, const std::vector<std::uint32_t>& solids) {
     TopoDS_Shape shape;
     std::istringstream stream(brep);
     BinTools::Read(shape, stream);
+    if (!shape.IsNull() && !solids.empty()) shape = chosenOf(shape, solids);
     if (shape.IsNull() || countFaces(shape) == 0) return Error{ErrorCode::fileDamaged, {}, {}, "no faces"};
     return shape;
 }
@@ -90,7 +106,7 @@ Result<Model> readModel(const ReadRequest& request, const ReaderReports& report)
 Result<std::vector<double>> measureDistances(const DistanceRequest& request,
                                              const std::function<void(double)>& report) {
     return guarded<std::vector<double>>([&]() -> Result<std::vector<double>> {
-        const Result<TopoDS_Shape> shape = shapeOf(request.brep);
+        const Result<TopoDS_Shape> shape = shapeOf(request.brep, request.solids);
         if (!shape) return shape.error();
         ExactDistance measure(*shape);
         std::vector<double> distances;
@@ -104,7 +120,7 @@ Result<std::vector<double>> measureDistances(const DistanceRequest& request,
 
 Result<std::vector<PartEdge>> followEdges(const EdgeRequest& request) {
     return guarded<std::vector<PartEdge>>([&]() -> Result<std::vector<PartEdge>> {
-        const Result<TopoDS_Shape> shape = shapeOf(request.brep);
+        const Result<TopoDS_Shape> shape = shapeOf(request.brep, request.solids);
         if (!shape) return shape.error();
         return edgeCurves(*shape, request.chord);
     });

@@ -49,10 +49,17 @@ inline bool hasNote(const Model& model, ImportNote::Kind kind) {
     return false;
 }
 
+/// A model of a B-rep alone.
+inline Model withBrep(std::string brep) {
+    Model model;
+    model.brep = std::move(brep);
+    return model;
+}
+
 /// Exact signed distances from a model, mm; none where that failed.
 inline std::vector<double> distances(const Model& model, const std::vector<glm::dvec3>& points) {
     Progress progress;
-    Result<std::vector<double>> result = exactSignedDistances(model.brep, points, options(), progress);
+    Result<std::vector<double>> result = exactSignedDistances(model, points, options(), progress);
     return result ? std::move(*result) : std::vector<double>{};
 }
 

@@ -103,9 +103,9 @@ private slots:
     void withoutABrepThereIsNoExactDistance() {
         Progress progress;
         const std::vector<glm::dvec3> points{{0.0, 0.0, 0.0}};
-        const auto none = exactSignedDistances("", points, options(), progress);
+        const auto none = exactSignedDistances(withBrep(""), points, options(), progress);
         QVERIFY(!none && none.error().code == ErrorCode::argumentInvalid);
-        const auto broken = exactSignedDistances("no B-rep at all", points, options(), progress);
+        const auto broken = exactSignedDistances(withBrep("no B-rep at all"), points, options(), progress);
         QVERIFY(!broken && errorClass(broken.error().code) == ErrorClass::badInput);
     }
 };

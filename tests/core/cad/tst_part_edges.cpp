@@ -16,7 +16,7 @@ namespace {
 
 Result<std::vector<PartEdge>> edgesOf(const Model& model, double chord = 0.005) {
     Progress progress;
-    return partEdges(model.brep, chord, options(), progress);
+    return partEdges(model, chord, options(), progress);
 }
 
 bool isClosed(const PartEdge& edge) {
@@ -77,7 +77,7 @@ private slots:
         for (std::size_t i = 0; i < edges->size(); i += 1 + edges->size() / 40)
             points.push_back((*edges)[i].points[(*edges)[i].points.size() / 2]);
         Progress progress;
-        const auto distances = exactSignedDistances(model->brep, points, options(), progress);
+        const auto distances = exactSignedDistances(*model, points, options(), progress);
         QVERIFY(distances);
         for (const double distance : *distances)
             QVERIFY2(std::abs(distance) < 1e-3, qPrintable(QString::number(distance)));
@@ -85,9 +85,9 @@ private slots:
 
     void whatIsNoPartIsRefused() {
         Progress progress;
-        QCOMPARE(partEdges("", 0.01, options(), progress).error().code, ErrorCode::argumentInvalid);
-        QCOMPARE(partEdges("rubbish", 0.01, options(), progress).error().code, ErrorCode::fileDamaged);
-        QCOMPARE(partEdges("rubbish", 0.0, options(), progress).error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(partEdges(withBrep(""), 0.01, options(), progress).error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(partEdges(withBrep("rubbish"), 0.01, options(), progress).error().code, ErrorCode::fileDamaged);
+        QCOMPARE(partEdges(withBrep("rubbish"), 0.0, options(), progress).error().code, ErrorCode::argumentInvalid);
     }
 };
 

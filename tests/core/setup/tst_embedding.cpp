@@ -59,6 +59,7 @@ private slots:
         for (const char* id : {"test-wax", "test-metal"}) {
             Property material;
             material.id = material.name = id;
+            material.values[std::string(specificCuttingEnergy)] = {1.0, "J/mm^3", "a test", true};
             QVERIFY(writeFileAtomically((folder_.path() + "/burin/materials/" + id + ".json").toStdString(),
                                         toJson(material)));
         }

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/stock_arguments.h"
+
+#include "app/number_list.h"
+#include "app/wording.h"
+#include "core/base/numbers.h"
+#include "core/setup/material_amount.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+namespace burin {
+
+namespace {
+
+constexpr std::string_view axisNames = "xyz";
+
+Error wrong(const char* option, const std::string& text, TextId allowed) {
+    return {ErrorCode::argumentInvalid, option, text, worded(allowed)};
+}
+
+std::optional<int> axisOf(const std::string& name) {
+    const std::size_t axis = name.size() == 1 ? axisNames.find(name) : std::string_view::npos;
+    return axis == std::string_view::npos ? std::nullopt : std::optional(static_cast<int>(axis));
+}
+
+/// "NAME=TEXT", cut at the last '=' of those that a name may hold, or at the first.
+std::optional<std::pair<std::string, std::string>> pairOf(const std::string& text, std::size_t equals) {
+    if (equals == std::string::npos || equals == 0) return std::nullopt;
+    return std::pair(text.substr(0, equals), text.substr(equals + 1));
+}
+
+/// Calls use(body, value) for each "BODY=VALUE"; a name that several bodies bear stands for all of them.
+Result<void> forBodies(const char* option, const std::vector<std::string>& pairs, const Model& model,
+                       const std::function<Result<void>(std::size_t body, const std::string& value)>& use) {
+    for (const std::string& text : pairs) {
+        const auto pair = pairOf(text, text.rfind('='));
+        if (!pair) return wrong(option, text, BURIN_TEXT("Command", "BODY=NAME"));
+        bool found = false;
+        std::string known;
+        for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+            known += (known.empty() ? "" : ", ") + nameOf(model, i);
+            if (nameOf(model, i) != pair->first) continue;
+            if (Result<void> used = use(i, pair->second); !used) return used;
+            found = true;
+        }
+        if (!found) return Error{ErrorCode::nameUnknown, "body", pair->first, known};
+    }
+    return {};
+}
+
+Result<void> setRoles(Setup& setup, const StockArguments& arguments, const Model& model) {
+    return forBodies("--role", arguments.roles, model, [&](std::size_t body, const std::string& id) -> Result<void> {
+        const std::optional<BodyRole> role = bodyRoleFromId(id);
+        if (!role)
+            return wrong("--role", id,
+                         BURIN_TEXT("Command", "part, stock, insert, protected-insert, fixture or ignored"));
+        setup.roles.resize(model.bodies.size(), BodyRole::part);
+        setup.roles[body] = *role;
+        return {};
+    });
+}
+
+Result<void> setForm(Setup& setup, const StockArguments& arguments) {
+    setup.form = stockFormFromId(arguments.form).value_or(StockForm::box); // the parser allows no other
+    const std::optional<int> axis = axisOf(arguments.axis);
+    const std::optional<glm::dvec3> direction = vectorOf(arguments.axis);
+    if (!axis && !direction) return wrong("--stock-axis", arguments.axis, BURIN_TEXT("Command", "x, y, z, or X,Y,Z"));
+    setup.cylinder.axis = direction.value_or(glm::dvec3(0.0));
+    if (axis) setup.cylinder.axis[*axis] = 1.0;
+    if (!arguments.box.empty()) {
+        const std::optional<std::vector<double>> box = numbersOf(arguments.box, 6);
+        if (!box)
+            return wrong(
+                "--stock-box", arguments.box,
+                BURIN_TEXT("Command", "X0,Y0,Z0,X1,Y1,Z1 in mm, each of the last three above its counterpart"));
+        setup.form = StockForm::box;
+        setup.stated = true;
+        setup.stock = {{(*box)[0], (*box)[1], (*box)[2]}, {(*box)[3], (*box)[4], (*box)[5]}};
+    }
+    if (!arguments.cylinder.empty()) {
+        const std::optional<std::vector<double>> bar = numbersOf(arguments.cylinder, 8);
+        if (!bar)
+            return wrong("--stock-cylinder", arguments.cylinder,
+                         BURIN_TEXT("Command", "X,Y,Z,AX,AY,AZ,RADIUS,HEIGHT in mm: middle of an end face, direction "
+                                               "of the axis, radius and height"));
+        setup.form = StockForm::cylinder;
+        setup.stated = true;
+        setup.cylinder = {{(*bar)[0], (*bar)[1], (*bar)[2]}, {(*bar)[3], (*bar)[4], (*bar)[5]}, (*bar)[6], (*bar)[7]};
+    }
+    return {};
+}
+
+Result<MaterialRegion> layerOf(const std::string& text) {
+    const TextId allowed = BURIN_TEXT(
+        "Command", "NAME=MATERIAL,AXIS,FROM,TO: x, y or z, and two positions in mm, of which one may be left out");
+    const auto pair = pairOf(text, text.find('='));
+    if (!pair) return wrong("--layer", text, allowed);
+    const std::vector<std::string> parts = partsOf(pair->second, ',');
+    if (parts.size() != 4) return wrong("--layer", text, allowed);
+    MaterialRegion layer;
+    layer.name = pair->first;
+    layer.material = parts[0];
+    const std::optional<int> axis = axisOf(parts[1]);
+    if (!axis) return wrong("--layer", text, allowed);
+    layer.axis = *axis;
+    for (auto [part, plane] : {std::pair(parts[2], &layer.from), std::pair(parts[3], &layer.to)}) {
+        if (part.empty()) continue;
+        const std::optional<double> number = parseNumber(part);
+        if (!number) return wrong("--layer", text, allowed);
+        *plane = *number;
+    }
+    return layer;
+}
+
+/// "LAYER:VALUE=TEXT". Errors: argumentInvalid, nameUnknown.
+Result<std::string> gradeOf(const char* option, const std::string& text, TextId allowed, Setup& setup,
+                            RegionGrade*& grade) {
+    const auto pair = pairOf(text, text.find('='));
+    const std::size_t colon = pair ? pair->first.rfind(':') : std::string::npos;
+    if (colon == std::string::npos) return wrong(option, text, allowed);
+    const std::string name = pair->first.substr(0, colon);
+    const auto layer = std::ranges::find(setup.regions, name, &MaterialRegion::name);
+    if (layer == setup.regions.end()) {
+        std::string known;
+        for (const MaterialRegion& region : setup.regions) known += (known.empty() ? "" : ", ") + region.name;
+        return Error{ErrorCode::nameUnknown, "layer", name, known};
+    }
+    layer->grade.emplace();
+    layer->grade->value = pair->first.substr(colon + 1);
+    grade = &*layer->grade;
+    return pair->second;
+}
+
+Result<void> setTable(const std::string& text, RegionGrade& grade, const Error& refused) {
+    const std::size_t colon = text.find(':');
+    const std::optional<int> axis = axisOf(text.substr(0, colon));
+    if (colon == std::string::npos || !axis) return refused;
+    grade.axis = *axis;
+    for (const std::string& line : partsOf(text.substr(colon + 1), ';')) {
+        const std::optional<std::vector<double>> numbers = numbersOf(line, 2);
+        if (!numbers) return refused;
+        grade.table.push_back({(*numbers)[0], (*numbers)[1]});
+    }
+    return {};
+}
+
+Result<void> setLayers(Setup& setup, const StockArguments& arguments) {
+    for (const std::string& text : arguments.layers) {
+        Result<MaterialRegion> layer = layerOf(text);
+        if (!layer) return std::move(layer).error();
+        setup.regions.push_back(std::move(*layer));
+    }
+    for (const std::string& text : arguments.grades) {
+        RegionGrade* grade = nullptr;
+        const Result<std::string> formula =
+            gradeOf("--grade", text, BURIN_TEXT("Command", "LAYER:VALUE=FORMULA of X, Y and Z"), setup, grade);
+        if (!formula) return formula.error();
+        grade->formula = *formula;
+        grade->entries = arguments.bands;
+    }
+    for (const std::string& text : arguments.gradeTables) {
+        const TextId allowed = BURIN_TEXT("Command", "LAYER:VALUE=AXIS:POSITION,VALUE;POSITION,VALUE…");
+        RegionGrade* grade = nullptr;
+        const Result<std::string> table = gradeOf("--grade-table", text, allowed, setup, grade);
+        if (!table) return table.error();
+        grade->entries = arguments.bands;
+        if (Result<void> set = setTable(*table, *grade, wrong("--grade-table", text, allowed)); !set) return set;
+    }
+    return {};
+}
+
+std::string massText(const MaterialAmount& amount) {
+    return amount.mass ? formatFixed(*amount.mass, 2) + " g" : worded(BURIN_TEXT("Command", "mass not known"));
+}
+
+} // namespace
+
+void addStock(CommandParser command, StockArguments& arguments) {
+    command.option("--stock", arguments.form, BURIN_TEXT("Help", "Shape of the stock: box, cylinder or solids"))
+        .choices({"box", "cylinder", "solids"})
+        .showDefault();
+    command.option("--stock-box", arguments.box,
+                   BURIN_TEXT("Help", "Box of the stock whatever the part: X0,Y0,Z0,X1,Y1,Z1, mm"));
+    command.option("--stock-cylinder", arguments.cylinder,
+                   BURIN_TEXT("Help", "Round stock whatever the part: X,Y,Z,AX,AY,AZ,RADIUS,HEIGHT, mm"));
+    command
+        .option("--stock-axis", arguments.axis,
+                BURIN_TEXT("Help", "Axis of a cylinder around the part: x, y, z, or X,Y,Z"))
+        .showDefault();
+    command.option("--margin", arguments.margin, BURIN_TEXT("Help", "Stock around the part on every side, mm"))
+        .showDefault();
+    command.option("--material", arguments.material, BURIN_TEXT("Help", "Material of the stock")).showDefault();
+    const auto addList = [&](const char* option, std::vector<std::string>& list, TextId help) {
+        command.option(option, list, help).oneAtATime();
+    };
+    addList("--role", arguments.roles,
+            BURIN_TEXT("Help", "Role of a body: BODY=part, stock, insert, protected-insert, fixture or ignored; may be "
+                               "repeated"));
+    addList("--body-material", arguments.bodyMaterials,
+            BURIN_TEXT("Help", "Material of a body: BODY=NAME; may be repeated"));
+    addList("--layer", arguments.layers,
+            BURIN_TEXT("Help", "Layer of the stock: NAME=MATERIAL,AXIS,FROM,TO, mm; a later one has the place; may be "
+                               "repeated"));
+    addList(
+        "--grade", arguments.grades,
+        BURIN_TEXT("Help", "Value of a layer that changes: LAYER:VALUE=FORMULA of X, Y and Z, mm; may be repeated"));
+    addList(
+        "--grade-table", arguments.gradeTables,
+        BURIN_TEXT("Help", "The same by a table: LAYER:VALUE=AXIS:POSITION,VALUE;POSITION,VALUE…; may be repeated"));
+    command
+        .option("--bands", arguments.bands,
+                BURIN_TEXT("Help", "Bands that the values of a graded layer are sorted into"))
+        .range(1, maximumGrades)
+        .showDefault();
+    command.flag("--free-carving", arguments.freeCarving,
+                 BURIN_TEXT("Help", "No part is needed: nothing pushes the tool back"));
+}
+
+Result<Setup> withStock(Setup setup, const StockArguments& arguments, const Model& model) {
+    setup.marginLow = setup.marginHigh = glm::dvec3(arguments.margin);
+    setup.stockMaterial = arguments.material;
+    setup.freeCarving = arguments.freeCarving;
+    setup.bodyMaterials.resize(model.bodies.size());
+    const Result<void> materials = forBodies("--body-material", arguments.bodyMaterials, model,
+                                             [&](std::size_t body, const std::string& id) -> Result<void> {
+                                                 setup.bodyMaterials[body] = id;
+                                                 return {};
+                                             });
+    if (!materials) return materials.error();
+    if (Result<void> set = setRoles(setup, arguments, model); !set) return std::move(set).error();
+    if (Result<void> set = setForm(setup, arguments); !set) return std::move(set).error();
+    if (Result<void> set = setLayers(setup, arguments); !set) return std::move(set).error();
+    return setup;
+}
+
+nlohmann::json jsonOfMaterials(const EmbeddedSetup& embedded) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const MaterialAmount& amount : amountsOf(embedded.workpiece))
+        list.push_back({{"id", amount.id},
+                        {"name", amount.name},
+                        {"protected", amount.isProtected},
+                        {"volume_mm3", amount.volume},
+                        {"mass_g", amount.mass ? nlohmann::json(*amount.mass) : nlohmann::json()}});
+    return list;
+}
+
+nlohmann::json jsonOfGradings(const EmbeddedSetup& embedded) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const RegionGrading& grading : embedded.gradings)
+        list.push_back({{"layer", grading.region},
+                        {"value", grading.value},
+                        {"unit", grading.unit},
+                        {"low", grading.low},
+                        {"high", grading.high},
+                        {"bands", grading.bands},
+                        {"error", grading.error}});
+    return list;
+}
+
+std::string textOfMaterials(const Setup& setup, const EmbeddedSetup& embedded) {
+    std::string text;
+    if (const bool one = setup.roles.empty() && setup.regions.empty(); !one)
+        for (const MaterialAmount& amount : amountsOf(embedded.workpiece))
+            text += "\n" + worded(amount.isProtected ? BURIN_TEXT("Command", "  %1: %2 mm^3, %3, protected")
+                                                     : BURIN_TEXT("Command", "  %1: %2 mm^3, %3"),
+                                  {resourceName(amount.name), formatFixed(amount.volume, 1), massText(amount)});
+    for (const RegionGrading& grading : embedded.gradings)
+        text += "\n" + worded(BURIN_TEXT("Command", "  %1: %2 from %3 to %4 %5 in %6 bands, each place within %7 %5"),
+                              {grading.region, grading.value, formatShortest(grading.low), formatShortest(grading.high),
+                               grading.unit, std::to_string(grading.bands), formatShortest(grading.error)});
+    if (embedded.partVolume == 0.0)
+        text += "\n" + worded(BURIN_TEXT("Command", "free carving: there is no part, so nothing pushes the tool back"));
+    return text;
+}
+
+} // namespace burin

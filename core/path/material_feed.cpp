@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/material_feed.h"
+
+#include "core/path/feed_stretches.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace burin {
+namespace {
+
+constexpr double sampling = 0.5;     // mm, as LevelFeed's
+constexpr double leastChange = 0.02; // share
+constexpr double crumb = 1e-3;       // of what a stretch removes: a border that rounds to the other side
+
+/// Whether a stretch mills a material, and not a crumb of it.
+template <class Use>
+void forEachMaterial(const MetStretch& met, const Use& use) {
+    double all = 0.0;
+    for (const MaterialVolume& material : met.removed) all += material.volume;
+    for (const MaterialVolume& material : met.removed)
+        if (material.volume > crumb * all) use(material.property);
+}
+
+/// The least that any material on the path allows: a path has one spindle speed.
+double spindleFor(const std::vector<MetStretch>& record, const std::vector<CuttingConditions>& conditions) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const MetStretch& met : record)
+        forEachMaterial(met, [&](PropertyIndex material) {
+            if (conditions[material].spindleSpeed > 0.0) least = std::min(least, conditions[material].spindleSpeed);
+        });
+    return least;
+}
+
+/// By how much a stretch's feeds differ from those of the one material, cutting and plunging; at a lower spindle speed
+/// the chip stays as thick.
+class Shares {
+public:
+    Shares(const std::vector<CuttingConditions>& conditions, const CuttingConditions& one, double spindleSpeed)
+        : conditions_(conditions), one_(one), spindleSpeed_(spindleSpeed) {}
+
+    /// Infinite where nothing is met.
+    double of(const MetStretch& met, MoveKind kind) const {
+        double least = std::numeric_limits<double>::infinity();
+        forEachMaterial(met, [&](PropertyIndex material) {
+            const CuttingConditions& here = conditions_[material];
+            if (!(here.spindleSpeed > 0.0)) return;
+            const double turns = spindleSpeed_ / here.spindleSpeed;
+            least = std::min(least, kind == MoveKind::plunge ? turns * here.plungeFeed / one_.plungeFeed
+                                                             : turns * here.feed / one_.feed);
+        });
+        return least;
+    }
+
+private:
+    const std::vector<CuttingConditions>& conditions_;
+    const CuttingConditions& one_;
+    double spindleSpeed_;
+};
+
+/// Air takes what comes next, or at the end what came last.
+void fillAir(std::vector<double>& shares) {
+    const auto isMet = [](double share) { return share < std::numeric_limits<double>::infinity(); };
+    double next = 0.0;
+    for (std::size_t i = shares.size(); i-- > 0;) {
+        if (isMet(shares[i]))
+            next = shares[i];
+        else if (next > 0.0)
+            shares[i] = next;
+    }
+    const auto last = std::find_if(shares.rbegin(), shares.rend(), isMet);
+    const double share = last == shares.rend() ? 1.0 : *last;
+    for (double& each : shares)
+        if (!isMet(each)) each = share;
+}
+
+} // namespace
+
+Result<void> feedByMaterial(PathUnderEdit& state, const PathContext& context,
+                            const std::vector<CuttingConditions>& conditions, const CuttingConditions& feeds,
+                            Progress& progress) {
+    std::vector<MetStretch> record;
+    const auto cutAgain = [&](RunVolume& stock) -> Result<void> {
+        auto met = recordEngagement(state.points, context.tool, stock, sampling, progress, RecordGrain::coarse);
+        if (!met) return met.error();
+        record = std::move(*met);
+        return {};
+    };
+    if (Result<void> cut = context.lendStock(cutAgain, progress); !cut) return cut;
+    const double spindleSpeed = spindleFor(record, conditions);
+    if (!(spindleSpeed < std::numeric_limits<double>::infinity())) return {}; // it meets nothing
+    const Shares shares(conditions, feeds, spindleSpeed);
+    std::vector<double> share;
+    for (const MetStretch& met : record) share.push_back(shares.of(met, state.points[met.move].kind));
+    fillAir(share);
+    const double most = context.machine.maximumFeed > 0.0 ? context.machine.maximumFeed : feeds.feed;
+    std::vector<double> asked;
+    for (std::size_t i = 0; i < record.size(); ++i)
+        asked.push_back(std::min(most, share[i] * state.points[record[i].move].feed));
+    state.points = withFeeds(state.points, record, leastOfNeighbours(record, state.points, asked), leastChange);
+    state.spindleSpeed = spindleSpeed;
+    return {};
+}
+
+} // namespace burin

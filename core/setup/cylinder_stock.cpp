@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/setup/cylinder_stock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace burin {
+
+namespace {
+
+/// A stretch of a line, by its parameter.
+struct Stretch {
+    double from = -std::numeric_limits<double>::infinity();
+    double to = std::numeric_limits<double>::infinity();
+
+    void cutTo(double low, double high) noexcept {
+        from = std::max(from, low);
+        to = std::min(to, high);
+    }
+};
+
+/// Where from + t · way, both relative to the base, lies between the end faces.
+bool cutToEnds(const CylinderShape& cylinder, const glm::dvec3& from, const glm::dvec3& way, Stretch& stretch) {
+    const double rise = glm::dot(way, cylinder.axis), start = glm::dot(from, cylinder.axis);
+    if (rise == 0.0) return start >= 0.0 && start <= cylinder.height;
+    const double low = -start / rise, high = (cylinder.height - start) / rise;
+    stretch.cutTo(std::min(low, high), std::max(low, high));
+    return true;
+}
+
+/// And within the radius.
+bool cutToSide(const CylinderShape& cylinder, const glm::dvec3& from, const glm::dvec3& way, Stretch& stretch) {
+    const glm::dvec3 across = from - glm::dot(from, cylinder.axis) * cylinder.axis;
+    const glm::dvec3 slope = way - glm::dot(way, cylinder.axis) * cylinder.axis;
+    const double a = glm::dot(slope, slope), b = glm::dot(across, slope);
+    const double c = glm::dot(across, across) - cylinder.radius * cylinder.radius;
+    constexpr double parallel = 1e-24; // of unit vectors: a line that never leaves the radius
+    if (a < parallel) return c <= 0.0;
+    const double discriminant = b * b - a * c;
+    if (discriminant <= 0.0) return false;
+    const double half = std::sqrt(discriminant);
+    stretch.cutTo((-b - half) / a, (-b + half) / a);
+    return true;
+}
+
+std::optional<Stretch> within(const CylinderShape& cylinder, const glm::dvec3& from, const glm::dvec3& way) {
+    Stretch stretch;
+    const glm::dvec3 start = from - cylinder.base;
+    if (!cutToEnds(cylinder, start, way, stretch) || !cutToSide(cylinder, start, way, stretch)) return std::nullopt;
+    return stretch.from < stretch.to ? std::optional(stretch) : std::nullopt;
+}
+
+} // namespace
+
+Box boxAround(const CylinderShape& cylinder) {
+    const glm::dvec3 end = cylinder.base + cylinder.height * cylinder.axis;
+    const glm::dvec3 reach =
+        cylinder.radius * glm::sqrt(glm::max(1.0 - cylinder.axis * cylinder.axis, glm::dvec3(0.0)));
+    return {glm::min(cylinder.base, end) - reach, glm::max(cylinder.base, end) + reach};
+}
+
+bool fillCylinder(RunVolume& volume, const CylinderShape& cylinder, PropertyIndex property) {
+    const Grid& grid = volume.grid();
+    const int runs = grid.axisOfRuns();
+    glm::dvec3 way(0.0);
+    way[runs] = 1.0;
+    const double low = grid.toMillimetres(0), high = grid.toMillimetres(grid.lineEnd());
+    for (LineIndex line{0, 0}; line.v < grid.lineCountV(); ++line.v)
+        for (line.u = 0; line.u < grid.lineCountU(); ++line.u) {
+            const glm::dvec2 centre = grid.lineCentre(line);
+            glm::dvec3 from(0.0);
+            from[grid.axisOfU()] = centre.x;
+            from[grid.axisOfV()] = centre.y;
+            std::optional<Stretch> stretch = within(cylinder, from, way);
+            if (!stretch) continue;
+            stretch->cutTo(low, high);
+            if (stretch->from >= stretch->to) continue;
+            const RunPosition begin = grid.toRunPosition(stretch->from), end = grid.toRunPosition(stretch->to);
+            if (begin < end && !volume.fillSpan(line, begin, end, property)) return false;
+        }
+    return true;
+}
+
+} // namespace burin

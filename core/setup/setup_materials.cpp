@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/setup/setup_materials.h"
+
+#include "core/setup/material_change.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+Result<Property> materialOf(const std::string& id, const std::vector<Property>& known) {
+    const auto found = std::ranges::find(known, id, &Property::id);
+    return found == known.end() ? loadMaterial(id) : Result<Property>(*found);
+}
+
+std::optional<PropertyIndex> entryOf(const PropertyList& list, const std::string& id) {
+    for (int i = 1; i < list.size(); ++i)
+        if (list[static_cast<PropertyIndex>(i)].id == id) return static_cast<PropertyIndex>(i);
+    return std::nullopt;
+}
+
+/// Ids of a property list are unique; bodies of one name get numbers.
+Result<PropertyIndex> addNumbered(PropertyList& list, Property property) {
+    const std::string id = property.id;
+    for (int number = 2; entryOf(list, property.id); ++number) property.id = id + " " + std::to_string(number);
+    return list.add(std::move(property));
+}
+
+/// Adds the entries of a setup one after the other.
+class MaterialGatherer {
+public:
+    MaterialGatherer(const Setup& setup, const std::vector<Property>& known) : setup_(setup), known_(known) {}
+
+    Result<void> addStock() {
+        const Result<PropertyIndex> index = milled(setup_.stockMaterial);
+        if (!index) return index.error();
+        materials_.stock = *index;
+        return {};
+    }
+
+    Result<void> addBody(const Model& model, std::size_t body) {
+        const BodyRole role = roleOf(setup_, body);
+        Result<PropertyIndex> index = airProperty;
+        if (isProtected(role)) index = guarded(model, body);
+        if (role == BodyRole::insert) index = milled(materialOfBody(body));
+        if (!index) return index.error();
+        materials_.bodies.push_back(*index);
+        return {};
+    }
+
+    Result<void> addRegion(const MaterialRegion& region) {
+        const Result<PropertyIndex> index = region.grade ? graded(region) : milled(region.material);
+        if (!index) return index.error();
+        if (!region.grade) materials_.graded.emplace_back();
+        materials_.regions.push_back(*index);
+        return {};
+    }
+
+    SetupMaterials take() { return std::move(materials_); }
+
+private:
+    std::string materialOfBody(std::size_t body) const {
+        const bool own = body < setup_.bodyMaterials.size() && !setup_.bodyMaterials[body].empty();
+        return own ? setup_.bodyMaterials[body] : setup_.stockMaterial;
+    }
+
+    /// What can be milled can be felt: a material without a force would be cut like air.
+    Result<Property> machinable(const std::string& id) const {
+        Result<Property> material = materialOf(id, known_);
+        if (!material) return material;
+        if (!(material->valueOr(specificCuttingEnergy, 0.0) > 0.0) && !(material->valueOr(kienzleForce, 0.0) > 0.0))
+            return Error{ErrorCode::resourceInvalid, id, std::string(specificCuttingEnergy),
+                         "a material that is milled needs a value above 0"};
+        material->machinability = Machinability::machinable;
+        return material;
+    }
+
+    Result<PropertyIndex> milled(const std::string& id) {
+        if (const auto standing = entryOf(materials_.list, id)) return *standing;
+        Result<Property> material = machinable(id);
+        if (!material) return material.error();
+        return materials_.list.add(*std::move(material));
+    }
+
+    Result<PropertyIndex> guarded(const Model& model, std::size_t body) {
+        Result<Property> material = materialOf(materialOfBody(body), known_);
+        if (!material) return material.error();
+        material->machinability = Machinability::isProtected;
+        material->id += " (" + nameOf(model, body) + ")";
+        material->name += " (" + nameOf(model, body) + ")";
+        if (model.bodies[body].colour) material->colour = *model.bodies[body].colour;
+        return addNumbered(materials_.list, *std::move(material));
+    }
+
+    Result<PropertyIndex> graded(const MaterialRegion& region) {
+        Result<Property> material = machinable(region.material);
+        if (!material) return material.error();
+        material->id += " (" + region.name + ")";
+        material->name += " (" + region.name + ")";
+        if (region.grade->value == specificCuttingEnergy) { // Kienzle's law would stand in its place
+            material->values.erase(std::string(kienzleForce));
+            material->values.erase(std::string(kienzleExponent));
+        }
+        const Result<PropertyIndex> base = addNumbered(materials_.list, *std::move(material));
+        if (!base) return base;
+        Result<Grading> grading = gradingOf(region, setup_.stock, setup_.voxel);
+        if (!grading) return grading.error();
+        Result<GradedMaterial> grades =
+            addGrades(materials_.list, *base, region.grade->value, *std::move(grading), region.grade->entries);
+        if (!grades) return grades.error();
+        materials_.graded.emplace_back(*std::move(grades));
+        return base;
+    }
+
+    const Setup& setup_;
+    const std::vector<Property>& known_;
+    SetupMaterials materials_;
+};
+
+} // namespace
+
+Result<SetupMaterials> setupMaterials(const Model& model, const Setup& setup, const std::vector<Property>& known) {
+    MaterialGatherer gatherer(setup, known);
+    if (Result<void> added = gatherer.addStock(); !added) return std::move(added).error();
+    for (std::size_t i = 0; i < model.bodies.size(); ++i)
+        if (Result<void> added = gatherer.addBody(model, i); !added) return std::move(added).error();
+    for (const MaterialRegion& region : setup.regions)
+        if (Result<void> added = gatherer.addRegion(region); !added) return std::move(added).error();
+    return gatherer.take();
+}
+
+Result<PropertyList> propertyListOf(const Model& model, const Setup& setup, const std::vector<Property>& materials) {
+    Result<SetupMaterials> gathered = setupMaterials(model, setup, materials);
+    if (!gathered) return std::move(gathered).error();
+    return std::move(gathered->list);
+}
+
+std::vector<std::string> idsOf(const PropertyList& list) {
+    std::vector<std::string> ids;
+    for (int i = 0; i < list.size(); ++i) ids.push_back(list[static_cast<PropertyIndex>(i)].id);
+    return ids;
+}
+
+} // namespace burin
