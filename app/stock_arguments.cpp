@@ -5,7 +5,6 @@
 #include "app/number_list.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
-#include "core/setup/material_amount.h"
 
 #include <algorithm>
 #include <array>
@@ -238,7 +237,7 @@ Result<Setup> withStock(Setup setup, const StockArguments& arguments, const Mode
 
 nlohmann::json jsonOfMaterials(const EmbeddedSetup& embedded) {
     nlohmann::json list = nlohmann::json::array();
-    for (const MaterialAmount& amount : amountsOf(embedded.workpiece))
+    for (const MaterialAmount& amount : materialAmounts(embedded))
         list.push_back({{"id", amount.id},
                         {"name", amount.name},
                         {"protected", amount.isProtected},
@@ -263,7 +262,7 @@ nlohmann::json jsonOfGradings(const EmbeddedSetup& embedded) {
 std::string textOfMaterials(const Setup& setup, const EmbeddedSetup& embedded) {
     std::string text;
     if (const bool one = setup.roles.empty() && setup.regions.empty(); !one)
-        for (const MaterialAmount& amount : amountsOf(embedded.workpiece))
+        for (const MaterialAmount& amount : materialAmounts(embedded))
             text += "\n" + worded(amount.isProtected ? BURIN_TEXT("Command", "  %1: %2 mm^3, %3, protected")
                                                      : BURIN_TEXT("Command", "  %1: %2 mm^3, %3"),
                                   {resourceName(amount.name), formatFixed(amount.volume, 1), massText(amount)});

@@ -562,6 +562,10 @@
         <source>PROGRAM</source>
         <translation>PROGRAMM</translation>
     </message>
+    <message>
+        <source>OTHER</source>
+        <translation>ANDERE</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -1264,6 +1268,110 @@
     <message>
         <source>An earlier version of Burin saved this project; the previous file is kept as &quot;%1&quot;.</source>
         <translation>Dieses Projekt wurde mit einer früheren Fassung von Burin gespeichert; die bisherige Datei bleibt als „%1“ erhalten.</translation>
+    </message>
+    <message>
+        <source>a model file, or --free-carving</source>
+        <translation>eine Modelldatei oder --free-carving</translation>
+    </message>
+    <message>
+        <source>shipped  K %1 J/mm^3  %2</source>
+        <translation>mitgeliefert  K %1 J/mm^3  %2</translation>
+    </message>
+    <message>
+        <source>own      K %1 J/mm^3  %2</source>
+        <translation>eigener       K %1 J/mm^3  %2</translation>
+    </message>
+    <message>
+        <source>%1 voxels of %2 mm</source>
+        <translation>%1 Voxel von %2 mm</translation>
+    </message>
+    <message>
+        <source>  %1: %2 mm^3, %3 g, centre (%4, %5, %6) mm</source>
+        <translation>  %1: %2 mm^3, %3 g, Schwerpunkt (%4, %5, %6) mm</translation>
+    </message>
+    <message>
+        <source>%1: %2 voxels of %3 mm</source>
+        <translation>%1: %2 Voxel von %3 mm</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles</source>
+        <translation>%1: %2 Dreiecke</translation>
+    </message>
+    <message>
+        <source>its table: %1</source>
+        <translation>seine Tabelle: %1</translation>
+    </message>
+    <message>
+        <source>%1 run ends within voxels were rounded to whole voxels; a volume file keeps them</source>
+        <translation>%1 Laufenden innerhalb von Voxeln wurden auf ganze Voxel gerundet; eine Volumendatei behält sie</translation>
+    </message>
+    <message>
+        <source>intersecting: they share space</source>
+        <translation>überschneidend: sie haben gemeinsamen Raum</translation>
+    </message>
+    <message>
+        <source>adjacent: they touch and share no space</source>
+        <translation>angrenzend: sie berühren sich, ohne gemeinsamen Raum</translation>
+    </message>
+    <message>
+        <source>separate: there is a gap between them</source>
+        <translation>getrennt: zwischen ihnen ist eine Lücke</translation>
+    </message>
+    <message>
+        <source>part, stock, insert, protected-insert, fixture or ignored</source>
+        <translation>part, stock, insert, protected-insert, fixture oder ignored</translation>
+    </message>
+    <message>
+        <source>x, y, z, or X,Y,Z</source>
+        <translation>x, y, z oder X,Y,Z</translation>
+    </message>
+    <message>
+        <source>X,Y,Z,AX,AY,AZ,RADIUS,HEIGHT in mm: middle of an end face, direction of the axis, radius and height</source>
+        <translation>X,Y,Z,AX,AY,AZ,RADIUS,HÖHE in mm: Mitte einer Stirnfläche, Richtung der Achse, Radius und Höhe</translation>
+    </message>
+    <message>
+        <source>NAME=MATERIAL,AXIS,FROM,TO: x, y or z, and two positions in mm, of which one may be left out</source>
+        <translation>NAME=WERKSTOFF,ACHSE,VON,BIS: x, y oder z und zwei Positionen in mm, von denen eine fehlen darf</translation>
+    </message>
+    <message>
+        <source>LAYER:VALUE=FORMULA of X, Y and Z</source>
+        <translation>SCHICHT:WERT=FORMEL aus X, Y und Z</translation>
+    </message>
+    <message>
+        <source>LAYER:VALUE=AXIS:POSITION,VALUE;POSITION,VALUE…</source>
+        <translation>SCHICHT:WERT=ACHSE:POSITION,WERT;POSITION,WERT…</translation>
+    </message>
+    <message>
+        <source>mass not known</source>
+        <translation>Masse unbekannt</translation>
+    </message>
+    <message>
+        <source>  %1: %2 mm^3, %3, protected</source>
+        <translation>  %1: %2 mm^3, %3, geschützt</translation>
+    </message>
+    <message>
+        <source>  %1: %2 mm^3, %3</source>
+        <translation>  %1: %2 mm^3, %3</translation>
+    </message>
+    <message>
+        <source>  %1: %2 from %3 to %4 %5 in %6 bands, each place within %7 %5</source>
+        <translation>  %1: %2 von %3 bis %4 %5 in %6 Stufen, jede Stelle auf %7 %5 genau</translation>
+    </message>
+    <message>
+        <source>free carving: there is no part, so nothing pushes the tool back</source>
+        <translation>freies Schnitzen: Es gibt kein Teil, also hält nichts das Werkzeug zurück</translation>
+    </message>
+    <message>
+        <source>a table of what the values of the array mean</source>
+        <translation>eine Tabelle, was die Werte des Feldes bedeuten</translation>
+    </message>
+    <message>
+        <source>%1 states no unit of length: mm are taken.</source>
+        <translation>%1 nennt keine Längeneinheit: Es werden mm angenommen.</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
     </message>
 </context>
 <context>
@@ -3681,10 +3789,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Kante eines Voxels, mm</translation>
     </message>
     <message>
-        <source>Shape of the stock: box</source>
-        <translation>Form des Rohteils: box (Quader)</translation>
-    </message>
-    <message>
         <source>Stock around the part on every side, mm</source>
         <translation>Zugabe um das Teil auf jeder Seite, mm</translation>
     </message>
@@ -4064,6 +4168,154 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>Position of program zero in the machine&apos;s travel: X,Y,Z of the tip from its low end, mm; middle (of X and Y, Z up to the tool change height); or off</source>
         <translation>Lage des Programmnullpunkts im Verfahrweg der Maschine: X,Y,Z der Spitze von dessen unterem Ende, mm; middle (Mitte von X und Y, Z bis zur Werkzeugwechselhöhe) oder off</translation>
     </message>
+    <message>
+        <source>STEP, IGES, BREP or STL file; with --free-carving it may be left out</source>
+        <translation>STEP-, IGES-, BREP- oder STL-Datei; mit --free-carving darf sie fehlen</translation>
+    </message>
+    <message>
+        <source>List and show materials; copy, add and delete your own. Every value states its source or that it is an estimate</source>
+        <translation>Werkstoffe auflisten und zeigen; eigene kopieren, hinzufügen und löschen. Jeder Wert nennt seine Quelle oder dass er geschätzt ist</translation>
+    </message>
+    <message>
+        <source>List all materials with their specific cutting energies</source>
+        <translation>Alle Werkstoffe mit ihrer spezifischen Schnittenergie auflisten</translation>
+    </message>
+    <message>
+        <source>Print the file of a material (JSON), in the form that add reads</source>
+        <translation>Die Datei eines Werkstoffs ausgeben (JSON), in der Form, die add liest</translation>
+    </message>
+    <message>
+        <source>Add a material to your own; what a card lacks is filled with estimates and told</source>
+        <translation>Einen Werkstoff zu den eigenen hinzufügen; was einer Karte fehlt, wird geschätzt und gemeldet</translation>
+    </message>
+    <message>
+        <source>Material file (JSON), or material card of FreeCAD (.FCMat)</source>
+        <translation>Werkstoffdatei (JSON) oder Werkstoffkarte von FreeCAD (.FCMat)</translation>
+    </message>
+    <message>
+        <source>Copy a material to one of your own</source>
+        <translation>Einen Werkstoff in einen eigenen kopieren</translation>
+    </message>
+    <message>
+        <source>Material to copy</source>
+        <translation>Zu kopierender Werkstoff</translation>
+    </message>
+    <message>
+        <source>Delete one of your own materials</source>
+        <translation>Einen der eigenen Werkstoffe löschen</translation>
+    </message>
+    <message>
+        <source>Replace a material that has this ID already</source>
+        <translation>Einen Werkstoff ersetzen, der diese ID schon hat</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>File to write: .srle (volume file), .nrrd with a table beside it, .stl, .ply or .3mf (surface)</source>
+        <translation>Zu schreibende Datei: .srle (Volumendatei), .nrrd mit einer Tabelle daneben, .stl, .ply oder .3mf (Oberfläche)</translation>
+    </message>
+    <message>
+        <source>Axis that the runs lie along: x, y or z</source>
+        <translation>Achse, entlang der die Läufe liegen: x, y oder z</translation>
+    </message>
+    <message>
+        <source>The stock before anything was milled</source>
+        <translation>Das Rohteil, bevor etwas gefräst wurde</translation>
+    </message>
+    <message>
+        <source>Volume file, or voxel array</source>
+        <translation>Volumendatei oder Voxelfeld</translation>
+    </message>
+    <message>
+        <source>Table of the materials that the values of a voxel array mean (JSON)</source>
+        <translation>Tabelle der Werkstoffe, die die Werte eines Voxelfeldes bedeuten (JSON)</translation>
+    </message>
+    <message>
+        <source>Convert, combine and measure volumes of voxels; export the workpiece</source>
+        <translation>Voxelvolumen umwandeln, verknüpfen und messen; das Werkstück exportieren</translation>
+    </message>
+    <message>
+        <source>Volume file, or voxel array (NRRD, or raw with a header in JSON)</source>
+        <translation>Volumendatei oder Voxelfeld (NRRD oder Rohdaten mit einem Kopf in JSON)</translation>
+    </message>
+    <message>
+        <source>Write a volume in another form</source>
+        <translation>Ein Volumen in einer anderen Form schreiben</translation>
+    </message>
+    <message>
+        <source>What belongs to one volume or the other</source>
+        <translation>Was zum einen oder zum anderen Volumen gehört</translation>
+    </message>
+    <message>
+        <source>What belongs to both volumes</source>
+        <translation>Was zu beiden Volumen gehört</translation>
+    </message>
+    <message>
+        <source>What belongs to the first volume alone</source>
+        <translation>Was allein zum ersten Volumen gehört</translation>
+    </message>
+    <message>
+        <source>The voxels that have an empty neighbour</source>
+        <translation>Die Voxel, die einen leeren Nachbarn haben</translation>
+    </message>
+    <message>
+        <source>The same volume with its runs along another axis</source>
+        <translation>Dasselbe Volumen mit Läufen entlang einer anderen Achse</translation>
+    </message>
+    <message>
+        <source>The workpiece of a project, as its takes left it</source>
+        <translation>Das Werkstück eines Projekts, wie seine Aufnahmen es hinterlassen haben</translation>
+    </message>
+    <message>
+        <source>Volume, mass, centre and inertia of each material</source>
+        <translation>Volumen, Masse, Schwerpunkt und Trägheit jedes Werkstoffs</translation>
+    </message>
+    <message>
+        <source>Whether two volumes share space, touch or are apart</source>
+        <translation>Ob zwei Volumen sich überschneiden, berühren oder getrennt sind</translation>
+    </message>
+    <message>
+        <source>Shape of the stock: box, cylinder or solids</source>
+        <translation>Form des Rohteils: box, cylinder oder solids</translation>
+    </message>
+    <message>
+        <source>Box of the stock whatever the part: X0,Y0,Z0,X1,Y1,Z1, mm</source>
+        <translation>Quader des Rohteils unabhängig vom Teil: X0,Y0,Z0,X1,Y1,Z1, mm</translation>
+    </message>
+    <message>
+        <source>Round stock whatever the part: X,Y,Z,AX,AY,AZ,RADIUS,HEIGHT, mm</source>
+        <translation>Rundes Rohteil unabhängig vom Teil: X,Y,Z,AX,AY,AZ,RADIUS,HÖHE, mm</translation>
+    </message>
+    <message>
+        <source>Axis of a cylinder around the part: x, y, z, or X,Y,Z</source>
+        <translation>Achse eines Zylinders um das Teil: x, y, z oder X,Y,Z</translation>
+    </message>
+    <message>
+        <source>Role of a body: BODY=part, stock, insert, protected-insert, fixture or ignored; may be repeated</source>
+        <translation>Rolle eines Körpers: KÖRPER=part, stock, insert, protected-insert, fixture oder ignored; mehrfach möglich</translation>
+    </message>
+    <message>
+        <source>Layer of the stock: NAME=MATERIAL,AXIS,FROM,TO, mm; a later one has the place; may be repeated</source>
+        <translation>Schicht des Rohteils: NAME=WERKSTOFF,ACHSE,VON,BIS, mm; eine spätere hat Vorrang; mehrfach möglich</translation>
+    </message>
+    <message>
+        <source>Value of a layer that changes: LAYER:VALUE=FORMULA of X, Y and Z, mm; may be repeated</source>
+        <translation>Wert einer Schicht, der sich ändert: SCHICHT:WERT=FORMEL aus X, Y und Z, mm; mehrfach möglich</translation>
+    </message>
+    <message>
+        <source>The same by a table: LAYER:VALUE=AXIS:POSITION,VALUE;POSITION,VALUE…; may be repeated</source>
+        <translation>Dasselbe durch eine Tabelle: SCHICHT:WERT=ACHSE:POSITION,WERT;POSITION,WERT…; mehrfach möglich</translation>
+    </message>
+    <message>
+        <source>Bands that the values of a graded layer are sorted into</source>
+        <translation>Stufen, in die die Werte einer abgestuften Schicht eingeteilt werden</translation>
+    </message>
+    <message>
+        <source>No part is needed: nothing pushes the tool back</source>
+        <translation>Ein Teil ist nicht nötig: Nichts hält das Werkzeug zurück</translation>
+    </message>
 </context>
 <context>
     <name>ImportFormat</name>
@@ -4313,10 +4565,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Der für das Werkstück reservierte Speicher (%1 Byte) ist aufgebraucht; speichern Sie und arbeiten Sie mit größeren Voxeln weiter.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; reaches out of the stock (%2); enlarge the margin.</source>
-        <translation>„%1“ ragt aus dem Rohteil heraus (%2); vergrößern Sie die Zugabe.</translation>
-    </message>
-    <message>
         <source>The stock&apos;s &quot;%1&quot; can&apos;t be used; allowed is: %2.</source>
         <translation>„%1“ des Rohteils ist nicht verwendbar; erlaubt ist: %2.</translation>
     </message>
@@ -4456,6 +4704,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>The parts of &quot;%1&quot; are in other files that are not in its folder (%2); copy them there, or export the assembly as one file.</source>
         <translation>Die Teile von „%1“ stehen in anderen Dateien, die nicht in seinem Ordner liegen (%2); kopieren Sie sie dorthin, oder exportieren Sie die Baugruppe als eine Datei.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; reaches out of the stock (%2); enlarge the stock or its margin.</source>
+        <translation>„%1“ ragt aus dem Rohteil heraus (%2); vergrößern Sie das Rohteil oder seine Zugabe.</translation>
+    </message>
 </context>
 <context>
     <name>Migration</name>
@@ -4470,6 +4722,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>A job may have several setups.</source>
         <translation>Ein Auftrag kann mehrere Aufspannungen haben.</translation>
+    </message>
+    <message>
+        <source>Bodies have roles, and the stock a form and layers.</source>
+        <translation>Körper haben Rollen, das Rohteil eine Form und Schichten.</translation>
     </message>
 </context>
 <context>
@@ -5241,6 +5497,62 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Haas mill</source>
         <translation>Haas-Fräsmaschine</translation>
     </message>
+    <message>
+        <source>ABS</source>
+        <translation>ABS</translation>
+    </message>
+    <message>
+        <source>Acrylic (PMMA)</source>
+        <translation>Acrylglas (PMMA)</translation>
+    </message>
+    <message>
+        <source>Aluminium 2007 (free-cutting)</source>
+        <translation>Aluminium 2007 (Automatenlegierung)</translation>
+    </message>
+    <message>
+        <source>Aluminium 7075-T6</source>
+        <translation>Aluminium 7075-T6</translation>
+    </message>
+    <message>
+        <source>Beech</source>
+        <translation>Buche</translation>
+    </message>
+    <message>
+        <source>Brass CuZn39Pb3</source>
+        <translation>Messing CuZn39Pb3</translation>
+    </message>
+    <message>
+        <source>MDF</source>
+        <translation>MDF</translation>
+    </message>
+    <message>
+        <source>Oak</source>
+        <translation>Eiche</translation>
+    </message>
+    <message>
+        <source>POM (acetal)</source>
+        <translation>POM (Acetal)</translation>
+    </message>
+    <message>
+        <source>Polyurethane foam</source>
+        <translation>Polyurethanschaum</translation>
+    </message>
+    <message>
+        <source>Stainless steel 304 (1.4301)</source>
+        <translation>Nichtrostender Stahl 304 (1.4301)</translation>
+    </message>
+    <message>
+        <source>Steel 1045 (C45)</source>
+        <translation>Stahl 1045 (C45)</translation>
+    </message>
+    <message>
+        <source>Steel S235JR</source>
+        <translation>Stahl S235JR</translation>
+    </message>
+    <message>
+        <source>Titanium Ti-6Al-4V</source>
+        <translation>Titan Ti-6Al-4V</translation>
+    </message>
 </context>
 <context>
     <name>RestartDialog</name>
@@ -5565,6 +5877,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>axes other than X, Y and Z</source>
         <translation>Achsen außer X, Y und Z</translation>
     </message>
+    <message>
+        <source>insert</source>
+        <translation>Einlage</translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation>Schicht</translation>
+    </message>
 </context>
 <context>
     <name>Take</name>
@@ -5664,21 +5984,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Smallest distance between the tool and the part. Leave some stock while roughing; with 0 the cutter may touch the part and finish it.</source>
         <translation>Kleinster Abstand zwischen Werkzeug und Teil. Lassen Sie beim Schruppen etwas Aufmaß; mit 0 darf der Fräser das Teil berühren und schlichten.</translation>
-    </message>
-</context>
-<context>
-    <name>burin::WorkpieceController</name>
-    <message>
-        <source>Embedding the part</source>
-        <translation>Teil wird eingebettet</translation>
-    </message>
-    <message>
-        <source>Computing the boundary for %1</source>
-        <translation>Grenzfläche für %1 wird berechnet</translation>
-    </message>
-    <message>
-        <source>Computing the boundary around the tool</source>
-        <translation>Grenzfläche rund um das Werkzeug wird berechnet</translation>
     </message>
 </context>
 <context>
@@ -6527,6 +6832,183 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Close this page.</source>
         <translation>Schließt diese Seite.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::LayerFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name of the layer, each once</source>
+        <translation>Name der Schicht, jeder nur einmal</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>Material of the layer</source>
+        <translation>Werkstoff der Schicht</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Quer zu</translation>
+    </message>
+    <message>
+        <source>Axis that both planes of the layer stand across</source>
+        <translation>Achse, zu der beide Ebenen der Schicht quer stehen</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Position of the plane, in the model&apos;s frame</source>
+        <translation>Position der Ebene, im Koordinatensystem des Modells</translation>
+    </message>
+    <message>
+        <source>Its values</source>
+        <translation>Ihre Werte</translation>
+    </message>
+    <message>
+        <source>The same everywhere, or changing from place to place</source>
+        <translation>Überall gleich oder von Stelle zu Stelle anders</translation>
+    </message>
+    <message>
+        <source>The same everywhere</source>
+        <translation>Überall gleich</translation>
+    </message>
+    <message>
+        <source>By a formula</source>
+        <translation>Nach einer Formel</translation>
+    </message>
+    <message>
+        <source>By a table</source>
+        <translation>Nach einer Tabelle</translation>
+    </message>
+    <message>
+        <source>What changes</source>
+        <translation>Was sich ändert</translation>
+    </message>
+    <message>
+        <source>Value of the material that changes</source>
+        <translation>Wert des Werkstoffs, der sich ändert</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>Entlang</translation>
+    </message>
+    <message>
+        <source>Axis that the positions of the table lie on</source>
+        <translation>Achse, auf der die Positionen der Tabelle liegen</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Formel</translation>
+    </message>
+    <message>
+        <source>Of X, Y and Z in mm, as 0.4 + 0.02 * Z; or a table: position value; position value; …</source>
+        <translation>Aus X, Y und Z in mm, etwa 0.4 + 0.02 * Z; oder eine Tabelle: Position Wert; Position Wert; …</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Equally high bands that the values are sorted into</source>
+        <translation>Gleich hohe Stufen, in die die Werte eingeteilt werden</translation>
+    </message>
+</context>
+<context>
+    <name>burin::LayerPanel</name>
+    <message>
+        <source>Layers of the stock</source>
+        <translation>Schichten des Rohteils</translation>
+    </message>
+    <message>
+        <source>What the stock holds</source>
+        <translation>Was das Rohteil enthält</translation>
+    </message>
+    <message>
+        <source>New layer</source>
+        <translation>Neue Schicht</translation>
+    </message>
+    <message>
+        <source>Delete the layer</source>
+        <translation>Schicht löschen</translation>
+    </message>
+    <message>
+        <source>Let the one before have the place</source>
+        <translation>Der vorigen den Vorrang lassen</translation>
+    </message>
+    <message>
+        <source>Let it have the place before the next</source>
+        <translation>Ihr den Vorrang vor der nächsten geben</translation>
+    </message>
+    <message>
+        <source>Layer %1</source>
+        <translation>Schicht %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>graded</source>
+        <translation>abgestuft</translation>
+    </message>
+    <message>
+        <source>%1&#xa0;g</source>
+        <translation>%1 g</translation>
+    </message>
+    <message>
+        <source>mass not known: the material has no density</source>
+        <translation>Masse unbekannt: Der Werkstoff hat keine Dichte</translation>
+    </message>
+    <message>
+        <source>protected</source>
+        <translation>geschützt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 from %2 to %3 %5 in %n bands: each place is within %4 %5.</source>
+        <translation>
+            <numerusform>%1 von %2 bis %3 %5 in %n Stufe: Jede Stelle ist auf %4 %5 genau.</numerusform>
+            <numerusform>%1 von %2 bis %3 %5 in %n Stufen: Jede Stelle ist auf %4 %5 genau.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stock and material can&apos;t be changed once there are takes.</source>
+        <translation>Sobald es Aufnahmen gibt, lassen sich Rohteil und Werkstoff nicht mehr ändern.</translation>
+    </message>
+    <message>
+        <source>There is no layer.</source>
+        <translation>Es gibt keine Schicht.</translation>
+    </message>
+    <message>
+        <source>Import a part first.</source>
+        <translation>Importieren Sie zuerst ein Teil.</translation>
+    </message>
+    <message>
+        <source>No layer comes before it.</source>
+        <translation>Vor ihr kommt keine Schicht.</translation>
+    </message>
+    <message>
+        <source>No layer comes after it.</source>
+        <translation>Nach ihr kommt keine Schicht.</translation>
+    </message>
+    <message>
+        <source>Embed the part: then each material is listed with volume and mass.</source>
+        <translation>Betten Sie das Teil ein: Dann wird jeder Werkstoff mit Volumen und Masse aufgeführt.</translation>
+    </message>
+    <message>
+        <source>Free carving: there is no part, so nothing pushes the tool back.</source>
+        <translation>Freies Schnitzen: Es gibt kein Teil, also hält nichts das Werkzeug zurück.</translation>
     </message>
 </context>
 <context>
@@ -7855,6 +8337,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>This is a preview. The fine mesh, which is milled to, is being made…</source>
         <translation>Dies ist eine Vorschau. Das feine Netz, nach dem gefräst wird, wird erstellt …</translation>
     </message>
+    <message>
+        <source>Role of the selected body</source>
+        <translation>Rolle des gewählten Körpers</translation>
+    </message>
 </context>
 <context>
     <name>burin::PathController</name>
@@ -8483,6 +8969,49 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::RoleWords</name>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Rohteil</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Einlage</translation>
+    </message>
+    <message>
+        <source>Protected insert</source>
+        <translation>Geschützte Einlage</translation>
+    </message>
+    <message>
+        <source>Fixture</source>
+        <translation>Vorrichtung</translation>
+    </message>
+    <message>
+        <source>Ignored</source>
+        <translation>Unbeachtet</translation>
+    </message>
+    <message>
+        <source>A part and a protected insert are not cut; an insert is cut and has a material of its own; a fixture holds the stock; stock is what the part is cut from</source>
+        <translation>Teil und geschützte Einlage werden nicht geschnitten; eine Einlage wird geschnitten und hat ihren eigenen Werkstoff; eine Vorrichtung hält das Rohteil; das Rohteil ist, woraus das Teil gefräst wird</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Bodies of the model</source>
+        <translation>Körper des Modells</translation>
+    </message>
+</context>
+<context>
     <name>burin::SelectionCard</name>
     <message>
         <source>Clear the selection (Esc in the view)</source>
@@ -8562,6 +9091,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>material of a body</source>
         <translation>Werkstoff eines Körpers</translation>
+    </message>
+    <message>
+        <source>free carving</source>
+        <translation>freies Schnitzen</translation>
+    </message>
+    <message>
+        <source>shape of the stock</source>
+        <translation>Form des Rohteils</translation>
+    </message>
+    <message>
+        <source>role of a body</source>
+        <translation>Rolle eines Körpers</translation>
+    </message>
+    <message>
+        <source>layers</source>
+        <translation>Schichten</translation>
     </message>
 </context>
 <context>
@@ -8706,10 +9251,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::StockPanel</name>
     <message>
-        <source>Stock around the part</source>
-        <translation>Rohteil um das Teil</translation>
-    </message>
-    <message>
         <source>Margin, sides</source>
         <translation>Zugabe seitlich</translation>
     </message>
@@ -8803,6 +9344,73 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
             <numerusform>Das Einbetten hat %n Befund. Er steht am Ende dieser Seite.</numerusform>
             <numerusform>Das Einbetten hat %n Befunde. Sie stehen am Ende dieser Seite.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Rohteil</translation>
+    </message>
+</context>
+<context>
+    <name>burin::StockShapeFields</name>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>A box, a round bar, or the bodies of the model whose role is stock</source>
+        <translation>Ein Quader, ein Rundstab oder die Körper des Modells mit der Rolle Rohteil</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Direction that the axis of the cylinder lies in</source>
+        <translation>Richtung, in der die Achse des Zylinders liegt</translation>
+    </message>
+    <message>
+        <source>On: the stock is where it is stated, whatever the part. Off: it lies around the part, with margins</source>
+        <translation>Ein: Das Rohteil liegt, wo es angegeben ist, unabhängig vom Teil. Aus: Es liegt um das Teil, mit Zugaben</translation>
+    </message>
+    <message>
+        <source>On: no part is needed. Where there is none nothing pushes the tool back</source>
+        <translation>Ein: Ein Teil ist nicht nötig. Wo keines ist, hält nichts das Werkzeug zurück</translation>
+    </message>
+    <message>
+        <source>In the model&apos;s frame</source>
+        <translation>Im Koordinatensystem des Modells</translation>
+    </message>
+    <message>
+        <source>To %1</source>
+        <translation>Bis %1</translation>
+    </message>
+    <message>
+        <source>From %1</source>
+        <translation>Von %1</translation>
+    </message>
+    <message>
+        <source>Middle of its end, %1</source>
+        <translation>Mitte der Stirnseite, %1</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Another direction</source>
+        <translation>Andere Richtung</translation>
+    </message>
+    <message>
+        <source>At a stated place</source>
+        <translation>An angegebener Stelle</translation>
+    </message>
+    <message>
+        <source>Free carving</source>
+        <translation>Freies Schnitzen</translation>
     </message>
 </context>
 <context>
@@ -9373,6 +9981,21 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Back to %1</source>
         <translation>Zurück zu %1</translation>
+    </message>
+</context>
+<context>
+    <name>burin::WorkpieceController</name>
+    <message>
+        <source>Embedding the part</source>
+        <translation>Teil wird eingebettet</translation>
+    </message>
+    <message>
+        <source>Computing the boundary for %1</source>
+        <translation>Grenzfläche für %1 wird berechnet</translation>
+    </message>
+    <message>
+        <source>Computing the boundary around the tool</source>
+        <translation>Grenzfläche rund um das Werkzeug wird berechnet</translation>
     </message>
 </context>
 </TS>

@@ -149,6 +149,17 @@ void MaterialRemoval::reset() noexcept {
     cutsSinceLook_ = cutsPerLook;
 }
 
+/// Behind a border the tool must not be felt in what it left: what is pending of all materials is what it meets now,
+/// each with its share.
+void MaterialRemoval::passOnPending(const SurfaceFlux::Flux& flux, const CutResult& cut) noexcept {
+    if (cut.removed[1].property == airProperty) return; // one material
+    double all = 0.0;
+    for (const MaterialVolume& material : cut.removed) all += pending_[material.property];
+    for (const MaterialVolume& material : cut.removed)
+        if (material.property != airProperty)
+            pending_[material.property] = all * (flux.volume[material.property] / flux.total);
+}
+
 void MaterialRemoval::report(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to,
                              CutResult& result) noexcept {
     const glm::dvec3 tip = to.tip;
@@ -163,6 +174,7 @@ void MaterialRemoval::report(const RunVolume& workpiece, const ToolPose& from, c
     } else if (!small) {
         result.engagement = recentEngagement(workpiece, from, to, result.volume > 0.0);
     }
+    if (flux && flux->total > 0.0) passOnPending(*flux, result);
     for (MaterialVolume& material : result.removed) {
         if (material.property == airProperty) break;
         double& pending = pending_[material.property];

@@ -24,7 +24,9 @@ struct MaterialVolume {
     PropertyIndex property = airProperty; ///< air: entry not used
     std::uint64_t units = 0;              ///< run units: exact
     double volume = 0.0;                  ///< mm³, units times Grid::unitVolume
-    double reported = 0.0;                ///< mm³, smooth over ticks (README.md); sums follow `volume`
+    /// mm³, smooth over ticks (README.md). Sums over all materials follow `volume`; those of one material may be off by
+    /// a layer of voxels at a border that the tool passed.
+    double reported = 0.0;
 };
 
 /// What one cut took away.
@@ -98,6 +100,7 @@ public:
 
 private:
     CutResult account(const RunVolume& workpiece, const RemovedUnits& removed) const noexcept;
+    void passOnPending(const SurfaceFlux::Flux& flux, const CutResult& cut) noexcept;
     void report(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to, CutResult& result) noexcept;
     Engagement recentEngagement(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to,
                                 bool removes) noexcept;

@@ -161,6 +161,7 @@ Result<void> fillRegions(const Setup& setup, const SetupMaterials& materials, Em
 void measure(EmbeddedSetup& embedded) {
     const RunVolume& workpiece = embedded.workpiece;
     std::uint64_t part = 0, stock = 0;
+    embedded.untouched = workpiece.amounts();
     for (int i = 1; i < workpiece.properties().size(); ++i) {
         const auto property = static_cast<PropertyIndex>(i);
         (workpiece.properties().isProtected(property) ? part : stock) += workpiece.amounts().units[property];
@@ -185,7 +186,7 @@ Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, const std::v
     if (!volume) return volume.error();
 
     EmbeddedSetup embedded{
-        *std::move(volume), materials->bodies, materials->stock, materials->regions, {}, 0.0, 0.0, {}};
+        *std::move(volume), materials->bodies, materials->stock, materials->regions, {}, {}, 0.0, 0.0, {}};
     if (Result<void> filled = fillStock(model, setup, embedded, progress); !filled) return std::move(filled).error();
     if (Result<void> filled = fillRegions(setup, *materials, embedded); !filled) return std::move(filled).error();
     if (Result<void> filled = fillBodies(model, setup, embedded, progress); !filled) return std::move(filled).error();
@@ -204,9 +205,9 @@ Result<EmbeddedSetup> withMaterials(const EmbeddedSetup& embedded, const Model& 
             segments.assign(kept.begin(), kept.end());
         });
     if (!workpiece) return std::move(workpiece).error();
-    EmbeddedSetup changed{
-        *std::move(workpiece), std::move(gathered->bodies), gathered->stock,      std::move(gathered->regions),
-        embedded.gradings,     embedded.partVolume,         embedded.stockVolume, embedded.findings};
+    EmbeddedSetup changed{*std::move(workpiece),        std::move(gathered->bodies), gathered->stock,
+                          std::move(gathered->regions), embedded.gradings,           embedded.untouched,
+                          embedded.partVolume,          embedded.stockVolume,        embedded.findings};
     return changed;
 }
 

@@ -10,8 +10,7 @@ constexpr double cubicMillimetresPerCubicCentimetre = 1e3;
 
 } // namespace
 
-std::vector<MaterialAmount> amountsOf(const RunVolume& workpiece) {
-    const PropertyList& list = workpiece.properties();
+std::vector<MaterialAmount> amountsOf(const PropertyList& list, const RunAmounts& runs, double unitVolume) {
     std::vector<MaterialAmount> amounts;
     std::vector<std::size_t> placeOf(static_cast<std::size_t>(list.size()), 0);
     for (int i = 1; i < list.size(); ++i) {
@@ -23,7 +22,7 @@ std::vector<MaterialAmount> amountsOf(const RunVolume& workpiece) {
             amounts.push_back({property.id, property.name, list.isProtected(index), 0.0, 0.0});
         }
         MaterialAmount& amount = amounts[placeOf[base]];
-        const double volume = static_cast<double>(workpiece.amounts().units[index]) * workpiece.grid().unitVolume();
+        const double volume = static_cast<double>(runs.units[index]) * unitVolume;
         amount.volume += volume;
         const double weight = property.valueOr(density, 0.0); // g/cm³
         if (!(weight > 0.0))

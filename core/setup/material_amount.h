@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// How much of one material a workpiece holds; grades count as what they are a grade of.
+/// How much of one material a volume holds; grades count as what they are a grade of.
 struct MaterialAmount {
     std::string id, name;
     bool isProtected = false;
@@ -20,6 +20,7 @@ struct MaterialAmount {
 
 /// In the order of the property list; what it holds nothing of is there with 0. Of graded densities each grade weighs
 /// its own.
-std::vector<MaterialAmount> amountsOf(const RunVolume& workpiece);
+/// @param unitVolume mm³ of a run unit (Grid::unitVolume)
+std::vector<MaterialAmount> amountsOf(const PropertyList& list, const RunAmounts& amounts, double unitVolume);
 
 } // namespace burin

@@ -7,6 +7,7 @@
 #include "core/cad/model.h"
 #include "core/setup/body_role.h"
 #include "core/setup/cylinder_shape.h"
+#include "core/setup/material_amount.h"
 #include "core/setup/material_region.h"
 #include "core/setup/obstacle.h"
 #include "core/volume/runs/run_volume.h"
@@ -118,10 +119,14 @@ struct EmbeddedSetup {
     PropertyIndex stockProperty = airProperty;   ///< machinable
     std::vector<PropertyIndex> regionProperties; ///< per region; of a graded one the material that it is a grade of
     std::vector<RegionGrading> gradings;         ///< of the graded ones, in order
+    RunAmounts untouched;                        ///< what it holds before anything is milled
     double partVolume = 0.0;                     ///< mm³ of protected runs
     double stockVolume = 0.0;                    ///< mm³ of machinable runs
     std::vector<EmbeddingFinding> findings;      ///< by body
 };
+
+/// Each material of the stock before anything is milled. Any thread.
+std::vector<MaterialAmount> materialAmounts(const EmbeddedSetup& embedded);
 
 /// Fills a grid with the stock, its layers in their order, the inserts, then what is protected. Where protected bodies
 /// overlap the later one has the place. A body whose surface is open, folded or turned is filled by the rules of

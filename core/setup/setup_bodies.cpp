@@ -53,6 +53,10 @@ std::vector<std::string> materialsUsed(const Setup& setup) {
     return ids;
 }
 
+std::vector<MaterialAmount> materialAmounts(const EmbeddedSetup& embedded) {
+    return amountsOf(embedded.workpiece.properties(), embedded.untouched, embedded.workpiece.grid().unitVolume());
+}
+
 std::shared_ptr<const Model> protectedPart(std::shared_ptr<const Model> model, const Setup& setup) {
     const bool whole = std::ranges::all_of(setup.roles, isProtected);
     return whole ? std::move(model) : std::make_shared<const Model>(bodiesOf(*model, setup, isProtected));

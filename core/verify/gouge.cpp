@@ -46,7 +46,8 @@ Result<std::vector<double>> exactDepths(std::vector<GougeSample>& samples, const
         points.push_back(question.point);
         offsets.push_back(question.offset);
     }
-    Result<std::vector<double>> distances = exactSignedDistances(request.protectedBodies(), points, request.import, progress);
+    Result<std::vector<double>> distances =
+        exactSignedDistances(request.protectedBodies(), points, request.import, progress);
     if (!distances) return distances;
     for (std::size_t i = 0; i < count; ++i) (*distances)[i] = offsets[i] - (*distances)[i];
     return distances;

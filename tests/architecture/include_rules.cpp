@@ -61,14 +61,29 @@ bool isSystemd(std::string_view header) {
 bool isMuParser(std::string_view header) {
     return header.starts_with("muParser");
 }
+bool isYaml(std::string_view header) {
+    return header.starts_with("yaml-cpp/");
+}
+bool isAssimp(std::string_view header) {
+    return header.starts_with("assimp/");
+}
+bool isZlib(std::string_view header) {
+    return header == "zlib.h";
+}
 bool isSqlite(std::string_view header) {
     return header.starts_with("sqlite3");
 }
 
-constexpr std::array<Foreign, 7> foreigners{
-    Foreign{"Qt", isQt},         Foreign{"VTK", isVtk},       Foreign{"OpenCASCADE", isOcct},
-    Foreign{"SQLite", isSqlite}, Foreign{"hidapi", isHidapi}, Foreign{"libsystemd", isSystemd},
-    Foreign{"muParser", isMuParser}};
+constexpr std::array<Foreign, 10> foreigners{Foreign{"Qt", isQt},
+                                             Foreign{"VTK", isVtk},
+                                             Foreign{"OpenCASCADE", isOcct},
+                                             Foreign{"SQLite", isSqlite},
+                                             Foreign{"hidapi", isHidapi},
+                                             Foreign{"libsystemd", isSystemd},
+                                             Foreign{"muParser", isMuParser},
+                                             Foreign{"yaml-cpp", isYaml},
+                                             Foreign{"assimp", isAssimp},
+                                             Foreign{"zlib", isZlib}};
 
 bool allowed(const Arrows& arrows, const std::string& library, const std::string& header, const std::string& source) {
     if (library == "plugins")

@@ -209,7 +209,7 @@ private slots:
         show(panel);
         const auto before = controlsOf(panel);
         const int height = panel.heightForWidth(panelWidth);
-        QCOMPARE(before.size(), std::size_t{5});
+        QCOMPARE(before.size(), std::size_t{8}); // shape, two switches, three margins, voxel, button
         const std::function<void(StockState&)> changes[] = {
             [](StockState& state) { state.embedded = true; },
             [](StockState& state) {
@@ -282,7 +282,7 @@ private slots:
             for (int i = 0; i < std::abs(down); ++i) QTest::keyClick(&choice, down > 0 ? Qt::Key_Down : Qt::Key_Up);
         };
         pick("stockMaterial", 1);
-        QCOMPARE(stock, QStringList{"machinable-wax"});
+        QCOMPARE(stock, QStringList{"aluminium-7075"}); // the next in the list
         pick("body", 1);
         QCOMPARE(child<QComboBox>(panel, "bodyMaterial").currentData().toString(), QStringLiteral("machinable-wax"));
         pick("bodyMaterial", -2); // "Same as the stock" stands first

@@ -121,7 +121,7 @@ QString Messages::sentence(const Error& error) {
         return tr("The memory reserved for the workpiece (%1 bytes) is used up; save, and go on with larger voxels.")
             .arg(subject);
     case ErrorCode::partOutsideStock:
-        return tr("\"%1\" reaches out of the stock (%2); enlarge the margin.").arg(subject, place);
+        return tr("\"%1\" reaches out of the stock (%2); enlarge the stock or its margin.").arg(subject, place);
     case ErrorCode::stockInvalid:
         return tr("The stock's \"%1\" can't be used; allowed is: %2.").arg(subject, detail);
     case ErrorCode::resourceInvalid:

@@ -11,6 +11,7 @@
 #include "ui/panels/model_words.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
+#include "ui/panels/role_words.h"
 #include "ui/panels/row_list.h"
 #include "ui/panels/texts.h"
 #include "ui/panels/value_row.h"
@@ -50,6 +51,9 @@ private:
     void refreshModel();
     void refreshPreview();
     void refreshStlUnit();
+    void makeRole(PartPanel* panel);
+    void refreshRole();
+    BodyRole roleOfBody(std::size_t body) const;
     std::vector<ListRow> bodyRows() const;
     std::vector<ListRow> previewRows() const;
     std::vector<ListRow> noteRows() const;
@@ -60,6 +64,8 @@ private:
     ElidedLabel* file_;
     ChoiceBox* stlUnit_;
     FieldRow* stlUnitRow_;
+    ChoiceBox* role_;
+    FieldRow* roleRow_;
     ValueRow *format_, *size_, *volume_;
     QLabel *bodiesTitle_, *notesTitle_;
     RowList *bodies_, *notes_;
@@ -96,13 +102,15 @@ PartPanel::Fields::Fields(PartPanel* panel) : QObject(panel) {
     bodies_ = new RowList(content_);
     bodies_->setObjectName(QStringLiteral("bodyList"));
     bodies_->setAccessibleName(PartPanel::tr("Bodies"));
+    makeRole(panel);
     notesTitle_ = makeSectionTitle(PartPanel::tr("Import notes"), content_);
     notes_ = new RowList(content_);
     notes_->setTextsWrap(true);
     notes_->setObjectName(QStringLiteral("noteList"));
     notes_->setAccessibleName(PartPanel::tr("Import notes"));
-    for (QWidget* widget : {static_cast<QWidget*>(bodiesTitle_), static_cast<QWidget*>(bodies_),
-                            static_cast<QWidget*>(notesTitle_), static_cast<QWidget*>(notes_)})
+    for (QWidget* widget :
+         {static_cast<QWidget*>(bodiesTitle_), static_cast<QWidget*>(bodies_), static_cast<QWidget*>(roleRow_),
+          static_cast<QWidget*>(notesTitle_), static_cast<QWidget*>(notes_)})
         inner->addWidget(widget);
     column->addWidget(content_);
     column->addStretch(1);
@@ -121,6 +129,35 @@ void PartPanel::Fields::makeStlUnit(PartPanel* panel) {
         emit panel->stlUnitChosen(millimetres);
         refresh(); // until the file has been read, if at all
     });
+}
+
+void PartPanel::Fields::makeRole(PartPanel* panel) {
+    role_ = new ChoiceBox(content_);
+    role_->setObjectName(QStringLiteral("bodyRole"));
+    for (const BodyRole role : bodyRoles) role_->addItem(roleText(role));
+    roleRow_ =
+        new FieldRow(PartPanel::tr("Role of the selected body"), role_, roleToolTip(), content_, FieldRow::choiceWidth);
+    connect(bodies_, &RowList::rowChosen, panel, [this] { refreshRole(); });
+    connect(role_, &QComboBox::activated, panel, [this, panel](int index) {
+        if (bodies_->currentRow() < 0) return;
+        emit panel->roleChosen(static_cast<std::size_t>(bodies_->currentRow()),
+                               bodyRoles[static_cast<std::size_t>(index)]);
+        refreshRole(); // as it stands, whoever refused
+    });
+}
+
+BodyRole PartPanel::Fields::roleOfBody(std::size_t body) const {
+    return body < state.roles.size() ? state.roles[body] : BodyRole::part;
+}
+
+void PartPanel::Fields::refreshRole() {
+    if (bodies_->currentRow() < 0 && !bodies_->rows().empty()) bodies_->setChosen(0);
+    const int body = bodies_->currentRow();
+    const bool shown = state.model && !state.preview && body >= 0;
+    roleRow_->setVisible(shown);
+    if (!shown) return;
+    role_->setCurrentIndex(static_cast<int>(roleOfBody(static_cast<std::size_t>(body))));
+    setEnabledKeepingFocus(role_, !state.busy && !state.locked);
 }
 
 /// One that the list lacks is added: the command line takes any.
@@ -166,8 +203,8 @@ void PartPanel::Fields::refreshFile(const std::string& name) {
 void PartPanel::Fields::refreshPreview() {
     refreshFile(state.preview->sourceFile);
     bodies_->setRows(previewRows());
-    for (QWidget* row :
-         {static_cast<QWidget*>(stlUnitRow_), static_cast<QWidget*>(notesTitle_), static_cast<QWidget*>(notes_)})
+    for (QWidget* row : {static_cast<QWidget*>(stlUnitRow_), static_cast<QWidget*>(roleRow_),
+                         static_cast<QWidget*>(notesTitle_), static_cast<QWidget*>(notes_)})
         row->hide();
 }
 
@@ -182,6 +219,7 @@ void PartPanel::Fields::refreshModel() {
     volume_->setValue(volumeText(model.volume(), unit));
     refreshStlUnit();
     bodies_->setRows(bodyRows());
+    refreshRole();
     notes_->setRows(noteRows());
     notesTitle_->setVisible(!model.notes.empty());
     notes_->setVisible(!model.notes.empty());
@@ -193,6 +231,7 @@ std::vector<ListRow> PartPanel::Fields::bodyRows() const {
         ListRow row;
         row.title = row.toolTip = bodyName(body.name);
         row.value = volumeText(body.volume, unit);
+        if (const BodyRole role = roleOfBody(rows.size()); role != BodyRole::part) row.badge = roleText(role);
         QStringList details;
         if (!body.box.empty()) details.append(sizeText(body.box.size(), unit));
         if (body.openEdges > 0)

@@ -25,6 +25,8 @@ struct PartState {
     std::shared_ptr<const Model> model; ///< null: none yet
     bool busy = false;
     std::shared_ptr<const ModelPreview> preview{}; ///< of the one that is being read; null: none
+    std::vector<BodyRole> roles{};                 ///< of the model's bodies
+    bool locked = false;                           ///< there are recordings: roles stay as they are
 };
 
 struct StockState {

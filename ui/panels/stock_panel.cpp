@@ -8,6 +8,7 @@
 #include "ui/panels/length_field.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
+#include "ui/panels/stock_shape_fields.h"
 #include "ui/panels/texts.h"
 #include "ui/panels/value_row.h"
 
@@ -48,8 +49,10 @@ private:
 
     StockPanel* panel_;
     QVBoxLayout* column_;
+    StockShapeFields* shape_;
     LengthUnit unit_ = LengthUnit::millimetre;
     LengthField *sides_, *top_, *bottom_, *voxel_;
+    std::vector<QWidget*> rows_; ///< of these
     ValueRow* size_;
     QLabel* voxels_;
     QPushButton* embed_;
@@ -57,7 +60,10 @@ private:
 };
 
 StockPanel::Fields::Fields(StockPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
-    column_->addWidget(makeSectionTitle(StockPanel::tr("Stock around the part"), panel));
+    column_->addWidget(makeSectionTitle(StockPanel::tr("Stock"), panel));
+    shape_ = new StockShapeFields(panel);
+    column_->addWidget(shape_);
+    connect(shape_, &StockShapeFields::edited, panel, &StockPanel::setupEdited);
     sides_ = addField(StockPanel::tr("Margin, sides"), StockPanel::tr("Stock beside the part, on all four sides"),
                       "sideMarginField");
     top_ = addField(StockPanel::tr("Margin, top"), StockPanel::tr("Stock above the part"), "topMarginField");
@@ -102,7 +108,9 @@ LengthField* StockPanel::Fields::addField(const QString& label, const QString& t
     auto* field = new LengthField(panel_);
     field->setObjectName(QLatin1String(name));
     field->limit(0.0, largestMargin);
-    column_->addWidget(new FieldRow(label, field, toolTip, panel_));
+    auto* row = new FieldRow(label, field, toolTip, panel_);
+    column_->addWidget(row);
+    rows_.push_back(row);
     return field;
 }
 
@@ -114,6 +122,7 @@ void StockPanel::Fields::change(const std::function<void(Setup&)>& edit) {
 void StockPanel::Fields::setUnit(LengthUnit next) {
     unit_ = next;
     for (LengthField* field : {sides_, top_, bottom_, voxel_}) field->setLengthUnit(next);
+    shape_->setUnit(next);
     refresh();
 }
 
@@ -141,11 +150,12 @@ QString StockPanel::Fields::reasonAgainstEmbedding() const {
 }
 
 void StockPanel::Fields::refreshNotices() {
-    const std::array<double, 4> margins = sides(state.setup);
+    const Setup& setup = state.setup;
+    const std::array<double, 4> margins = sides(setup);
     const bool equal = std::ranges::all_of(margins, [&](double margin) { return margin == margins[0]; });
     sidesNotice_->tell(
         Notice::Kind::information,
-        equal || !state.problem.isEmpty() || state.locked
+        equal || setup.stated || setup.form == StockForm::solids || !state.problem.isEmpty() || state.locked
             ? QString() // what stands in the way comes first
             : StockPanel::tr("The margins of the sides differ: %1 to %2. An entry sets all four.")
                   .arg(lengthText(std::ranges::min(margins), unit_), lengthText(std::ranges::max(margins), unit_)));
@@ -172,6 +182,9 @@ void StockPanel::Fields::refreshNotices() {
 
 void StockPanel::Fields::refresh() {
     const Setup& setup = state.setup;
+    shape_->showSetup(setup, state.locked);
+    constexpr std::size_t margins = 3;
+    for (std::size_t i = 0; i < margins; ++i) rows_[i]->setVisible(!setup.stated && setup.form != StockForm::solids);
     sides_->showValue(std::ranges::max(sides(setup)));
     top_->showValue(setup.marginHigh.z);
     bottom_->showValue(setup.marginLow.z);

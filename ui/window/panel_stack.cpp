@@ -45,6 +45,7 @@ PanelStack::PanelStack(QWidget* parent)
     , surroundings(new SurroundingsPanel)
     , findings(new EmbeddingFindings)
     , material(new MaterialPanel)
+    , layers(new LayerPanel)
     , tool(new ToolPanel)
     , allowance(new AllowancePanel)
     , mill(new MillPanel)
@@ -62,7 +63,7 @@ PanelStack::PanelStack(QWidget* parent)
     const std::array<std::pair<QWidget*, const char*>, 8> panels{
         {{part, "partPage"},
          {stacked({stock, surroundings, findings}), "stockPage"},
-         {material, "materialPage"},
+         {stacked({material, layers}), "materialPage"},
          {tool, "toolPage"},
          {allowance, "allowancePage"},
          {stacked({mill, guides, bounds, hand}), "millPage"},

@@ -8,6 +8,7 @@
 #include "ui/panels/guide_panel.h"
 #include "ui/panels/hand_panel.h"
 #include "ui/panels/job_states.h"
+#include "ui/panels/layer_panel.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/meters.h"
 #include "ui/panels/mill_panel.h"
@@ -38,6 +39,7 @@ public:
     SurroundingsPanel* surroundings; ///< below the stock
     EmbeddingFindings* findings;     ///< below the surroundings
     MaterialPanel* material;
+    LayerPanel* layers;
     ToolPanel* tool;
     AllowancePanel* allowance;
     MillPanel* mill;

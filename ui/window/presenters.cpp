@@ -12,6 +12,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , part(workbench, *stage.panels.part, this)
     , stock(workbench, *stage.panels.stock, *stage.panels.findings, this)
     , material(workbench, *stage.panels.material, this)
+    , layers(workbench, *stage.panels.layers, this)
     , tool(workbench, *stage.panels.tool, this)
     , allowance(workbench, *stage.panels.allowance, this)
     , mill(workbench, millMode, *stage.panels.mill, this)
@@ -44,8 +45,9 @@ void Presenters::connectActions(const Actions& actions, const Viewport& viewport
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{
-             &part, &stock, &material, &tool, &allowance, &mill, &surroundings, &guides, &hand, &pathScene, &path,
-             &program, &meters, &status, &job, &scene, &guideScene, &programScene, &deviation})
+             &part,         &stock,  &material, &layers,     &tool,         &allowance, &mill,
+             &surroundings, &guides, &hand,     &pathScene,  &path,         &program,   &meters,
+             &status,       &job,    &scene,    &guideScene, &programScene, &deviation})
         presenter->setUnit(unit);
 }
 

@@ -40,6 +40,7 @@ public:
     PartPresenter part;
     StockPresenter stock;
     MaterialPresenter material;
+    LayerPresenter layers;
     ToolPresenter tool;
     AllowancePresenter allowance;
     MillPresenter mill;

@@ -9,7 +9,9 @@
 namespace burin {
 
 PartPresenter::PartPresenter(Workbench& workbench, PartPanel& panel, QObject* parent)
-    : Presenter(workbench, {&workbench.model}, parent), panel_(panel) {}
+    : Presenter(workbench, {&workbench.model, &workbench.setup}, parent), panel_(panel) {
+    connect(&panel, &PartPanel::roleChosen, &workbench.setup, &SetupController::chooseRole);
+}
 
 void PartPresenter::setUnit(LengthUnit unit) {
     panel_.setUnit(unit);
@@ -17,7 +19,10 @@ void PartPresenter::setUnit(LengthUnit unit) {
 }
 
 void PartPresenter::present() {
-    panel_.setState({workbench_.model.model(), workbench_.model.importing(), workbench_.model.preview()});
+    PartState state{workbench_.model.model(), workbench_.model.importing(), workbench_.model.preview()};
+    state.roles = workbench_.setup.setup().roles;
+    state.locked = workbench_.setup.locked();
+    panel_.setState(state);
 }
 
 StockPresenter::StockPresenter(Workbench& workbench, StockPanel& panel, EmbeddingFindings& findings, QObject* parent)
@@ -73,6 +78,33 @@ void MaterialPresenter::present() {
     state.bodyMaterials = setup.setup().bodyMaterials;
     state.bodyMaterials.resize(state.bodyNames.size());
     state.locked = setup.locked();
+    panel_.setState(state);
+}
+
+LayerPresenter::LayerPresenter(Workbench& workbench, LayerPanel& panel, QObject* parent)
+    : Presenter(workbench, {&workbench.setup, &workbench.workpiece}, parent), panel_(panel) {
+    connect(&panel, &LayerPanel::layersEdited, &workbench.setup, &SetupController::setRegions);
+}
+
+void LayerPresenter::setUnit(LengthUnit unit) {
+    panel_.setUnit(unit);
+    Presenter::setUnit(unit);
+}
+
+void LayerPresenter::present() {
+    const SetupController& setup = workbench_.setup;
+    LayerState state;
+    state.materials = setup.materials();
+    state.layers = setup.setup().regions;
+    if (setup.hasPart()) state.stock = setup.setup().stock;
+    state.locked = setup.locked();
+    if (setup.problem()) state.problem = Messages::sentence(*setup.problem());
+    if (workbench_.workpiece.embedded()) {
+        const EmbeddedSetup& embedded = workbench_.workpiece.milling()->embedded;
+        state.amounts = materialAmounts(embedded);
+        state.gradings = embedded.gradings;
+        state.nothingPushesBack = embedded.partVolume == 0.0;
+    }
     panel_.setState(state);
 }
 

@@ -5,6 +5,7 @@
 #include "ui/actions/actions.h"
 #include "ui/panels/allowance_panel.h"
 #include "ui/panels/embedding_findings.h"
+#include "ui/panels/layer_panel.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/part_panel.h"
 #include "ui/panels/stock_panel.h"
@@ -49,6 +50,17 @@ public:
 private:
     void present() override;
     MaterialPanel& panel_;
+};
+
+class LayerPresenter final : public Presenter {
+    Q_OBJECT
+public:
+    LayerPresenter(Workbench& workbench, LayerPanel& panel, QObject* parent);
+    void setUnit(LengthUnit unit) override;
+
+private:
+    void present() override;
+    LayerPanel& panel_;
 };
 
 class ToolPresenter final : public Presenter {

@@ -119,7 +119,7 @@ Model model() {
     return result;
 }
 
-Setup setup() {
+Setup setup(int version) {
     Setup result;
     result.voxel = 0.1;
     result.marginLow = {5.0, 1.0 / 3.0, 0.0};
@@ -128,7 +128,40 @@ Setup setup() {
     result.bodyMaterials = {"", "aluminium-6061"};
     result.stock = {{-0.1, -0.2, -0.3}, {100.1, 60.2, 40.3}};
     result.workOffset = {50.0, 30.0, 40.3};
+    if (version < 5) return result;
+    result.roles = {BodyRole::part, BodyRole::protectedInsert};
+    result.form = StockForm::cylinder;
+    result.stated = true;
+    result.cylinder = {{1.0 / 3.0, 0.1, -7.0}, {0.6, 0.0, 0.8}, 70.7, 1e3 / 7.0};
+    result.freeCarving = true;
+    MaterialRegion skin;
+    skin.name = "Haut";
+    skin.material = "aluminium-6061";
+    skin.axis = 1;
+    skin.to = 1.0 / 7.0;
+    MaterialRegion graded = skin;
+    graded.name = "graded";
+    graded.from = -0.1;
+    graded.grade.emplace();
+    graded.grade->formula = "0.1 + Z / 3";
+    graded.grade->entries = 5;
+    MaterialRegion table = graded;
+    table.name = "table";
+    table.grade->formula.clear();
+    table.grade->value = std::string(density);
+    table.grade->axis = 0;
+    table.grade->table = {{-1.0 / 3.0, 0.1}, {0.0, 2.7}, {1e9, 0.7}};
+    result.regions = {skin, graded, table};
     return result;
+}
+
+bool identical(const Setup& one, const Setup& other) {
+    return one.voxel == other.voxel && one.marginLow == other.marginLow && one.marginHigh == other.marginHigh &&
+           one.stockMaterial == other.stockMaterial && one.bodyMaterials == other.bodyMaterials &&
+           one.stock.low == other.stock.low && one.stock.high == other.stock.high &&
+           one.workOffset == other.workOffset && one.roles == other.roles && one.form == other.form &&
+           one.stated == other.stated && one.cylinder == other.cylinder && one.freeCarving == other.freeCarving &&
+           one.regions == other.regions && one.runs == other.runs;
 }
 
 std::vector<Property> materials() {

@@ -38,12 +38,6 @@ bool same(const StoredProgram& one, const StoredProgram& other) {
            one.text == other.text && one.reportJson == other.reportJson;
 }
 
-bool same(const Setup& one, const Setup& other) {
-    return one.voxel == other.voxel && one.marginLow == other.marginLow && one.marginHigh == other.marginHigh &&
-           one.stockMaterial == other.stockMaterial && one.bodyMaterials == other.bodyMaterials &&
-           one.stock.low == other.stock.low && one.stock.high == other.stock.high && one.workOffset == other.workOffset;
-}
-
 /// What stands around the setup and leads the hand, since version 3.
 bool holdsSurroundings(const Project& project, int version) {
     const Result<std::vector<Obstacle>> stored = project.obstacles();
@@ -146,7 +140,8 @@ bool fillProject(const std::filesystem::path& file) {
 bool holdsFixture(const Project& project, int version) {
     const Result<Model> storedModel = project.model();
     const Result<Setup> storedSetup = project.setup();
-    if (!storedModel || !identical(*storedModel, model()) || !storedSetup || !same(*storedSetup, setup())) return false;
+    if (!storedModel || !identical(*storedModel, model()) || !storedSetup || !identical(*storedSetup, setup(version)))
+        return false;
     const Result<std::vector<StoredPath>> paths = project.paths();
     const Result<std::vector<StoredProgram>> programs = project.programs();
     return holdsTakes(project, version) && holdsResources(project) && holdsSurroundings(project, version) &&

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/setup/formula.h"
-#include "core/setup/material_amount.h"
 #include "core/setup/material_region.h"
 #include "tests/core/setup/stock_bodies.h"
 
@@ -208,7 +207,7 @@ private slots:
             stockOf({layer("Bottom", "beech", 2, 0.0, 6.0), graded(layer("Top", "foam", 2, 6.0, 12.0), "1 + Z", 6)});
         const auto made = embedded(block(), setup);
         QVERIFY(made);
-        const std::vector<MaterialAmount> amounts = amountsOf(made->workpiece);
+        const std::vector<MaterialAmount> amounts = materialAmounts(*made);
         double volume = 0.0;
         for (const MaterialAmount& amount : amounts) {
             volume += amount.volume;

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/command_line.h"
+
+#include <string>
+
+namespace burin {
+
+class CommandContext;
+
+/// What a command about a library of the user's own files was asked.
+struct LibraryArguments {
+    std::string id, file, newId, name;
+    bool replace = false;
+};
+
+/// A command with list, show, add, copy and remove: its words, and what it does.
+struct LibraryCommand {
+    using Run = int (*)(const LibraryArguments&, CommandContext&);
+
+    const char* name; ///< "machines"
+    TextId about, list, show, add, addedFile, copy, copied, remove, replace;
+    TextId item; ///< what an id stands for, in the help of its argument
+    Run runList, runShow, runAdd, runCopy, runRemove;
+};
+
+void registerLibrary(CommandParser program, CommandContext& context, int& status, const LibraryCommand& library);
+
+} // namespace burin

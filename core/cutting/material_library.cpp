@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cutting/material_library.h"
+
+#include "core/base/resource_folder.h"
+#include "core/cutting/cutting_force.h"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace burin {
+
+namespace {
+
+/// A value that Burin reads, and what it may be.
+struct KnownValue {
+    std::string_view name, unit;
+    double above = 0.0; ///< not this itself
+    double below = 1e6; ///< nor this
+};
+// What others may be made of comes first.
+constexpr std::array knownValues{KnownValue{kienzleForce, "N/mm^2", 0.0, 100'000.0},
+                                 KnownValue{kienzleExponent, "1", -1e-9, 1.0},
+                                 KnownValue{specificCuttingEnergy, "J/mm^3", 0.0, 1000.0},
+                                 KnownValue{radialForceRatio, "1", 0.0, 10.0},
+                                 KnownValue{density, "g/cm^3", 0.0, 100.0},
+                                 KnownValue{surfaceSpeed, "m/min", 0.0, 100'000.0},
+                                 KnownValue{chipLoadPerDiameter, "1", 0.0, 1.0},
+                                 KnownValue{plungeFeedRatio, "1", 0.0, 1.000001}};
+
+Error wrong(const std::string& origin, std::string_view value, std::string why) {
+    return {ErrorCode::resourceInvalid, origin, std::string(value), std::move(why)};
+}
+
+bool has(const Property& material, std::string_view name) {
+    return material.values.find(name) != material.values.end();
+}
+
+} // namespace
+
+Result<void> checkMaterial(const Property& material, const std::string& origin) {
+    if (!isResourceId(material.id)) return wrong(origin, "id", "has to be letters, digits, '-', '_' and '.'");
+    if (material.name.empty()) return wrong(origin, "name", "has to be there");
+    for (const auto& [name, value] : material.values)
+        if (!std::isfinite(value.value)) return wrong(origin, name, "has to be a finite number");
+    for (const KnownValue& known : knownValues) {
+        const auto found = material.values.find(known.name);
+        if (found == material.values.end()) continue;
+        const NamedValue& value = found->second;
+        if (value.unit != known.unit)
+            return wrong(origin, known.name, "has to be in " + std::string(known.unit) + ", not in " + value.unit);
+        if (!(value.value > known.above && value.value < known.below))
+            return wrong(origin, known.name, "is out of what can be milled");
+    }
+    if (has(material, kienzleForce) != has(material, kienzleExponent))
+        return wrong(origin, has(material, kienzleForce) ? kienzleExponent : kienzleForce,
+                     "has to be there, as the other half of Kienzle's law is");
+    if (!has(material, specificCuttingEnergy) && !has(material, kienzleForce))
+        return wrong(origin, specificCuttingEnergy, "has to be there, or Kienzle's law: without it nothing is felt");
+    for (const std::string_view needed : {surfaceSpeed, chipLoadPerDiameter, plungeFeedRatio})
+        if (!has(material, needed)) return wrong(origin, needed, "has to be there: feeds and speeds come from it");
+    return {};
+}
+
+Property copyOf(const Property& material, const std::string& id, const std::string& name) {
+    Property copy = material;
+    copy.id = id;
+    copy.name = name;
+    const std::string from = "copy of " + material.id + ": ";
+    for (auto& [key, value] : copy.values)
+        if (!value.source.starts_with(from)) value.source = from + value.source;
+    return copy;
+}
+
+bool isShippedMaterial(std::string_view id) {
+    return isShipped(materialResource, id) && !isOfUser(materialResource, id);
+}
+
+Result<std::filesystem::path> saveMaterial(const Property& material, bool replace) {
+    if (Result<void> sound = checkMaterial(material, material.id); !sound) return std::move(sound).error();
+    Result<std::filesystem::path> file = userMaterialFile(material.id, replace);
+    if (!file) return file;
+    return saveUserResource(materialResource, material.id, toJson(material));
+}
+
+Result<void> removeMaterial(const std::string& id) {
+    if (isShippedMaterial(id))
+        return Error{ErrorCode::argumentInvalid, "material", id,
+                     "a material of your own; those that Burin is shipped with can't be deleted"};
+    return removeUserResource(materialResource, id);
+}
+
+} // namespace burin

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/exchange/surface_file.h"
+
+#include "core/base/file.h"
+
+#include <assimp/Exporter.hpp>
+#include <assimp/material.h>
+#include <assimp/mesh.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+#include <memory>
+#include <new>
+#include <system_error>
+
+namespace burin {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SurfaceFormat {
+    std::string_view suffix;
+    const char* id;     ///< assimp's
+    bool severalMeshes; ///< keeps materials apart
+};
+constexpr std::array surfaceFormats{SurfaceFormat{".stl", "stlb", false}, SurfaceFormat{".ply", "plyb", false},
+                                    SurfaceFormat{".3mf", "3mf", true}};
+
+const SurfaceFormat* formatOf(const fs::path& file) {
+    std::string suffix = file.extension().string();
+    std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const auto* found = std::ranges::find(surfaceFormats, suffix, &SurfaceFormat::suffix);
+    return found == surfaceFormats.end() ? nullptr : found;
+}
+
+/// One mesh of the triangles that are named.
+aiMesh* meshOf(const TriangleMesh& mesh, const std::vector<std::size_t>& triangles, unsigned material) {
+    auto made = std::make_unique<aiMesh>();
+    std::map<std::uint32_t, unsigned> place;
+    std::vector<std::uint32_t> vertices;
+    made->mNumFaces = static_cast<unsigned>(triangles.size());
+    made->mFaces = new aiFace[triangles.size()]; // NOLINT: the scene deletes it
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        aiFace& face = made->mFaces[i];
+        face.mNumIndices = 3;
+        face.mIndices = new unsigned[3]; // NOLINT: the face deletes it
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t vertex = mesh.triangles[triangles[i]][corner];
+            const auto [entry, isNew] = place.try_emplace(vertex, static_cast<unsigned>(vertices.size()));
+            if (isNew) vertices.push_back(vertex);
+            face.mIndices[corner] = entry->second;
+        }
+    }
+    made->mNumVertices = static_cast<unsigned>(vertices.size());
+    made->mVertices = new aiVector3D[vertices.size()]; // NOLINT: the mesh deletes it
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const glm::vec3 at(mesh.vertices[vertices[i]]);
+        made->mVertices[i] = {at.x, at.y, at.z};
+    }
+    made->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
+    made->mMaterialIndex = material;
+    return made.release();
+}
+
+aiMaterial* materialOf(const Property& property) {
+    auto made = std::make_unique<aiMaterial>();
+    const aiString name(property.name);
+    made->AddProperty(&name, AI_MATKEY_NAME);
+    const auto channel = [&](std::size_t i) { return static_cast<float>(property.colour[i]) / 255.0F; };
+    const aiColor4D colour(channel(0), channel(1), channel(2), 1.0F);
+    made->AddProperty(&colour, 1, AI_MATKEY_COLOR_DIFFUSE);
+    return made.release();
+}
+
+std::unique_ptr<aiScene> sceneOf(const VolumeSurface& surface, const PropertyList& materials, bool severalMeshes) {
+    std::map<PropertyIndex, std::vector<std::size_t>> parts;
+    for (std::size_t i = 0; i < surface.mesh.triangles.size(); ++i)
+        parts[severalMeshes ? surface.materials[i] : PropertyIndex{1}].push_back(i);
+    auto scene = std::make_unique<aiScene>();
+    const auto count = static_cast<unsigned>(parts.size());
+    scene->mMeshes = new aiMesh* [count] {}; // NOLINT: the scene deletes all of it
+    scene->mMaterials = new aiMaterial* [count] {};
+    scene->mRootNode = new aiNode("workpiece");
+    scene->mRootNode->mMeshes = new unsigned[count];
+    for (const auto& [property, triangles] : parts) {
+        const unsigned place = scene->mNumMeshes++;
+        scene->mMeshes[place] = meshOf(surface.mesh, triangles, place);
+        scene->mMaterials[place] = materialOf(materials[property]);
+        ++scene->mNumMaterials;
+        scene->mRootNode->mMeshes[scene->mRootNode->mNumMeshes++] = place;
+    }
+    return scene;
+}
+
+} // namespace
+
+bool isSurfaceFile(const fs::path& file) {
+    return formatOf(file) != nullptr;
+}
+
+Result<void> writeSurfaceFile(const fs::path& file, const VolumeSurface& surface, const PropertyList& materials) try {
+    const SurfaceFormat* format = formatOf(file);
+    if (format == nullptr)
+        return Error{ErrorCode::notSupported, "a surface as " + file.extension().string(), ".stl, .ply or .3mf", {}};
+    if (surface.mesh.triangles.empty()) return Error{ErrorCode::modelHasNoSolid, file.string(), "air alone", {}};
+    const std::unique_ptr<aiScene> scene = sceneOf(surface, materials, format->severalMeshes);
+    Assimp::Exporter exporter;
+    if (format->severalMeshes) { // its writer packs a file by itself
+        const fs::path beside = temporaryBeside(file);
+        if (exporter.Export(scene.get(), format->id, beside.string()) != aiReturn_SUCCESS) {
+            std::error_code ignored;
+            fs::remove(beside, ignored);
+            return Error{ErrorCode::fileNotWritable, file.string(), {}, exporter.GetErrorString()};
+        }
+        return replaceFile(beside, file);
+    }
+    const aiExportDataBlob* blob = exporter.ExportToBlob(scene.get(), format->id);
+    if (blob == nullptr) return Error{ErrorCode::outOfMemory, file.string(), {}, exporter.GetErrorString()};
+    return writeFileAtomically(file, {static_cast<const char*>(blob->data), blob->size});
+} catch (const std::bad_alloc&) {
+    return Error{ErrorCode::outOfMemory, file.string(), {}, {}};
+}
+
+} // namespace burin

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/geometry/triangle_mesh.h"
+#include "core/volume/runs/run_volume.h"
+
+#include <vector>
+
+namespace burin {
+
+/// The closed surface of all that is not air, with the material under each triangle.
+struct VolumeSurface {
+    TriangleMesh mesh;                    ///< mm, setup frame; outwards
+    std::vector<PropertyIndex> materials; ///< by triangle
+};
+/// At full detail, as it is drawn. Errors: cancelled, outOfMemory.
+Result<VolumeSurface> surfaceOf(const VolumeSnapshot& volume, Progress& progress);
+
+} // namespace burin

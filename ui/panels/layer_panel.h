@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/setup/material_amount.h"
+#include "core/setup/setup.h"
+#include "ui/theme/length_unit.h"
+
+#include <QWidget>
+
+#include <vector>
+
+namespace burin {
+
+struct LayerState {
+    std::vector<Property> materials; ///< of the library
+    std::vector<MaterialRegion> layers;
+    Box stock;                           ///< mm; empty: none yet
+    std::vector<MaterialAmount> amounts; ///< of the stock that is embedded; empty: none is
+    std::vector<RegionGrading> gradings; ///< of it
+    bool locked = false;                 ///< there are recordings
+    bool nothingPushesBack = false;      ///< the workpiece holds no part
+    QString problem;                     ///< why this can't be embedded; empty: it can
+};
+
+/// The layers of the stock in the order of their priority, one of them to be edited; and what the stock holds: each
+/// material with volume and mass.
+class LayerPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit LayerPanel(QWidget* parent = nullptr);
+    void setUnit(LengthUnit unit);
+    void setState(const LayerState& state); ///< never emits
+
+signals:
+    void layersEdited(const std::vector<burin::MaterialRegion>& layers);
+
+private:
+    class Fields;
+    Fields* fields_ = nullptr;
+};
+
+} // namespace burin

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/setup/setup.h"
+#include "ui/theme/length_unit.h"
+
+#include <QWidget>
+
+#include <functional>
+#include <vector>
+
+namespace burin {
+
+class ChoiceBox;
+class LengthField;
+class NamedSwitch;
+
+/// What the stock looks like: box, cylinder or bodies; around the part or where it is stated; and whether a part is
+/// wanted at all.
+class StockShapeFields : public QWidget {
+    Q_OBJECT
+public:
+    explicit StockShapeFields(QWidget* parent = nullptr);
+    void showSetup(const Setup& setup, bool locked); ///< never emits
+    void setUnit(LengthUnit unit);
+
+signals:
+    void edited(const burin::Setup& setup);
+
+private:
+    using Get = std::function<double(const Setup&)>;
+    using Set = std::function<void(Setup&, double)>;
+    struct Field {
+        LengthField* field;
+        QWidget* row;
+        StockForm form;
+        Get get;
+    };
+    void addField(StockForm form, const QString& label, const char* name, double least, Get get, Set set);
+    void addBoxFields();
+    void addCylinderFields();
+    void chooseAxis(int axis);
+    int axisChosen() const;
+
+    Setup setup_;
+    ChoiceBox *form_, *axis_;
+    QWidget* axisRow_;
+    NamedSwitch *stated_, *freeCarving_;
+    std::vector<Field> fields_;
+};
+
+} // namespace burin
