@@ -20,7 +20,7 @@ std::string worded(std::size_t count, TextId one, TextId many, std::initializer_
 }
 
 std::string resourceName(const std::string& name) {
-    return worded({"Resource", name.c_str()});
+    return Messages::resourceName(name).toStdString();
 }
 
 } // namespace burin

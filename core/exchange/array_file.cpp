@@ -441,17 +441,21 @@ double VoxelArray::at(std::size_t place) const {
     return std::visit([place](const auto& numbers) { return static_cast<double>(numbers[place]); }, values);
 }
 
-Result<VoxelArray> readArrayFile(const fs::path& file) try {
+Result<VoxelArray> readArrayFile(const fs::path& file) {
     Result<std::string> content = readFile(file);
     if (!content) return std::move(content).error();
-    if (content->empty()) return Error{ErrorCode::fileEmpty, file.string(), {}, {}};
+    return readArray(std::move(*content), file);
+}
+
+Result<VoxelArray> readArray(std::string content, const fs::path& file) try {
+    if (content.empty()) return Error{ErrorCode::fileEmpty, file.string(), {}, {}};
     Result<Layout> layout = [&]() -> Result<Layout> {
-        if (content->starts_with("NRRD000")) return NrrdHeader(*content, file.string()).read();
-        if (content->starts_with('{')) return readJsonHeader(*content, file.string());
+        if (content.starts_with("NRRD000")) return NrrdHeader(content, file.string()).read();
+        if (content.starts_with('{')) return readJsonHeader(content, file.string());
         return Error{ErrorCode::fileFormatUnknown, file.string(), {}, {}};
     }();
     if (!layout) return std::move(layout).error();
-    return arrayOf(*layout, file, std::move(*content));
+    return arrayOf(*layout, file, std::move(content));
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory, file.string(), {}, {}};
 }

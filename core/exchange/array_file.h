@@ -35,6 +35,8 @@ struct VoxelArray {
 /// Errors: fileNotFound, fileNotReadable, fileEmpty, fileFormatUnknown, notSupported (subject: what; place: what can be
 /// done), fileDamaged (place: the line or the length), volumeTooLarge, outOfMemory.
 Result<VoxelArray> readArrayFile(const std::filesystem::path& file);
+/// The same of a content that was read. @param file that it comes from: data that stand apart are looked for beside it
+Result<VoxelArray> readArray(std::string content, const std::filesystem::path& file);
 
 /// A header and the data behind it, as one file. @param values one a voxel
 std::string nrrdOf(const glm::ivec3& count, double edge, const glm::dvec3& low,

@@ -198,6 +198,15 @@ QString Messages::sentence(const Error& error) {
     return tr("An unknown fault occurred in \"%1\"; report this.").arg(subject); // a number that is no code
 }
 
+QString Messages::resourceName(const std::string& name) {
+    for (std::size_t end = name.size(); end != std::string::npos && end > 0; end = name.rfind(" (", end - 1)) {
+        const std::string known = name.substr(0, end);
+        const QString worded = QCoreApplication::translate("Resource", known.c_str());
+        if (worded != QString::fromStdString(known)) return worded + QString::fromStdString(name.substr(end));
+    }
+    return QString::fromStdString(name);
+}
+
 QString Messages::text(TextId id) {
     return QCoreApplication::translate(id.context, id.text);
 }

@@ -23,6 +23,10 @@ public:
     /// A text that core marked with BURIN_TEXT, in the language of the user interface.
     static QString text(TextId id);
 
+    /// The name of a tool, machine or material: in the language of the user interface where Burin is shipped with it.
+    /// Of one that bears the name of a body or layer behind it ("Machinable wax (Block)"), what is before that.
+    static QString resourceName(const std::string& name);
+
     /// Words everything in the first of the locale's languages that there is a translation of; English is the source.
     /// Needs a QCoreApplication. False: there is none, and all stays English.
     static bool install(const QLocale& locale);

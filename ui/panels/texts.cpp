@@ -65,10 +65,6 @@ class PanelTexts {
     QT_TRANSLATE_NOOP("Resource", "Vertical machining centre with a Haas control (typical)"),
 };
 
-QString shippedName(const std::string& name) {
-    return QCoreApplication::translate("Resource", name.c_str());
-}
-
 /// So many digits that three or four count.
 QString fewDigits(double value) {
     const double size = std::abs(value);
@@ -92,7 +88,7 @@ QString withoutTrailingZeros(QString number) {
 } // namespace
 
 QString toolName(const Tool& tool) {
-    return shippedName(tool.name);
+    return Messages::resourceName(tool.name);
 }
 
 QString toolName(const std::vector<Tool>& tools, const std::string& id) {
@@ -101,7 +97,7 @@ QString toolName(const std::vector<Tool>& tools, const std::string& id) {
 }
 
 QString materialName(const Property& material) {
-    return shippedName(material.name);
+    return Messages::resourceName(material.name);
 }
 
 QString takeName(const std::string& name) {
