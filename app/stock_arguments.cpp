@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 
 namespace burin {
@@ -233,6 +234,42 @@ Result<Setup> withStock(Setup setup, const StockArguments& arguments, const Mode
     if (Result<void> set = setForm(setup, arguments); !set) return std::move(set).error();
     if (Result<void> set = setLayers(setup, arguments); !set) return std::move(set).error();
     return setup;
+}
+
+nlohmann::json jsonOfLayers(const Setup& setup) {
+    const auto plane = [](double at) { return std::isfinite(at) ? nlohmann::json(at) : nlohmann::json(); };
+    nlohmann::json list = nlohmann::json::array();
+    for (const MaterialRegion& layer : setup.regions)
+        list.push_back({{"name", layer.name},
+                        {"material", layer.material},
+                        {"axis", std::string(1, axisNames[static_cast<std::size_t>(layer.axis)])},
+                        {"from_mm", plane(layer.from)},
+                        {"to_mm", plane(layer.to)},
+                        {"graded", layer.grade ? nlohmann::json(layer.grade->value) : nlohmann::json()}});
+    return list;
+}
+
+nlohmann::json jsonOfRoles(const Model& model, const Setup& setup) {
+    nlohmann::json roles = nlohmann::json::object();
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) roles[nameOf(model, i)] = idOf(roleOf(setup, i));
+    return roles;
+}
+
+std::string textOfStock(const Model& model, const Setup& setup) {
+    std::string text;
+    if (setup.form != StockForm::box)
+        text += "\n  " + worded(BURIN_TEXT("Command", "form     %1"), {std::string(idOf(setup.form))});
+    for (std::size_t i = 0; i < model.bodies.size(); ++i)
+        if (const BodyRole role = roleOf(setup, i); role != BodyRole::part)
+            text +=
+                "\n  " + worded(BURIN_TEXT("Command", "role     %1: %2"), {nameOf(model, i), std::string(idOf(role))});
+    const auto plane = [](double at) { return std::isfinite(at) ? formatShortest(at) : std::string("…"); };
+    for (const MaterialRegion& layer : setup.regions)
+        text += "\n  " +
+                worded(BURIN_TEXT("Command", "layer    %1: %2, %3 from %4 to %5 mm"),
+                       {layer.name, layer.material, std::string(1, axisNames[static_cast<std::size_t>(layer.axis)]),
+                        plane(layer.from), plane(layer.to)});
+    return text;
 }
 
 nlohmann::json jsonOfMaterials(const EmbeddedSetup& embedded) {

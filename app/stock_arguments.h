@@ -29,6 +29,13 @@ void addStock(CommandParser command, StockArguments& arguments);
 /// layer).
 Result<Setup> withStock(Setup setup, const StockArguments& arguments, const Model& model);
 
+/// {"name", "material", "axis", "from_mm", "to_mm", "graded"}, in the order of their priority.
+nlohmann::json jsonOfLayers(const Setup& setup);
+/// The role of each body by its name.
+nlohmann::json jsonOfRoles(const Model& model, const Setup& setup);
+/// The form of the stock, roles that are no part, and layers, a line each; empty for a box of one material.
+std::string textOfStock(const Model& model, const Setup& setup);
+
 /// Each material with its volume and mass, each graded layer with its error.
 nlohmann::json jsonOfMaterials(const EmbeddedSetup& embedded);
 nlohmann::json jsonOfGradings(const EmbeddedSetup& embedded);

@@ -1373,6 +1373,18 @@
         <source>Reading</source>
         <translation>Lesen</translation>
     </message>
+    <message>
+        <source>form     %1</source>
+        <translation>Form     %1</translation>
+    </message>
+    <message>
+        <source>role     %1: %2</source>
+        <translation>Rolle    %1: %2</translation>
+    </message>
+    <message>
+        <source>layer    %1: %2, %3 from %4 to %5 mm</source>
+        <translation>Schicht  %1: %2, %3 von %4 bis %5 mm</translation>
+    </message>
 </context>
 <context>
     <name>Detail</name>

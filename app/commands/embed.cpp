@@ -76,12 +76,6 @@ Result<Model> modelOf(const EmbedArguments& arguments, CommandContext& context) 
     return importModel(arguments.model, options, context.progress());
 }
 
-nlohmann::json rolesOf(const Model& model, const Setup& setup) {
-    nlohmann::json roles = nlohmann::json::object();
-    for (std::size_t i = 0; i < model.bodies.size(); ++i) roles[nameOf(model, i)] = idOf(roleOf(setup, i));
-    return roles;
-}
-
 int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
     if (const Result<void> free = checkPlaces(arguments); !free) return context.fail(free.error());
     if (const Result<void> allowed = mayBeReplaced(arguments); !allowed) return context.fail(allowed.error());
@@ -141,7 +135,7 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
                                 {"material", setup->stockMaterial},
                                 {"stock_form", idOf(setup->form)},
                                 {"free_carving", setup->freeCarving},
-                                {"roles", rolesOf(*model, *setup)},
+                                {"roles", jsonOfRoles(*model, *setup)},
                                 {"materials", jsonOfMaterials(*embedded)},
                                 {"graded", jsonOfGradings(*embedded)},
                                 {"axis", jsonOf(*axis)},

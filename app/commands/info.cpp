@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
 #include "app/report.h"
+#include "app/stock_arguments.h"
 #include "app/surroundings.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
@@ -111,6 +112,10 @@ int runInfo(const std::string& file, CommandContext& context) {
                              : json{{"stock_box_mm", burin::jsonOf(setup->stock)},
                                     {"voxel_mm", setup->voxel},
                                     {"material", setup->stockMaterial},
+                                    {"stock_form", idOf(setup->form)},
+                                    {"free_carving", setup->freeCarving},
+                                    {"roles", model ? jsonOfRoles(*model, *setup) : json::object()},
+                                    {"layers", jsonOfLayers(*setup)},
                                     {"work_offset_mm", burin::jsonOf(setup->workOffset)}};
     std::uint64_t samples = 0;
     std::ostringstream text;
@@ -121,7 +126,8 @@ int runInfo(const std::string& file, CommandContext& context) {
     if (setup)
         text << "\n  "
              << worded(BURIN_TEXT("Command", "stock    %1, voxel %2 mm"),
-                       {setup->stockMaterial, formatShortest(setup->voxel)});
+                       {setup->stockMaterial, formatShortest(setup->voxel)})
+             << (model ? textOfStock(*model, *setup) : std::string());
     if (setup) text << "\n  " << worded(BURIN_TEXT("Command", "axis     %1"), {textOf(around->axis)});
     for (const Obstacle& obstacle : around->obstacles) text << "\n  " << textOf(obstacle);
     for (const TakeInfo& take : *takes) {

@@ -140,9 +140,10 @@ void PartPanel::Fields::makeRole(PartPanel* panel) {
     connect(bodies_, &RowList::rowChosen, panel, [this] { refreshRole(); });
     connect(role_, &QComboBox::activated, panel, [this, panel](int index) {
         if (bodies_->currentRow() < 0) return;
-        emit panel->roleChosen(static_cast<std::size_t>(bodies_->currentRow()),
-                               bodyRoles[static_cast<std::size_t>(index)]);
-        refreshRole(); // as it stands, whoever refused
+        const auto body = static_cast<std::size_t>(bodies_->currentRow());
+        if (state.roles.size() <= body) state.roles.resize(body + 1, BodyRole::part);
+        state.roles[body] = bodyRoles[static_cast<std::size_t>(index)];
+        emit panel->roleChosen(body, state.roles[body]);
     });
 }
 

@@ -56,9 +56,16 @@ void ScenePresenter::present() {
 /// A part takes the place of its preview, which is drawn only while the tool is not in hand: that needs the picture.
 void ScenePresenter::presentPart() {
     const auto& preview = workbench_.model.preview();
-    if (part_ != workbench_.model.model()) {
-        part_ = workbench_.model.model();
-        if (preview_ && !preview && part_ && part_->sourceFile == preview_->sourceFile) {
+    // Where the workpiece stands, bodies of other roles are in it, around it or not there.
+    const auto& model = workbench_.model.model();
+    const auto wanted = workbench_.workpiece.embedded() ? workbench_.workpiece.milling()->partModel : model;
+    if (part_ != wanted) {
+        const bool same = model_ == model;
+        part_ = wanted;
+        model_ = model;
+        if (same) {
+            viewport_.setPart(part_);
+        } else if (preview_ && !preview && part_ && part_->sourceFile == preview_->sourceFile) {
             preview_.reset();
             viewport_.setPreviewedPart(part_);
         } else {

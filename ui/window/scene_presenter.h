@@ -35,6 +35,7 @@ private:
     LiveStrokes live_;
     const Actions& actions_;
     std::shared_ptr<const Model> part_;           ///< that is drawn
+    std::shared_ptr<const Model> model_;          ///< that it is of
     std::shared_ptr<const ModelPreview> preview_; ///< that is drawn in its stead
     bool bare_ = false;
     std::optional<glm::dvec3> toolTip_;

@@ -73,6 +73,11 @@ void SurroundingsPresenter::present() {
         state.obstacles.push_back({placed.obstacle, placed.on, news});
         marks.push_back({placed.obstacle, placed.on, news == BoundNews::holds});
     }
+    if (workbench_.workpiece.embedded()) { // bodies of the model that hold the stock
+        const std::shared_ptr<const MillingContext> milling = workbench_.workpiece.milling();
+        for (const Obstacle& fixture : milling->bodyFixtures)
+            marks.push_back({std::shared_ptr<const Obstacle>(milling, &fixture), true, false});
+    }
     state.travelOn = surroundings.travelOn();
     state.travel = newsOf(surroundings.travelNews());
     state.axis = surroundings.axis();
