@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/material_card.h"
 
+#include "core/base/clean_text.h"
 #include "core/base/numbers.h"
 
 #include <yaml-cpp/yaml.h>
@@ -49,7 +50,8 @@ Result<MaterialCard> readSections(std::string_view text, const std::string& orig
         const std::size_t equals = content.find('=');
         if (equals == std::string_view::npos)
             return Error{ErrorCode::resourceInvalid, origin, "line " + std::to_string(number), "has no ="};
-        card.values.try_emplace(std::string(trimmed(content.substr(0, equals))), trimmed(content.substr(equals + 1)));
+        card.values.try_emplace(std::string(trimmed(content.substr(0, equals))),
+                                cleanLine(trimmed(content.substr(equals + 1))));
     }
     return card;
 }
@@ -80,7 +82,7 @@ void collect(const YAML::Node& node, MaterialCard& card, std::size_t depth, std:
         --left;
         if (!entry.first.IsScalar()) continue;
         if (entry.second.IsScalar())
-            card.values.try_emplace(entry.first.Scalar(), trimmed(entry.second.Scalar()));
+            card.values.try_emplace(entry.first.Scalar(), cleanLine(trimmed(entry.second.Scalar())));
         else
             collect(entry.second, card, depth + 1, left);
     }

@@ -5,6 +5,7 @@
 #include "core/base/file.h"
 
 #include <assimp/Exporter.hpp>
+#include <assimp/Importer.hpp>
 #include <assimp/material.h>
 #include <assimp/mesh.h>
 #include <assimp/scene.h>
@@ -86,15 +87,39 @@ std::unique_ptr<aiScene> sceneOf(const VolumeSurface& surface, const PropertyLis
     scene->mMeshes = new aiMesh* [count] {}; // NOLINT: the scene deletes all of it
     scene->mMaterials = new aiMaterial* [count] {};
     scene->mRootNode = new aiNode("workpiece");
-    scene->mRootNode->mMeshes = new unsigned[count];
+    auto* node = new aiNode("surface"); // the 3MF writer leaves out meshes of the root itself
+    scene->mRootNode->addChildren(1, &node);
+    node->mMeshes = new unsigned[count];
     for (const auto& [property, triangles] : parts) {
         const unsigned place = scene->mNumMeshes++;
         scene->mMeshes[place] = meshOf(surface.mesh, triangles, place);
         scene->mMaterials[place] = materialOf(materials[property]);
         ++scene->mNumMaterials;
-        scene->mRootNode->mMeshes[scene->mRootNode->mNumMeshes++] = place;
+        node->mMeshes[node->mNumMeshes++] = place;
     }
     return scene;
+}
+
+/// The 3MF writer packs a file by itself and does not tell when the disk is full: what it wrote is read back.
+bool holds(const fs::path& file, std::size_t triangles) {
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFile(file.string(), 0);
+    if (scene == nullptr) return false;
+    std::size_t found = 0;
+    for (unsigned i = 0; i < scene->mNumMeshes; ++i) found += scene->mMeshes[i]->mNumFaces;
+    return found == triangles;
+}
+
+Result<void> writePacked(const aiScene& scene, const char* format, std::size_t triangles, const fs::path& file) {
+    fs::path beside = temporaryBeside(file);
+    beside += ".3mf"; // the reader goes by it
+    Assimp::Exporter exporter;
+    const bool written = exporter.Export(&scene, format, beside.string()) == aiReturn_SUCCESS;
+    if (written && holds(beside, triangles)) return replaceFile(beside, file);
+    std::error_code ignored;
+    fs::remove(beside, ignored);
+    return Error{
+        ErrorCode::fileNotWritable, file.string(), {}, written ? "the disk may be full" : exporter.GetErrorString()};
 }
 
 } // namespace
@@ -109,16 +134,8 @@ Result<void> writeSurfaceFile(const fs::path& file, const VolumeSurface& surface
         return Error{ErrorCode::notSupported, "a surface as " + file.extension().string(), ".stl, .ply or .3mf", {}};
     if (surface.mesh.triangles.empty()) return Error{ErrorCode::modelHasNoSolid, file.string(), "air alone", {}};
     const std::unique_ptr<aiScene> scene = sceneOf(surface, materials, format->severalMeshes);
+    if (format->severalMeshes) return writePacked(*scene, format->id, surface.mesh.triangles.size(), file);
     Assimp::Exporter exporter;
-    if (format->severalMeshes) { // its writer packs a file by itself
-        const fs::path beside = temporaryBeside(file);
-        if (exporter.Export(scene.get(), format->id, beside.string()) != aiReturn_SUCCESS) {
-            std::error_code ignored;
-            fs::remove(beside, ignored);
-            return Error{ErrorCode::fileNotWritable, file.string(), {}, exporter.GetErrorString()};
-        }
-        return replaceFile(beside, file);
-    }
     const aiExportDataBlob* blob = exporter.ExportToBlob(scene.get(), format->id);
     if (blob == nullptr) return Error{ErrorCode::outOfMemory, file.string(), {}, exporter.GetErrorString()};
     return writeFileAtomically(file, {static_cast<const char*>(blob->data), blob->size});
