@@ -5,9 +5,7 @@
 #include "app/command.h"
 #include "app/wording.h"
 #include "core/base/file.h"
-#include "core/base/steps.h"
 #include "core/exchange/array_volume.h"
-#include "core/exchange/surface_file.h"
 #include "core/volume/packed/volume_file.h"
 
 #include <array>
@@ -47,36 +45,6 @@ Result<RunVolume> readArray(const std::string& file, const std::string& table, C
     return volumeOf(*array, *parsed);
 }
 
-/// The array and its table: both or none.
-Result<WrittenVolume> writeArray(const fs::path& file, const VolumeSnapshot& volume) {
-    const Grid& grid = volume.grid();
-    const WholeVoxels whole = wholeVoxels(volume);
-    fs::path table = file;
-    table.replace_extension(".table.json");
-    Result<StagedFile> values =
-        StagedFile::containing(file, nrrdOf(grid.count(), grid.edge(), grid.low(), whole.properties));
-    if (!values) return std::move(values).error();
-    Result<StagedFile> entries = StagedFile::containing(table, tableOf(volume.properties()));
-    if (!entries) return std::move(entries).error();
-    const Result<void> placed = inOrder([&] { return values->keepPrevious(); }, [&] { return entries->keepPrevious(); },
-                                        [&] { return values->putInPlace(); }, [&] { return entries->putInPlace(); });
-    if (!placed) {
-        values->takeBack();
-        return placed.error();
-    }
-    return WrittenVolume{{}, fs::absolute(table).lexically_normal().string(), 0, whole.roundedEnds};
-}
-
-Result<WrittenVolume> writeSurface(const fs::path& file, const VolumeSnapshot& volume, CommandContext& context) {
-    const Result<VolumeSurface> surface = surfaceOf(volume, context.progress());
-    if (!surface) return surface.error();
-    if (Result<void> written = writeSurfaceFile(file, *surface, volume.properties()); !written)
-        return std::move(written).error();
-    WrittenVolume written;
-    written.triangles = surface->mesh.triangles.size();
-    return written;
-}
-
 } // namespace
 
 Result<RunVolume> readAnyVolume(const std::string& file, const std::string& table, CommandContext& context) {
@@ -88,24 +56,6 @@ Result<RunVolume> readAnyVolume(const std::string& file, const std::string& tabl
     if (!content) return std::move(content).error();
     if (const std::optional<Error> damage = content->damage()) return *damage;
     return std::move(content->volume);
-}
-
-Result<WrittenVolume> writeAnyVolume(const std::string& file, const VolumeSnapshot& volume, CommandContext& context) {
-    const fs::path path(file);
-    Result<WrittenVolume> written = [&]() -> Result<WrittenVolume> {
-        if (isSurfaceFile(path)) return writeSurface(path, volume, context);
-        if (path.extension() == ".nrrd") return writeArray(path, volume);
-        if (path.extension() != ".srle")
-            return Error{ErrorCode::notSupported,
-                         "a volume as " + path.extension().string(),
-                         ".srle, .nrrd, .stl, .ply or .3mf",
-                         {}};
-        if (Result<void> done = writeVolumeFile(path, volume, context.progress()); !done)
-            return std::move(done).error();
-        return WrittenVolume{};
-    }();
-    if (written) written->file = fs::absolute(path).lexically_normal().string();
-    return written;
 }
 
 } // namespace burin

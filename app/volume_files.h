@@ -15,12 +15,4 @@ class CommandContext;
 /// volumeOf, argumentInvalid (an array without a table).
 Result<RunVolume> readAnyVolume(const std::string& file, const std::string& table, CommandContext& context);
 
-struct WrittenVolume {
-    std::string file, table;       ///< absolute; the table of an array's materials, or empty
-    std::size_t triangles = 0;     ///< of a surface
-    std::uint64_t roundedEnds = 0; ///< as WholeVoxels
-};
-/// Writes a volume by the suffix. Errors: notSupported (another one), those of writing.
-Result<WrittenVolume> writeAnyVolume(const std::string& file, const VolumeSnapshot& volume, CommandContext& context);
-
 } // namespace burin

@@ -515,6 +515,14 @@
         <source>Export the rest of the program from the selected line, with a safe re-entry into the cut, for example after tool breakage.</source>
         <translation>Den Rest des Programms ab der gewählten Zeile ausgeben, mit einem sicheren Wiedereintritt in den Schnitt, etwa nach einem Werkzeugbruch.</translation>
     </message>
+    <message>
+        <source>Export the &amp;workpiece…</source>
+        <translation>&amp;Werkstück exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the workpiece as a surface (STL, PLY, 3MF) or as voxels.</source>
+        <translation>Das Werkstück als Oberfläche (STL, PLY, 3MF) oder als Voxel schreiben.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -3264,6 +3272,14 @@
     <message>
         <source>Parts (%1);;All files (*)</source>
         <translation>Teile (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export the workpiece</source>
+        <translation>Werkstück exportieren</translation>
+    </message>
+    <message>
+        <source>Surfaces and voxels (*.stl *.ply *.3mf *.srle *.nrrd)</source>
+        <translation>Oberflächen und Voxel (*.stl *.ply *.3mf *.srle *.nrrd)</translation>
     </message>
 </context>
 <context>
@@ -6108,6 +6124,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Remove it from the list</source>
         <translation>Aus der Liste entfernen</translation>
     </message>
+    <message>
+        <source>workpiece</source>
+        <translation>Werkstück</translation>
+    </message>
 </context>
 <context>
     <name>burin::EditCard</name>
@@ -7569,6 +7589,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>An earlier version of Burin saved this project; the previous file is kept as “%1”.</source>
         <translation>Dieses Projekt wurde mit einer früheren Fassung von Burin gespeichert; die bisherige Datei bleibt als „%1“ erhalten.</translation>
+    </message>
+    <message>
+        <source>The workpiece was written to “%1”.</source>
+        <translation>Das Werkstück wurde in „%1“ geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -10008,6 +10032,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Computing the boundary around the tool</source>
         <translation>Grenzfläche rund um das Werkzeug wird berechnet</translation>
+    </message>
+    <message>
+        <source>Exporting the workpiece</source>
+        <translation>Werkstück wird exportiert</translation>
     </message>
 </context>
 </TS>

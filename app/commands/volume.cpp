@@ -6,6 +6,7 @@
 #include "core/base/numbers.h"
 #include "core/base/steps.h"
 #include "core/document/companions.h"
+#include "core/exchange/volume_output.h"
 #include "core/job/milling_context.h"
 #include "core/volume/operations/boolean.h"
 #include "core/volume/operations/boundary.h"
@@ -159,7 +160,7 @@ int runMake(const VolumeArguments& arguments, Make make, CommandContext& context
     Result<RunVolume> volume = make(arguments, context);
     if (!volume) return context.fail(volume.error());
     context.stage(BURIN_TEXT("Command", "Saving"));
-    const Result<WrittenVolume> written = writeAnyVolume(arguments.output, volume->snapshot(), context);
+    const Result<WrittenVolume> written = writeAnyVolume(arguments.output, volume->snapshot(), context.progress());
     if (!written) return context.fail(written.error());
     json answer = jsonOf(volume->grid());
     answer["file"] = written->file;

@@ -73,8 +73,8 @@ private slots:
 
     void theWorkpieceOfAProjectIsExported() {
         const QString project = in("p.burin");
-        QCOMPARE(runBurin({"embed", BURIN_FIXTURES "/models/cube.brep", "-o", project, "--voxel", "0.5", "--margin", "5",
-                           "--material", "machinable-wax"})
+        QCOMPARE(runBurin({"embed", BURIN_FIXTURES "/models/cube.brep", "-o", project, "--voxel", "0.5", "--margin",
+                           "5", "--material", "machinable-wax"})
                      .status,
                  0);
         QCOMPARE(runBurin({"mill", project, "--fast", "--seconds", "5"}).status, 0);

@@ -9,6 +9,7 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QTemporaryDir>
 #include <QtTest>
 
 using namespace burin;
@@ -171,6 +172,25 @@ private slots:
         QVERIFY(recordLine(driver, {-5, 0}, {5, 0}));
         QVERIFY(driver.settle());
         QVERIFY(removedSoFar(*workbench.workpiece.milling()) > 1.0);
+    }
+
+    void theWorkpieceIsExported() {
+        WindowDriver driver(QSize(1280, 800));
+        QVERIFY(open(driver));
+        QVERIFY(embed(driver));
+        const QTemporaryDir folder;
+        for (const char* name : {"w.stl", "w.3mf", "w.srle"}) {
+            const QString file = folder.filePath(name);
+            driver.whenDialogStands([&](QWidget& dialog) {
+                auto* const field = dialog.findChild<QLineEdit*>("fileNameEdit");
+                field->setText(file);
+                QTest::keyClick(field, Qt::Key_Return);
+            });
+            driver.window().setFocus();
+            driver.key(Qt::Key_W, Qt::ControlModifier | Qt::ShiftModifier);
+            QVERIFY2(driver.waitFor([&] { return QFile::exists(file); }), name);
+            QVERIFY(driver.settle());
+        }
     }
 
     void aRoundBarIsStock() {

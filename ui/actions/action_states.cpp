@@ -24,6 +24,8 @@ void ActionStates::update() {
     enable(ActionId::save, workbench.document.isOpen());
     enable(ActionId::saveAs, workbench.document.isOpen());
     enable(ActionId::exportProgram, workbench.program.exportable());
+    enable(ActionId::exportWorkpiece,
+           workbench.workpiece.embedded() && !workbench.session.running() && !workbench.workpiece.exporting());
     enable(ActionId::embed, workbench.setup.usable() && !workbench.setup.locked() && !workbench.workpiece.embedding());
     enable(ActionId::addFixtureFile,
            workbench.setup.hasPart() && !workbench.surroundings.locked() && !workbench.surroundings.importing());

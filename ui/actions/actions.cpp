@@ -34,6 +34,8 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Save the project under another name and continue with it."), "Ctrl+Shift+S"},
     Row{ActionId::exportProgram, "exportAction", QT_TRANSLATE_NOOP("Actions", "&Export the program…"),
         QT_TRANSLATE_NOOP("Actions", "Write the program that passed its check to a file."), "Ctrl+E"},
+    Row{ActionId::exportWorkpiece, "exportWorkpieceAction", QT_TRANSLATE_NOOP("Actions", "Export the &workpiece…"),
+        QT_TRANSLATE_NOOP("Actions", "Write the workpiece as a surface (STL, PLY, 3MF) or as voxels."), "Ctrl+Shift+W"},
     Row{ActionId::undo, "undoAction", QT_TRANSLATE_NOOP("Actions", "&Undo"),
         QT_TRANSLATE_NOOP("Actions", "Undo the last change."), "Ctrl+Z"},
     Row{ActionId::redo, "redoAction", QT_TRANSLATE_NOOP("Actions", "&Redo"),

@@ -19,6 +19,7 @@ enum class ActionId : std::size_t {
     save,
     saveAs,
     exportProgram,
+    exportWorkpiece,
     undo, ///< its text and that of redo name what it would do
     redo,
     preferences,

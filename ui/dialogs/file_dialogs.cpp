@@ -82,4 +82,9 @@ QString askProgramToExport(QWidget* parent, const QString& folder, const QString
                      FileDialogs::tr("Programs (*.ngc *.nc *.tap);;All files (*)"));
 }
 
+QString askWorkpieceToExport(QWidget* parent, const QString& folder, const QString& name) {
+    return askToSave(parent, FileDialogs::tr("Export the workpiece"), folder, name, QStringLiteral("stl"),
+                     FileDialogs::tr("Surfaces and voxels (*.stl *.ply *.3mf *.srle *.nrrd)"));
+}
+
 } // namespace burin

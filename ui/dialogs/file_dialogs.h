@@ -18,5 +18,7 @@ QString askMachineToAdd(QWidget* parent, const QString& folder);
 QString askProjectToSave(QWidget* parent, const QString& folder, const QString& name);
 /// With the ending .ngc unless the user gave another.
 QString askProgramToExport(QWidget* parent, const QString& folder, const QString& name);
+/// With the ending .stl unless the user gave another.
+QString askWorkpieceToExport(QWidget* parent, const QString& folder, const QString& name);
 
 } // namespace burin

@@ -41,6 +41,7 @@ DocumentFlow::DocumentFlow(Workbench& workbench, UserSettings& settings, QWidget
     : QObject(&window), workbench_(workbench), settings_(settings), window_(window) {
     connect(&workbench.document, &DocumentController::opened, this, [this] { noteSaved(); });
     connect(&workbench.program, &ProgramController::exported, this, &DocumentFlow::exported);
+    connect(&workbench.workpiece, &WorkpieceController::exported, this, &DocumentFlow::workpieceExported);
     connect(&workbench.program, &ProgramController::restarted, this,
             [this](const std::shared_ptr<const RestartedProgram>& rest) {
                 // Its dialog stays open: whoever delivers the rest ends first, and with it the progress that is shown.
@@ -62,6 +63,7 @@ void DocumentFlow::connectActions(const Actions& actions) {
     on(ActionId::save, &DocumentFlow::save);
     on(ActionId::saveAs, &DocumentFlow::saveAs);
     on(ActionId::exportProgram, &DocumentFlow::exportProgram);
+    on(ActionId::exportWorkpiece, &DocumentFlow::exportWorkpiece);
 }
 
 QString DocumentFlow::folder() const {
@@ -239,6 +241,15 @@ void DocumentFlow::exportProgram() {
     if (file.isEmpty()) return;
     keepFolder(file);
     workbench_.program.exportTo(pathOf(file));
+}
+
+void DocumentFlow::exportWorkpiece() {
+    if (!workbench_.workpiece.embedded() || workbench_.session.running()) return;
+    const QString name = QFileInfo(workbench_.document.title()).completeBaseName();
+    const QString file = askWorkpieceToExport(&window_, folder(), name.isEmpty() ? tr("workpiece") : name);
+    if (file.isEmpty()) return;
+    keepFolder(file);
+    workbench_.workpiece.exportTo(pathOf(file));
 }
 
 void DocumentFlow::restartProgram(int line) {

@@ -34,6 +34,7 @@ public:
     void save();
     void saveAs();
     void exportProgram();
+    void exportWorkpiece();
     /// The rest of the program from a line of its text on; asks for the file once it passed its check.
     void restartProgram(int line);
 
@@ -48,7 +49,8 @@ signals:
     void begun();                          ///< another file is looked at: what was said of the last one is past
     void alreadyOpen();                    ///< what was to be opened is the open project
     void refused(const QString& sentence); ///< a file, and why; nothing has changed
-    void exported(const QString& file);
+    void exported(const QString& file);    ///< a program
+    void workpieceExported(const QString& file);
     void restartExported(int line, const QString& file);
 
 private:

@@ -127,6 +127,9 @@ void MainWindow::connectWorkbench() {
     connect(&flow_, &DocumentFlow::exported, this, [this](const QString& file) {
         message_->tell(Notice::Kind::passed, tr("The program was written to “%1”.").arg(QFileInfo(file).fileName()));
     });
+    connect(&flow_, &DocumentFlow::workpieceExported, this, [this](const QString& file) {
+        message_->tell(Notice::Kind::passed, tr("The workpiece was written to “%1”.").arg(QFileInfo(file).fileName()));
+    });
     connect(&flow_, &DocumentFlow::restartExported, this, [this](int line, const QString& file) {
         message_->tell(Notice::Kind::passed,
                        tr("The rest of the program from line %1 on passed its check and was written to “%2”.")

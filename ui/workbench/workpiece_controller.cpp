@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/workpiece_controller.h"
 
+#include "core/exchange/volume_output.h"
 #include "core/job/milling_materials.h"
 #include "core/machine/machine_library.h"
 #include "ui/workbench/setup_controller.h"
@@ -101,6 +102,23 @@ bool WorkpieceController::embedded() const {
 
 bool WorkpieceController::ready() const {
     return embedded() && bounds_ && !embedding();
+}
+
+void WorkpieceController::exportTo(const std::filesystem::path& file) {
+    if (!embedded()) return;
+    desk_.tasks.start(
+        TaskKind::exporting, tr("Exporting the workpiece"),
+        [file, milling = milling_, workpiece = milling_->embedded.workpiece.snapshot()](Progress& progress) {
+            return writeAnyVolume(file, workpiece, progress);
+        },
+        [this](const Result<WrittenVolume>& written) {
+            if (written)
+                emit exported(QString::fromStdString(written->file));
+            else if (written.error().code != ErrorCode::cancelled)
+                emit failed(written.error());
+            emit changed();
+        });
+    emit changed();
 }
 
 void WorkpieceController::clear() {

@@ -7,6 +7,7 @@
 #include "ui/workbench/controller.h"
 #include "ui/workbench/surroundings.h"
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -47,6 +48,10 @@ public:
     void embed();
     void clear();
 
+    bool exporting() const { return desk_.tasks.running(TaskKind::exporting); }
+    /// Writes it as it stands by the suffix (core/exchange/volume_output.h), in the background.
+    void exportTo(const std::filesystem::path& file);
+
     /// Shared with what reads it in the background. While a session runs the workpiece is the session's.
     const std::shared_ptr<MillingContext>& milling() const noexcept { return milling_; }
     const std::shared_ptr<const ToolBounds>& bounds() const noexcept { return bounds_; }
@@ -62,7 +67,8 @@ public:
     void setGuard(std::function<void(std::function<void()>)> guard) { guard_ = std::move(guard); }
 
 signals:
-    void workpieceChanged();    ///< outside a session
+    void workpieceChanged(); ///< outside a session
+    void exported(const QString& file);
     void toolChanged();         ///< the tool in force
     void surroundingsChanged(); ///< the requested obstacles or position of the travel
     void machineChanged();      ///< the requested one
