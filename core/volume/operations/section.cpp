@@ -79,7 +79,9 @@ std::vector<SectionPatch> sectionOf(const VolumeSnapshot& workpiece, int axis, d
     const Grid& grid = workpiece.grid();
     const Box box = grid.box();
     if (!(position >= box.low[axis] && position < box.high[axis])) return {};
-    if (axis == grid.axisOfRuns()) return acrossRuns(workpiece, grid.toRunPosition(position));
+    if (axis == grid.axisOfRuns()) // the unit that the plane lies in, not the nearest end
+        return acrossRuns(workpiece,
+                          static_cast<RunPosition>((position - box.low[axis]) / grid.edge() * unitsPerVoxel));
     const double index = std::floor((position - box.low[axis]) / grid.edge());
     return alongRuns(workpiece, axis, std::min(static_cast<std::int32_t>(index), grid.count()[axis] - 1));
 }
