@@ -80,6 +80,7 @@ Result<void> setForm(Setup& setup, const StockArguments& arguments) {
         setup.stated = true;
         setup.stock = {{(*box)[0], (*box)[1], (*box)[2]}, {(*box)[3], (*box)[4], (*box)[5]}};
     }
+    if (!arguments.file.empty()) setup.form = StockForm::file;
     if (!arguments.cylinder.empty()) {
         const std::optional<std::vector<double>> bar = numbersOf(arguments.cylinder, 8);
         if (!bar)
@@ -179,8 +180,8 @@ std::string massText(const MaterialAmount& amount) {
 } // namespace
 
 void addStock(CommandParser command, StockArguments& arguments) {
-    command.option("--stock", arguments.form, BURIN_TEXT("Help", "Shape of the stock: box, cylinder or solids"))
-        .choices({"box", "cylinder", "solids"})
+    command.option("--stock", arguments.form, BURIN_TEXT("Help", "Shape of the stock: box, cylinder, solids or file"))
+        .choices({"box", "cylinder", "solids", "file"})
         .showDefault();
     command.option("--stock-box", arguments.box,
                    BURIN_TEXT("Help", "Box of the stock whatever the part: X0,Y0,Z0,X1,Y1,Z1, mm"));
@@ -190,6 +191,11 @@ void addStock(CommandParser command, StockArguments& arguments) {
         .option("--stock-axis", arguments.axis,
                 BURIN_TEXT("Help", "Axis of a cylinder around the part: x, y, z, or X,Y,Z"))
         .showDefault();
+    command.option("--stock-file", arguments.file,
+                   BURIN_TEXT("Help", "Stock as a file has it: a volume file (.srle), a voxel array (NRRD, or raw data "
+                                      "with a JSON header), or a model whose solids are of --material"));
+    command.option("--stock-table", arguments.table,
+                   BURIN_TEXT("Help", "JSON table of the materials that the values of a voxel array mean"));
     command.option("--margin", arguments.margin, BURIN_TEXT("Help", "Stock around the part on every side, mm"))
         .showDefault();
     command.option("--material", arguments.material, BURIN_TEXT("Help", "Material of the stock")).showDefault();
@@ -258,7 +264,9 @@ nlohmann::json jsonOfRoles(const Model& model, const Setup& setup) {
 std::string textOfStock(const Model& model, const Setup& setup) {
     std::string text;
     if (setup.form != StockForm::box)
-        text += "\n  " + worded(BURIN_TEXT("Command", "form     %1"), {std::string(idOf(setup.form))});
+        text += "\n  " + worded(BURIN_TEXT("Command", "form     %1"),
+                                {setup.volume && setup.form == StockForm::file ? setup.volume->name()
+                                                                               : std::string(idOf(setup.form))});
     for (std::size_t i = 0; i < model.bodies.size(); ++i)
         if (const BodyRole role = roleOf(setup, i); role != BodyRole::part)
             text +=

@@ -14,14 +14,14 @@ namespace burin {
 
 /// What the command line says of a stock, its materials and the roles of bodies, as it was written.
 struct StockArguments {
-    std::string form = "box", box, cylinder, axis = "z", material = "aluminium-6061";
+    std::string form = "box", box, cylinder, axis = "z", file, table, material = "aluminium-6061";
     double margin = 5.0; ///< mm
     std::vector<std::string> roles, bodyMaterials, layers, grades, gradeTables;
     int bands = 8;
     bool freeCarving = false;
 };
 
-/// Declares --stock, --stock-box, --stock-cylinder, --stock-axis, --margin, --material, --role, --body-material,
+/// Declares --stock, --stock-box, --stock-cylinder, --stock-axis, --stock-file, --stock-table, --margin, --material, --role, --body-material,
 /// --layer, --grade, --grade-table, --bands and --free-carving.
 void addStock(CommandParser command, StockArguments& arguments);
 

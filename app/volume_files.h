@@ -10,9 +10,10 @@ namespace burin {
 
 class CommandContext;
 
-/// Reads a volume file, or a voxel array with the table of its materials; the kind is found from the content. A file
-/// that states no unit is told. Errors: those of readVolumeFile (also its damage), readArrayFile, ArrayTable::parse,
-/// volumeOf, argumentInvalid (an array without a table).
-Result<RunVolume> readAnyVolume(const std::string& file, const std::string& table, CommandContext& context);
+/// readAnyVolume, as a stage of a command. A file that states no unit is told.
+Result<RunVolume> readVolume(const std::string& file, const std::string& table, CommandContext& context);
+
+/// Says that a voxel array states no unit of length.
+void tellUnknownUnit(const std::string& file, CommandContext& context);
 
 } // namespace burin

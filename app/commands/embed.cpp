@@ -4,12 +4,14 @@
 #include "app/report.h"
 #include "app/stock_arguments.h"
 #include "app/surroundings.h"
+#include "app/volume_files.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/base/steps.h"
 #include "core/cad/import.h"
 #include "core/document/companions.h"
 #include "core/document/project_change.h"
+#include "core/job/stock_file.h"
 #include "core/setup/setup.h"
 
 #include <array>
@@ -36,6 +38,24 @@ Result<std::vector<Property>> materialsOf(const Setup& setup) {
     return materials;
 }
 
+Result<void> addStockFile(const EmbedArguments& arguments, Setup& setup, CommandContext& context) {
+    if (arguments.stock.file.empty()) {
+        if (setup.form != StockForm::file) return {};
+        return Error{ErrorCode::argumentInvalid, "--stock", "file", worded(BURIN_TEXT("Command", "--stock-file FILE"))};
+    }
+    context.stage(BURIN_TEXT("Command", "Reading the stock"));
+    StockFileRequest request{arguments.stock.file, arguments.stock.table, arguments.voxel, {}, {}};
+    request.import.stlUnit = arguments.stlUnit;
+    Result<Property> material = loadMaterial(arguments.stock.material);
+    if (!material) return std::move(material).error();
+    request.material = std::move(*material);
+    Result<StockFile> stock = readStockFile(request, context.progress());
+    if (!stock) return std::move(stock).error();
+    if (!stock->unitKnown) tellUnknownUnit(arguments.stock.file, context);
+    setup.volume = std::move(stock->volume);
+    return {};
+}
+
 /// What a hand recorded is not replaced unless somebody says so. A file that can't be opened is for the saving to
 /// judge.
 Result<void> mayBeReplaced(const EmbedArguments& arguments) {
@@ -50,16 +70,23 @@ Result<void> mayBeReplaced(const EmbedArguments& arguments) {
                         {std::to_string(takes->size())})};
 }
 
-/// The model and the fixtures: none of them is where the project, or what Burin keeps beside it, will be.
+const char* optionOf(const std::filesystem::path& input, const EmbedArguments& arguments) {
+    if (input == arguments.model) return "MODEL";
+    if (input == arguments.stock.file) return "--stock-file";
+    return input == arguments.stock.table ? "--stock-table" : "--fixture";
+}
+
+/// The model, the stock and the fixtures: none of them is where the project, or what Burin keeps beside it, will be.
 Result<void> checkPlaces(const EmbedArguments& arguments) {
     std::vector<std::filesystem::path> inputs;
     if (!arguments.model.empty()) inputs.emplace_back(arguments.model);
+    for (const std::string& file : {arguments.stock.file, arguments.stock.table})
+        if (!file.empty()) inputs.emplace_back(file);
     inputs.insert(inputs.end(), arguments.around.fixtures.begin(), arguments.around.fixtures.end());
     if (Result<void> free = checkOutput("--output", arguments.output, inputs); !free) return free;
     const std::array<std::filesystem::path, 1> output{arguments.output};
     for (const std::filesystem::path& input : inputs)
-        if (Result<void> free = checkDistinct(input == arguments.model ? "MODEL" : "--fixture", input, output); !free)
-            return free;
+        if (Result<void> free = checkDistinct(optionOf(input, arguments), input, output); !free) return free;
     return {};
 }
 
@@ -83,8 +110,10 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
     if (!model) return context.fail(model.error());
     Setup asked;
     asked.voxel = arguments.voxel;
-    const Result<Setup> wanted = withStock(std::move(asked), arguments.stock, *model);
+    Result<Setup> wanted = withStock(std::move(asked), arguments.stock, *model);
     if (!wanted) return context.fail(wanted.error());
+    if (const Result<void> added = addStockFile(arguments, *wanted, context); !added)
+        return context.fail(added.error());
     const Result<Setup> setup = placeStock(*model, *wanted);
     if (!setup) return context.fail(setup.error());
     const Result<std::vector<Property>> materials = materialsOf(*setup);

@@ -87,21 +87,21 @@ int answerMoments(const VolumeSnapshot& volume, CommandContext& context) {
 }
 
 int runMoments(const VolumeArguments& arguments, CommandContext& context) {
-    Result<RunVolume> volume = readAnyVolume(arguments.first, arguments.table, context);
+    Result<RunVolume> volume = readVolume(arguments.first, arguments.table, context);
     if (!volume) return context.fail(volume.error());
     return answerMoments(volume->snapshot(), context);
 }
 
 Result<RunVolume> readFirst(const VolumeArguments& arguments, CommandContext& context) {
-    return readAnyVolume(arguments.first, arguments.table, context);
+    return readVolume(arguments.first, arguments.table, context);
 }
 
 /// An operation of two volumes in one grid.
 template <Result<RunVolume> (*operation)(const VolumeSnapshot&, const VolumeSnapshot&)>
 Result<RunVolume> combine(const VolumeArguments& arguments, CommandContext& context) {
-    Result<RunVolume> a = readAnyVolume(arguments.first, arguments.table, context);
+    Result<RunVolume> a = readVolume(arguments.first, arguments.table, context);
     if (!a) return a.error();
-    Result<RunVolume> b = readAnyVolume(arguments.second, arguments.table, context);
+    Result<RunVolume> b = readVolume(arguments.second, arguments.table, context);
     if (!b) return b.error();
     return operation(a->snapshot(), b->snapshot());
 }
@@ -181,9 +181,9 @@ int runMake(const VolumeArguments& arguments, Make make, CommandContext& context
 }
 
 int runRelation(const VolumeArguments& arguments, CommandContext& context) {
-    Result<RunVolume> a = readAnyVolume(arguments.first, arguments.table, context);
+    Result<RunVolume> a = readVolume(arguments.first, arguments.table, context);
     if (!a) return context.fail(a.error());
-    Result<RunVolume> b = readAnyVolume(arguments.second, arguments.table, context);
+    Result<RunVolume> b = readVolume(arguments.second, arguments.table, context);
     if (!b) return context.fail(b.error());
     const Result<SpatialRelation> found = relation(a->snapshot(), b->snapshot());
     if (!found) return context.fail(found.error());

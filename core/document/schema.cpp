@@ -191,6 +191,13 @@ ALTER TABLE program ADD COLUMN setup INTEGER NOT NULL DEFAULT 1;
 )sql";
 constexpr std::string_view setupColumn = ",setupINTEGERNOTNULLDEFAULT1)";
 
+constexpr const char* stockVolumes = R"sql(
+CREATE TABLE stock_volume(
+    setup INTEGER PRIMARY KEY REFERENCES setup(id),
+    name TEXT NOT NULL,
+    volume BLOB NOT NULL);
+)sql";
+
 std::string withoutSpaces(std::string_view sql) {
     std::string text;
     for (const char character : sql)
@@ -257,6 +264,10 @@ Result<void> addRoles(Database&) {
     return {};
 }
 
+Result<void> addStockVolumes(Database& file) {
+    return file.execute(stockVolumes);
+}
+
 Result<void> checkIdentity(Database& file, int newest) {
     const Result<std::int64_t> application = file.integer("PRAGMA application_id");
     if (!application) return application.error();
@@ -276,6 +287,7 @@ Result<void> checkSchema(Database& file) {
     if (*version >= 2) expected.merge(statementsOf(undoneStretch));
     if (*version >= 3) expected.merge(statementsOf(surroundings));
     if (*version >= 4) addSetupsTo(expected);
+    if (*version >= 6) expected.merge(statementsOf(stockVolumes));
     Result<Statement> rows =
         Statement::prepare(file, "SELECT name, sql FROM sqlite_schema WHERE type IN ('table', 'index')");
     if (!rows) return std::move(rows).error();

@@ -148,12 +148,22 @@ Result<std::string> toJson(const Setup& setup) {
         {"stock_cylinder", jsonOf(setup.cylinder)},
         {"free_carving", setup.freeCarving},
         {"regions", std::move(regions)},
+        {"stock_checksum", setup.volume ? json(setup.volume->checksum()) : json()},
     };
     return record.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 std::optional<Setup> setupFromJson(std::string_view text) try {
     return read(json::parse(text));
+} catch (const json::exception&) {
+    return std::nullopt;
+}
+
+std::optional<std::uint64_t> stockChecksumOf(std::string_view text) try {
+    const json record = json::parse(text);
+    const auto found = record.find("stock_checksum"); // since version 6
+    if (found == record.end() || !found->is_number_unsigned()) return std::nullopt;
+    return found->get<std::uint64_t>();
 } catch (const json::exception&) {
     return std::nullopt;
 }

@@ -15,6 +15,33 @@ Error noSetup(const Database& database) {
     return {ErrorCode::projectIncomplete, "embedded stock", "burin embed", database.subject()};
 }
 
+/// The volume may be large: one that stands is not written again.
+Result<void> storeStockVolume(Database& database, SetupId id, const Setup& setup) {
+    if (!setup.volume) return run(database, "DELETE FROM stock_volume WHERE setup = ?", numberOf(id));
+    Result<Statement> row = Statement::prepare(database, "SELECT json FROM setup WHERE id = ?");
+    if (!row) return std::move(row).error();
+    if (Result<void> bound = row->bind(numberOf(id)); !bound) return bound;
+    const Result<bool> found = row->step();
+    if (!found) return found.error();
+    if (*found && !row->isNull(0) && stockChecksumOf(row->text(0)) == setup.volume->checksum()) return {};
+    return run(database, "INSERT OR REPLACE INTO stock_volume(setup, name, volume) VALUES(?, ?, ?)", numberOf(id),
+               setup.volume->name(), BlobView{setup.volume->content()});
+}
+
+Result<StockVolume::Shared> loadStockVolume(Database& database, SetupId id) {
+    Result<Statement> row = Statement::prepare(database, "SELECT name, volume FROM stock_volume WHERE setup = ?");
+    if (!row) return std::move(row).error();
+    if (Result<void> bound = row->bind(numberOf(id)); !bound) return std::move(bound).error();
+    const Result<bool> found = row->step();
+    if (!found) return found.error();
+    if (!*found) return damaged(database, "stock_volume");
+    Progress whole;
+    Result<StockVolume::Shared> volume = StockVolume::read(std::string(row->blob(1)), cleanLine(row->text(0)), whole);
+    if (!volume && volume.error().code != ErrorCode::outOfMemory && volume.error().code != ErrorCode::volumeOutOfMemory)
+        return damaged(database, "stock_volume");
+    return volume;
+}
+
 } // namespace
 
 Result<SetupId> storeNewSetup(Database& database, const std::string& name) {
@@ -49,6 +76,7 @@ Result<void> storeSetup(Database& database, SetupId id, const Setup& setup) {
     if (Result<void> known = requireSetup(database, id); !known) return known;
     const Result<std::string> text = toJson(setup);
     if (!text) return text.error();
+    if (Result<void> stored = storeStockVolume(database, id, setup); !stored) return stored;
     return run(database, "UPDATE setup SET json = ? WHERE id = ?", *text, numberOf(id));
 }
 
@@ -62,6 +90,12 @@ Result<Setup> loadSetup(Database& database, SetupId id) {
     if (!*found || row->isNull(0)) return noSetup(database);
     std::optional<Setup> setup = setupFromJson(row->text(0));
     if (!setup) return damaged(database, "setup");
+    if (const std::optional<std::uint64_t> checksum = stockChecksumOf(row->text(0))) {
+        Result<StockVolume::Shared> volume = loadStockVolume(database, id);
+        if (!volume) return std::move(volume).error();
+        if ((*volume)->checksum() != *checksum) return damaged(database, "stock_volume");
+        setup->volume = std::move(*volume);
+    }
     return std::move(*setup);
 }
 

@@ -85,7 +85,8 @@ void note(const Model& model, std::size_t body, const Setup& setup, const Voxeli
 Result<void> requireStockAround(const Model& model, std::size_t body, const Setup& setup,
                                 const VoxelisationReport& report, const RunVolume& workpiece) {
     if (setup.form == StockForm::box || !isProtected(roleOf(setup, body))) return {};
-    constexpr double skin = 0.02; // mm: what meshes of curved faces that lie on each other may differ by
+    // What meshes of curved faces that lie on each other may differ by; a volume is no finer than half a voxel.
+    const double skin = setup.form == StockForm::file ? 0.5 * setup.voxel : 0.02; // mm
     const double out = static_cast<double>(report.replaced.units[airProperty]) * workpiece.grid().unitVolume();
     if (out <= skin * model.bodies[body].area) return {};
     return Error{ErrorCode::partOutsideStock, nameOf(model, body), formatFixed(out, 1) + " mm^3", {}};
@@ -123,8 +124,19 @@ Error outOfReserve(const RunVolume& volume) {
     return {ErrorCode::volumeOutOfMemory, std::to_string(volume.reservedBytes()), {}, {}};
 }
 
+/// The stock's own runs, with the entries that stand for its materials here.
+Result<RunVolume> ownRuns(const StockVolume& stock, const SetupMaterials& materials, Progress& progress) {
+    const Result<RunVolume> unpacked = stock.unpack(progress);
+    if (!unpacked) return unpacked.error();
+    return assemble(stock.grid(), materials.list, [&](LineIndex line, std::vector<Segment>& segments) {
+        for (const Segment segment : unpacked->line(line))
+            segments.emplace_back(segment.end(), materials.volume[segment.property()]);
+    });
+}
+
 Result<void> fillStock(const Model& model, const Setup& setup, EmbeddedSetup& embedded, Progress& progress) {
     RunVolume& workpiece = embedded.workpiece;
+    if (setup.form == StockForm::file) return {}; // stands
     if (setup.form == StockForm::box)
         return BoxStock(setup.stock).fill(workpiece, embedded.stockProperty) ? Result<void>() : outOfReserve(workpiece);
     if (setup.form == StockForm::cylinder)
@@ -170,6 +182,15 @@ void measure(EmbeddedSetup& embedded) {
     embedded.stockVolume = static_cast<double>(stock) * workpiece.grid().unitVolume();
 }
 
+/// A stock from a file as it is; the grid of another filled with air.
+Result<RunVolume> emptyOrOwn(const Setup& setup, const EmbeddingSize& size, const SetupMaterials& materials,
+                             Progress& progress) {
+    if (setup.form == StockForm::file) return ownRuns(*setup.volume, materials, progress);
+    const Result<Grid> grid = Grid::make(setup.stock.low, setup.voxel, size.voxels, setup.runs);
+    if (!grid) return grid.error();
+    return RunVolume::make(*grid, materials.list);
+}
+
 } // namespace
 
 Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, const std::vector<Property>& known,
@@ -180,10 +201,8 @@ Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, const std::v
     if (Result<void> apart = requireInsertsApart(model, setup, progress); !apart) return std::move(apart).error();
     Result<SetupMaterials> materials = setupMaterials(model, setup, known);
     if (!materials) return materials.error();
-    const Result<Grid> grid = Grid::make(setup.stock.low, setup.voxel, size->voxels, setup.runs);
-    if (!grid) return grid.error();
-    Result<RunVolume> volume = RunVolume::make(*grid, materials->list);
-    if (!volume) return volume.error();
+    Result<RunVolume> volume = emptyOrOwn(setup, *size, *materials, progress);
+    if (!volume) return std::move(volume).error();
 
     EmbeddedSetup embedded{
         *std::move(volume), materials->bodies, materials->stock, materials->regions, {}, {}, 0.0, 0.0, {}};

@@ -122,6 +122,15 @@ Result<void> placeForm(const Model& model, Setup& setup) {
         if (setup.stock.empty()) return invalid("form", "solids where a body has the role stock, a box or a cylinder");
         return {};
     }
+    if (setup.form == StockForm::file) {
+        if (!setup.volume) return invalid("form", "a file where one was read, a box, a cylinder or solids");
+        const Grid& grid = setup.volume->grid();
+        setup.stock = grid.box();
+        setup.voxel = grid.edge();
+        setup.runs = grid.axis();
+        setup.stockMaterial = setup.volume->materials()[setup.volume->mainMaterial()].id;
+        return {};
+    }
     if (!setup.stated && bodies.empty())
         return invalid("form", "a stated box or cylinder, as there is no body to lay one around");
     return setup.form == StockForm::box ? placeBox(setup, bodies, setup) : placeCylinder(model, bodies, setup);
@@ -137,6 +146,8 @@ std::string_view idOf(StockForm form) noexcept {
         return "cylinder";
     case StockForm::solids:
         return "solids";
+    case StockForm::file:
+        return "file";
     }
     return "";
 }
@@ -154,6 +165,7 @@ Result<Setup> placeStock(const Model& model, Setup setup) {
     if (!setup.freeCarving && !hasPart(model, setup))
         return invalid("part", "at least one body whose role is part, or free carving");
     if (Result<void> sound = checkRegions(setup.regions); !sound) return std::move(sound).error();
+    if (setup.form != StockForm::file) setup.runs = RunAxis::z;
     if (Result<void> placed = placeForm(model, setup); !placed) return std::move(placed).error();
     setup.workOffset = {setup.stock.centre().x, setup.stock.centre().y, setup.stock.high.z};
     return setup;

@@ -10,6 +10,7 @@
 #include "core/setup/material_amount.h"
 #include "core/setup/material_region.h"
 #include "core/setup/obstacle.h"
+#include "core/setup/stock_volume.h"
 #include "core/volume/runs/run_volume.h"
 
 #include <array>
@@ -25,10 +26,11 @@ namespace burin {
 enum class StockForm : std::uint8_t {
     box,      ///< its edges along the axes of the setup frame
     cylinder, ///< round bar, whichever way it lies
-    solids    ///< the bodies of the model whose role is stock
+    solids,   ///< the bodies of the model whose role is stock
+    file      ///< voxel by voxel, as a file had it
 };
-inline constexpr std::array stockForms{StockForm::box, StockForm::cylinder, StockForm::solids};
-/// Stable id, for files and the command line: "box", "cylinder", "solids".
+inline constexpr std::array stockForms{StockForm::box, StockForm::cylinder, StockForm::solids, StockForm::file};
+/// Stable id, for files and the command line: "box", "cylinder", "solids", "file".
 std::string_view idOf(StockForm form) noexcept;
 std::optional<StockForm> stockFormFromId(std::string_view id) noexcept;
 
@@ -42,10 +44,13 @@ struct Setup {
     std::vector<BodyRole> roles;            ///< per body; those that it does not name are parts
     std::vector<MaterialRegion> regions;    ///< layers of the stock that have a material of their own
     StockForm form = StockForm::box;
-    bool stated = false;      ///< box or cylinder as they stand here, whatever the part; else the part and the margins
-    CylinderShape cylinder;   ///< of that form; its axis is the user's, the rest `placeStock` fills in unless stated
-    bool freeCarving = false; ///< no part is wanted: nothing pushes back
-    Box stock;                ///< mm: the stock, or the box around it; filled by `placeStock` unless a box is stated
+    bool stated = false;    ///< box or cylinder as they stand here, whatever the part; else the part and the margins
+    CylinderShape cylinder; ///< of that form; its axis is the user's, the rest `placeStock` fills in unless stated
+    /// Of that form: voxel, run axis and materials are its own, whatever of it was protected can be milled, and the
+    /// material that most of it is stands for the stock's.
+    StockVolume::Shared volume;
+    bool freeCarving = false;   ///< no part is wanted: nothing pushes back
+    Box stock;                  ///< mm: the stock, or the box around it; filled by `placeStock` unless a box is stated
     glm::dvec3 workOffset{0.0}; ///< program zero in the setup frame, mm; filled by `placeStock`
     RunAxis runs = RunAxis::z;  ///< of the volume: along the spindle, or what comes next to it
 };
@@ -55,7 +60,8 @@ BodyRole roleOf(const Setup& setup, std::size_t body) noexcept;
 /// Its name; "Body 2" where the model has none.
 std::string nameOf(const Model& model, std::size_t body);
 
-/// Ids of all materials that it names, each once: the stock's, those of bodies, those of layers.
+/// Ids of all materials that it names, each once: the stock's, those of bodies, those of layers. Not those of a stock
+/// from a file, which brings its own.
 std::vector<std::string> materialsUsed(const Setup& setup);
 
 /// The bodies that nothing may cut: the model itself, shared, where that is all of them. Copies their meshes else.
@@ -66,9 +72,9 @@ Result<std::vector<Obstacle>> bodyFixtures(const Model& model, const Setup& setu
 
 /// Finds where the stock lies. A box or cylinder that is not stated is the smallest around part and inserts, grown by
 /// the margins: a cylinder goes round the middle of their box; its ends have the margins of the axis that it lies
-/// nearest to, its side the largest of the others. Program zero: centre of the top face of the stock's box.
-/// Errors: stockInvalid (a margin below 0 or not finite, a voxel not > 0, no part and no free carving, a stated stock
-/// that is none, stock of solids without one), those of checkRegions.
+/// nearest to, its side the largest of the others. A stock from a file lies where the file says. Program zero: centre
+/// of the top face of the stock's box. Errors: stockInvalid (a margin below 0 or not finite, a voxel not > 0, no part
+/// and no free carving, a stated stock that is none, stock of solids or of a file without one), those of checkRegions.
 Result<Setup> placeStock(const Model& model, Setup setup);
 
 /// What a grid would take, before it is made.

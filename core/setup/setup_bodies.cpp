@@ -44,7 +44,8 @@ std::string nameOf(const Model& model, std::size_t body) {
 }
 
 std::vector<std::string> materialsUsed(const Setup& setup) {
-    std::vector<std::string> ids{setup.stockMaterial};
+    std::vector<std::string> ids;
+    if (setup.form != StockForm::file) ids.push_back(setup.stockMaterial);
     const auto add = [&](const std::string& id) {
         if (!id.empty() && std::ranges::find(ids, id) == ids.end()) ids.push_back(id);
     };

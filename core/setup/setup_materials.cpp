@@ -11,9 +11,19 @@ namespace burin {
 
 namespace {
 
-Result<Property> materialOf(const std::string& id, const std::vector<Property>& known) {
+const Property* ofStock(const StockVolume& volume, const std::string& id) {
+    for (int i = 1; i < volume.materials().size(); ++i)
+        if (const Property& material = volume.materials()[static_cast<PropertyIndex>(i)]; material.id == id)
+            return &material;
+    return nullptr;
+}
+
+/// What the project keeps comes first, then what a stock from a file brings, then the library.
+Result<Property> materialOf(const std::string& id, const std::vector<Property>& known, const StockVolume* volume) {
     const auto found = std::ranges::find(known, id, &Property::id);
-    return found == known.end() ? loadMaterial(id) : Result<Property>(*found);
+    if (found != known.end()) return *found;
+    const Property* own = volume ? ofStock(*volume, id) : nullptr;
+    return own ? Result<Property>(*own) : loadMaterial(id);
 }
 
 std::optional<PropertyIndex> entryOf(const PropertyList& list, const std::string& id) {
@@ -32,9 +42,11 @@ Result<PropertyIndex> addNumbered(PropertyList& list, Property property) {
 /// Adds the entries of a setup one after the other.
 class MaterialGatherer {
 public:
-    MaterialGatherer(const Setup& setup, const std::vector<Property>& known) : setup_(setup), known_(known) {}
+    MaterialGatherer(const Setup& setup, const std::vector<Property>& known)
+        : setup_(setup), known_(known), volume_(setup.form == StockForm::file ? setup.volume.get() : nullptr) {}
 
     Result<void> addStock() {
+        if (volume_) return addVolume();
         const Result<PropertyIndex> index = milled(setup_.stockMaterial);
         if (!index) return index.error();
         materials_.stock = *index;
@@ -62,6 +74,27 @@ public:
     SetupMaterials take() { return std::move(materials_); }
 
 private:
+    /// What there is none of in it is left out; a grade needs the material that it is a grade of.
+    Result<void> addVolume() {
+        const PropertyList& list = volume_->materials();
+        std::array<bool, 256> used{};
+        for (int i = 1; i < list.size(); ++i) {
+            const auto index = static_cast<PropertyIndex>(i);
+            if (volume_->amounts().units[index] > 0) used[index] = used[list.baseOf(index)] = true;
+        }
+        for (int i = 1; i < list.size(); ++i) {
+            const auto index = static_cast<PropertyIndex>(i);
+            if (!used[index]) continue;
+            Result<Property> material = machinable(list[index].id);
+            if (!material) return material.error();
+            const Result<PropertyIndex> added = materials_.list.add(*std::move(material));
+            if (!added) return added.error();
+            materials_.volume[index] = *added;
+        }
+        materials_.stock = materials_.volume[volume_->mainMaterial()];
+        return {};
+    }
+
     std::string materialOfBody(std::size_t body) const {
         const bool own = body < setup_.bodyMaterials.size() && !setup_.bodyMaterials[body].empty();
         return own ? setup_.bodyMaterials[body] : setup_.stockMaterial;
@@ -69,7 +102,7 @@ private:
 
     /// What can be milled can be felt: a material without a force would be cut like air.
     Result<Property> machinable(const std::string& id) const {
-        Result<Property> material = materialOf(id, known_);
+        Result<Property> material = materialOf(id, known_, volume_);
         if (!material) return material;
         if (!(material->valueOr(specificCuttingEnergy, 0.0) > 0.0) && !(material->valueOr(kienzleForce, 0.0) > 0.0))
             return Error{ErrorCode::resourceInvalid, id, std::string(specificCuttingEnergy),
@@ -86,7 +119,7 @@ private:
     }
 
     Result<PropertyIndex> guarded(const Model& model, std::size_t body) {
-        Result<Property> material = materialOf(materialOfBody(body), known_);
+        Result<Property> material = materialOf(materialOfBody(body), known_, volume_);
         if (!material) return material.error();
         material->machinability = Machinability::isProtected;
         material->id += " (" + nameOf(model, body) + ")";
@@ -117,6 +150,7 @@ private:
 
     const Setup& setup_;
     const std::vector<Property>& known_;
+    const StockVolume* volume_;
     SetupMaterials materials_;
 };
 

@@ -5,19 +5,21 @@
 #include "core/setup/setup.h"
 #include "core/volume/operations/graded.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace burin {
 
-/// The property list of a setup's workpiece, and which entry stands for what: air, the stock, then the bodies, then the
-/// layers. What is protected has an entry of its own; machinable bodies and layers of one material share its entry, but
-/// a graded layer has one.
+/// The property list of a setup's workpiece, and which entry stands for what: air, the stock (all that a file brings),
+/// then the bodies, then the layers. What is protected has an entry of its own; machinable bodies and layers of one
+/// material share its entry, but a graded layer has one.
 struct SetupMaterials {
     PropertyList list;
     PropertyIndex stock = airProperty;
-    std::vector<PropertyIndex> bodies;                 ///< per body; air where it is not embedded
-    std::vector<PropertyIndex> regions;                ///< per layer; of a graded one what its grades belong to
+    std::array<PropertyIndex, 256> volume{}; ///< per entry of a stock from a file; air for what it has none of
+    std::vector<PropertyIndex> bodies;       ///< per body; air where it is not embedded
+    std::vector<PropertyIndex> regions;      ///< per layer; of a graded one what its grades belong to
     std::vector<std::optional<GradedMaterial>> graded; ///< per layer
 };
 

@@ -27,6 +27,8 @@ void ActionStates::update() {
     enable(ActionId::exportWorkpiece,
            workbench.workpiece.embedded() && !workbench.session.running() && !workbench.workpiece.exporting());
     enable(ActionId::embed, workbench.setup.usable() && !workbench.setup.locked() && !workbench.workpiece.embedding());
+    enable(ActionId::stockFile,
+           workbench.setup.hasPart() && !workbench.setup.locked() && !workbench.setup.readingStock());
     enable(ActionId::addFixtureFile,
            workbench.setup.hasPart() && !workbench.surroundings.locked() && !workbench.surroundings.importing());
     enable(ActionId::axisOfView, workbench.setup.hasPart() && !workbench.surroundings.locked());

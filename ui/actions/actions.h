@@ -45,6 +45,7 @@ enum class ActionId : std::size_t {
     nextStep,
     previousStep,
     embed,
+    stockFile,
     addFixtureFile,
     axisOfView,
     millMode,

@@ -18,13 +18,17 @@ struct FileDialogs {
     Q_DECLARE_TR_FUNCTIONS(FileDialogs)
 };
 
-QString models() {
+QStringList modelGlobs() {
     QStringList globs;
     for (const std::string_view suffix : importSuffixes()) {
         const QString glob = QStringLiteral("*.") + QString::fromUtf8(suffix.data(), qsizetype(suffix.size()));
         globs << glob << glob.toUpper(); // names are looked at letter by letter
     }
-    return FileDialogs::tr("Parts (%1);;All files (*)").arg(globs.join(QLatin1Char(' ')));
+    return globs;
+}
+
+QString models() {
+    return FileDialogs::tr("Parts (%1);;All files (*)").arg(modelGlobs().join(QLatin1Char(' ')));
 }
 
 QString ask(QFileDialog& dialog, const QString& folder) {
@@ -66,6 +70,19 @@ QString askPartToImport(QWidget* parent, const QString& folder) {
 
 QString askFixtureToImport(QWidget* parent, const QString& folder) {
     return askToOpen(parent, FileDialogs::tr("Import a fixture"), folder, models());
+}
+
+QString askStockToRead(QWidget* parent, const QString& folder) {
+    const QStringList volumes{QStringLiteral("*.srle"), QStringLiteral("*.nrrd"), QStringLiteral("*.nhdr"),
+                              QStringLiteral("*.json")};
+    return askToOpen(parent, FileDialogs::tr("Stock from a file"), folder,
+                     FileDialogs::tr("Volumes, voxel arrays and models (%1);;All files (*)")
+                         .arg((volumes + modelGlobs()).join(QLatin1Char(' '))));
+}
+
+QString askArrayTable(QWidget* parent, const QString& folder, const QString& array) {
+    return askToOpen(parent, FileDialogs::tr("Materials of the values in %1").arg(array), folder,
+                     FileDialogs::tr("Tables (*.json);;All files (*)"));
 }
 
 QString askMachineToAdd(QWidget* parent, const QString& folder) {

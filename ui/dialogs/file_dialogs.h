@@ -13,6 +13,10 @@ namespace burin {
 QString askProjectToOpen(QWidget* parent, const QString& folder);
 QString askPartToImport(QWidget* parent, const QString& folder);
 QString askFixtureToImport(QWidget* parent, const QString& folder);
+/// A volume file, a voxel array or a model.
+QString askStockToRead(QWidget* parent, const QString& folder);
+/// What the values of a voxel array mean. @param array name of its file
+QString askArrayTable(QWidget* parent, const QString& folder, const QString& array);
 QString askMachineToAdd(QWidget* parent, const QString& folder);
 /// With the ending .burin.
 QString askProjectToSave(QWidget* parent, const QString& folder, const QString& name);

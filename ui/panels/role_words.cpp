@@ -46,6 +46,8 @@ QString stockFormText(StockForm form) {
         return words(QT_TRANSLATE_NOOP("burin::RoleWords", "Cylinder"));
     case StockForm::solids:
         return words(QT_TRANSLATE_NOOP("burin::RoleWords", "Bodies of the model"));
+    case StockForm::file:
+        return words(QT_TRANSLATE_NOOP("burin::RoleWords", "From a file"));
     }
     return {};
 }

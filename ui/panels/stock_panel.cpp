@@ -30,6 +30,10 @@ std::array<double, 4> sides(const Setup& setup) {
     return {setup.marginLow.x, setup.marginLow.y, setup.marginHigh.x, setup.marginHigh.y};
 }
 
+bool hasMargins(const Setup& setup) {
+    return !setup.stated && (setup.form == StockForm::box || setup.form == StockForm::cylinder);
+}
+
 } // namespace
 
 class StockPanel::Fields : public QObject {
@@ -64,6 +68,7 @@ StockPanel::Fields::Fields(StockPanel* panel) : QObject(panel), panel_(panel), c
     shape_ = new StockShapeFields(panel);
     column_->addWidget(shape_);
     connect(shape_, &StockShapeFields::edited, panel, &StockPanel::setupEdited);
+    connect(shape_, &StockShapeFields::fileRequested, panel, &StockPanel::fileRequested);
     sides_ = addField(StockPanel::tr("Margin, sides"), StockPanel::tr("Stock beside the part, on all four sides"),
                       "sideMarginField");
     top_ = addField(StockPanel::tr("Margin, top"), StockPanel::tr("Stock above the part"), "topMarginField");
@@ -155,7 +160,7 @@ void StockPanel::Fields::refreshNotices() {
     const bool equal = std::ranges::all_of(margins, [&](double margin) { return margin == margins[0]; });
     sidesNotice_->tell(
         Notice::Kind::information,
-        equal || setup.stated || setup.form == StockForm::solids || !state.problem.isEmpty() || state.locked
+        equal || !hasMargins(setup) || !state.problem.isEmpty() || state.locked
             ? QString() // what stands in the way comes first
             : StockPanel::tr("The margins of the sides differ: %1 to %2. An entry sets all four.")
                   .arg(lengthText(std::ranges::min(margins), unit_), lengthText(std::ranges::max(margins), unit_)));
@@ -184,12 +189,13 @@ void StockPanel::Fields::refresh() {
     const Setup& setup = state.setup;
     shape_->showSetup(setup, state.locked);
     constexpr std::size_t margins = 3;
-    for (std::size_t i = 0; i < margins; ++i) rows_[i]->setVisible(!setup.stated && setup.form != StockForm::solids);
+    for (std::size_t i = 0; i < margins; ++i) rows_[i]->setVisible(hasMargins(setup));
     sides_->showValue(std::ranges::max(sides(setup)));
     top_->showValue(setup.marginHigh.z);
     bottom_->showValue(setup.marginLow.z);
     voxel_->showValue(setup.voxel);
-    for (LengthField* field : {sides_, top_, bottom_, voxel_}) setEnabledKeepingFocus(field, !state.locked);
+    for (LengthField* field : {sides_, top_, bottom_}) setEnabledKeepingFocus(field, !state.locked);
+    setEnabledKeepingFocus(voxel_, !state.locked && setup.form != StockForm::file); // a volume has its own
     size_->setValue(setup.stock.empty() || !state.hasPart ? QStringLiteral("–") : sizeText(setup.stock.size(), unit_));
     setWrappedText(voxels_, voxelText());
     voxels_->ensurePolished(); // the style may give it another font

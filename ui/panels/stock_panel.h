@@ -20,6 +20,7 @@ public:
 
 signals:
     void setupEdited(const burin::Setup& setup); ///< margins or voxel; `stock` is for the receiver to fill
+    void fileRequested();                        ///< to read the stock from
     void embedRequested();
 
 private:

@@ -31,14 +31,12 @@ StockShapeFields::StockShapeFields(QWidget* parent) : QWidget(parent) {
     form_ = new ChoiceBox(this);
     form_->setObjectName(QStringLiteral("stockForm"));
     for (const StockForm form : stockForms) form_->addItem(stockFormText(form));
-    column->addWidget(new FieldRow(tr("Shape"), form_,
-                                   tr("A box, a round bar, or the bodies of the model whose role is stock"), this,
-                                   FieldRow::choiceWidth));
-    connect(form_, &QComboBox::activated, this, [this](int index) {
-        setup_.form = stockForms[static_cast<std::size_t>(index)];
-        if (setup_.form == StockForm::solids) setup_.stated = false;
-        emit edited(setup_);
-    });
+    column->addWidget(new FieldRow(
+        tr("Shape"), form_, tr("A box, a round bar, the bodies of the model whose role is stock, or what a file holds"),
+        this, FieldRow::choiceWidth));
+    connect(form_, &QComboBox::activated, this,
+            [this](int index) { chooseForm(stockForms[static_cast<std::size_t>(index)]); });
+    addFileRow();
     axis_ = new ChoiceBox(this);
     axis_->setObjectName(QStringLiteral("stockAxis"));
     for (int axis = 0; axis < 3; ++axis) axis_->addItem(axisLetter(axis));
@@ -65,6 +63,27 @@ StockShapeFields::StockShapeFields(QWidget* parent) : QWidget(parent) {
         setup_.freeCarving = on;
         emit edited(setup_);
     });
+}
+
+void StockShapeFields::addFileRow() {
+    file_ = new QPushButton(this);
+    file_->setObjectName(QStringLiteral("stockFile"));
+    fileRow_ =
+        new FieldRow(tr("File"), file_, tr("Read the stock from another volume file, voxel array (a scan) or model"),
+                     this, FieldRow::choiceWidth);
+    layout()->addWidget(fileRow_);
+    connect(file_, &QPushButton::clicked, this, &StockShapeFields::fileRequested);
+}
+
+void StockShapeFields::chooseForm(StockForm form) {
+    if (form == StockForm::file && !setup_.volume) {
+        form_->setCurrentIndex(static_cast<int>(setup_.form)); // until one was read
+        emit fileRequested();
+        return;
+    }
+    setup_.form = form;
+    if (form == StockForm::solids || form == StockForm::file) setup_.stated = false;
+    emit edited(setup_);
 }
 
 void StockShapeFields::addField(StockForm form, const QString& label, const char* name, double least, Get get,
@@ -136,7 +155,15 @@ void StockShapeFields::showSetup(const Setup& setup, bool locked) {
     axis_->setCurrentIndex(axis);
     axisRow_->setVisible(cylinder);
     stated_->show(tr("At a stated place"), setup.stated, {});
-    stated_->setVisible(setup.form != StockForm::solids);
+    stated_->setVisible(setup.form == StockForm::box || cylinder);
+    const bool file = setup.form == StockForm::file && setup.volume;
+    fileRow_->setVisible(file);
+    if (file) {
+        constexpr int frame = 28; // of the button, px
+        const QString name = QString::fromStdString(setup.volume->name());
+        file_->setText(file_->fontMetrics().elidedText(name, Qt::ElideMiddle, FieldRow::choiceWidth - frame));
+        file_->setAccessibleName(name);
+    }
     freeCarving_->show(tr("Free carving"), setup.freeCarving, {});
     for (const Field& each : fields_) {
         each.row->setVisible(setup.stated && each.form == setup.form);
@@ -144,7 +171,7 @@ void StockShapeFields::showSetup(const Setup& setup, bool locked) {
         setEnabledKeepingFocus(each.field, !locked);
     }
     for (QWidget* widget : {static_cast<QWidget*>(form_), static_cast<QWidget*>(axis_), static_cast<QWidget*>(stated_),
-                            static_cast<QWidget*>(freeCarving_)})
+                            static_cast<QWidget*>(freeCarving_), static_cast<QWidget*>(file_)})
         setEnabledKeepingFocus(widget, !locked);
 }
 

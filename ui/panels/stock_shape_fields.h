@@ -5,6 +5,7 @@
 #include "core/setup/setup.h"
 #include "ui/theme/length_unit.h"
 
+#include <QPushButton>
 #include <QWidget>
 
 #include <functional>
@@ -27,6 +28,7 @@ public:
 
 signals:
     void edited(const burin::Setup& setup);
+    void fileRequested(); ///< that the stock shall come from; the form changes when it was read
 
 private:
     using Get = std::function<double(const Setup&)>;
@@ -40,12 +42,15 @@ private:
     void addField(StockForm form, const QString& label, const char* name, double least, Get get, Set set);
     void addBoxFields();
     void addCylinderFields();
+    void addFileRow();
+    void chooseForm(StockForm form);
     void chooseAxis(int axis);
     int axisChosen() const;
 
     Setup setup_;
     ChoiceBox *form_, *axis_;
-    QWidget* axisRow_;
+    QWidget *axisRow_, *fileRow_;
+    QPushButton* file_;
     NamedSwitch *stated_, *freeCarving_;
     std::vector<Field> fields_;
 };

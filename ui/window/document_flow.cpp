@@ -4,6 +4,7 @@
 
 #include "core/base/file.h"
 #include "core/document/file_kind.h"
+#include "core/exchange/volume_input.h"
 #include "ui/dialogs/file_dialogs.h"
 #include "ui/dialogs/questions.h"
 #include "ui/messages/messages.h"
@@ -64,6 +65,7 @@ void DocumentFlow::connectActions(const Actions& actions) {
     on(ActionId::saveAs, &DocumentFlow::saveAs);
     on(ActionId::exportProgram, &DocumentFlow::exportProgram);
     on(ActionId::exportWorkpiece, &DocumentFlow::exportWorkpiece);
+    on(ActionId::stockFile, &DocumentFlow::readStock);
 }
 
 QString DocumentFlow::folder() const {
@@ -241,6 +243,20 @@ void DocumentFlow::exportProgram() {
     if (file.isEmpty()) return;
     keepFolder(file);
     workbench_.program.exportTo(pathOf(file));
+}
+
+void DocumentFlow::readStock() {
+    if (!workbench_.setup.hasPart() || workbench_.setup.locked() || workbench_.setup.readingStock()) return;
+    const QString file = askStockToRead(&window_, folder());
+    if (file.isEmpty()) return;
+    keepFolder(file);
+    QString table;
+    if (const Result<VolumeSource> source = volumeSourceOf(pathOf(file));
+        source && *source == VolumeSource::voxelArray) {
+        table = askArrayTable(&window_, folder(), QFileInfo(file).fileName());
+        if (table.isEmpty()) return;
+    }
+    workbench_.setup.readStock(pathOf(file), table.isEmpty() ? std::filesystem::path() : pathOf(table));
 }
 
 void DocumentFlow::exportWorkpiece() {

@@ -70,6 +70,7 @@ void MainWindow::connectActions() {
     on(ActionId::about, [this] { showAbout(this, QCoreApplication::applicationVersion()); });
     connect(panels_->part, &PartPanel::importRequested, &flow_, &DocumentFlow::import);
     connect(panels_->part, &PartPanel::stlUnitChosen, &flow_, &DocumentFlow::importAgain);
+    connect(panels_->stock, &StockPanel::fileRequested, &flow_, &DocumentFlow::readStock);
     connect(panels_->program, &ProgramPanel::exportRequested, &flow_, &DocumentFlow::exportProgram);
     connect(&presenters_->millMode, &MillMode::refused, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
@@ -129,6 +130,9 @@ void MainWindow::connectWorkbench() {
     });
     connect(&flow_, &DocumentFlow::workpieceExported, this, [this](const QString& file) {
         message_->tell(Notice::Kind::passed, tr("The workpiece was written to “%1”.").arg(QFileInfo(file).fileName()));
+    });
+    connect(&workbench_.setup, &SetupController::unitUnknown, this, [this](const QString& file) {
+        message_->tell(Notice::Kind::information, tr("“%1” states no unit of length: mm are taken.").arg(file));
     });
     connect(&flow_, &DocumentFlow::restartExported, this, [this](int line, const QString& file) {
         message_->tell(Notice::Kind::passed,

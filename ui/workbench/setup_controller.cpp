@@ -34,6 +34,9 @@ bool sameForm(const Setup& one, const Setup& other) {
     if (one.form != other.form || one.stated != other.stated || one.freeCarving != other.freeCarving) return false;
     if (one.form == StockForm::cylinder)
         return one.stated ? one.cylinder == other.cylinder : one.cylinder.axis == other.cylinder.axis;
+    if (one.form == StockForm::file)
+        return one.volume == other.volume ||
+               (one.volume && other.volume && one.volume->checksum() == other.volume->checksum());
     return one.form != StockForm::box || !one.stated ||
            (one.stock.low == other.stock.low && one.stock.high == other.stock.high);
 }
@@ -51,7 +54,8 @@ bool sameMaterials(const Setup& one, const Setup& other) {
 
 /// Machinable bodies and layers of one material are one entry of the property list: another material may split it.
 bool sharesMaterials(const Setup& setup) {
-    return !setup.regions.empty() || std::ranges::find(setup.roles, BodyRole::insert) != setup.roles.end();
+    return setup.form == StockForm::file || !setup.regions.empty() ||
+           std::ranges::find(setup.roles, BodyRole::insert) != setup.roles.end();
 }
 
 } // namespace
@@ -97,6 +101,8 @@ void SetupController::readMaterials(const std::vector<Property>& own) {
 
 const Property* SetupController::stockMaterial() const {
     const auto found = std::ranges::find(materials_, setup_.stockMaterial, &Property::id);
+    if (found == materials_.end() && setup_.form == StockForm::file && setup_.volume)
+        return &setup_.volume->materials()[setup_.volume->mainMaterial()];
     return found == materials_.end() ? nullptr : &*found;
 }
 
@@ -160,6 +166,32 @@ void SetupController::chooseRole(std::size_t body, BodyRole role) {
     setup.roles[body] = role;
     desk_.undo.push(
         new ValueCommand<Setup>(tr("role of a body"), -1, setup_, setup, [this](const Setup& value) { apply(value); }));
+}
+
+void SetupController::readStock(const std::filesystem::path& file, const std::filesystem::path& table) {
+    if (locked_ || !model_ || readingStock()) return;
+    StockFileRequest request{file, table, setup_.voxel, {}, {}};
+    if (const Property* material = stockMaterial()) request.material = *material;
+    desk_.tasks.start(
+        TaskKind::stock, tr("Reading the stock from %1").arg(QString::fromStdString(file.filename().string())),
+        [request](Progress& progress) { return readStockFile(request, progress); },
+        [this, name = QString::fromStdString(file.filename().string())](const Result<StockFile>& stock) {
+            if (stock)
+                takeStock(*stock, name);
+            else if (stock.error().code != ErrorCode::cancelled)
+                emit failed(stock.error());
+            emit changed();
+        });
+    emit changed();
+}
+
+void SetupController::takeStock(const StockFile& stock, const QString& name) {
+    if (locked_ || !model_) return; // taken or closed meanwhile
+    Setup setup = setup_;
+    setup.form = StockForm::file;
+    setup.volume = stock.volume;
+    edit(setup);
+    if (!stock.unitKnown) emit unitUnknown(name);
 }
 
 void SetupController::setRegions(const std::vector<MaterialRegion>& regions) {

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/job/stock_file.h"
 #include "core/setup/setup.h"
 #include "core/volume/runs/property_list.h"
 #include "ui/workbench/controller.h"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -25,6 +27,7 @@ public:
     /// The library's; what the project keeps stands in place of what the library has of that id.
     const std::vector<Property>& materials() const noexcept { return materials_; }
     const Property* stockMaterial() const; ///< nullptr: neither the project nor the library has it
+    bool readingStock() const { return desk_.tasks.running(TaskKind::stock); }
     bool locked() const noexcept { return locked_; }
     /// Stock and material stay as they are: there are recordings of them.
     void setLocked(bool locked);
@@ -40,13 +43,21 @@ public:
     void chooseStockMaterial(const std::string& id);
     void chooseBodyMaterial(std::size_t body, const std::string& id);
     void chooseRole(std::size_t body, BodyRole role);
+    /// The stock as a file has it, read in the background (core/job/stock_file.h): a model with the present voxel and
+    /// material. @param table of a voxel array
+    void readStock(const std::filesystem::path& file, const std::filesystem::path& table);
     void setRegions(const std::vector<MaterialRegion>& regions);
+
+signals:
+    /// A voxel array states no unit of length: mm were taken.
+    void unitUnknown(const QString& file);
 
 private:
     void apply(const Setup& setup);
     void place(const Setup& setup);
     void readMaterials(const std::vector<Property>& own);
     void storeSetup();
+    void takeStock(const StockFile& stock, const QString& name);
 
     std::shared_ptr<const Model> model_;
     std::vector<Property> materials_;

@@ -119,6 +119,33 @@ Model model() {
     return result;
 }
 
+namespace {
+
+/// Two materials of its own in a small grid.
+StockVolume::Shared stockVolume() {
+    PropertyList list;
+    for (const char* id : {"gegossen-ß", "lattice"}) {
+        Property property;
+        property.id = property.name = id;
+        property.values.emplace(std::string(specificCuttingEnergy),
+                                NamedValue{1.0 / 3.0, "J/mm^3", "an estimate", true});
+        (void)list.add(std::move(property));
+    }
+    RunVolume volume = *RunVolume::make(*Grid::make({-1.0 / 3.0, 0.1, 0.0}, 0.1, {9, 10, 11}, RunAxis::y), list);
+    for (LineIndex line; line.v < volume.grid().lineCountV(); ++line.v)
+        for (line.u = 0; line.u < volume.grid().lineCountU(); ++line.u)
+            volume.fillSpan(line, static_cast<RunPosition>(line.u * 7 + 3), 2000, line.v % 2 == 0 ? 1 : 2);
+    Progress progress;
+    return *StockVolume::of(volume.snapshot(), "Guß \"7\".nrrd", progress);
+}
+
+bool sameVolume(const Setup& one, const Setup& other) {
+    if (!one.volume || !other.volume) return one.volume == other.volume;
+    return one.volume->content() == other.volume->content() && one.volume->name() == other.volume->name();
+}
+
+} // namespace
+
 Setup setup(int version) {
     Setup result;
     result.voxel = 0.1;
@@ -152,6 +179,9 @@ Setup setup(int version) {
     table.grade->axis = 0;
     table.grade->table = {{-1.0 / 3.0, 0.1}, {0.0, 2.7}, {1e9, 0.7}};
     result.regions = {skin, graded, table};
+    if (version < 6) return result;
+    result.form = StockForm::file;
+    result.volume = stockVolume();
     return result;
 }
 
@@ -161,7 +191,7 @@ bool identical(const Setup& one, const Setup& other) {
            one.stock.low == other.stock.low && one.stock.high == other.stock.high &&
            one.workOffset == other.workOffset && one.roles == other.roles && one.form == other.form &&
            one.stated == other.stated && one.cylinder == other.cylinder && one.freeCarving == other.freeCarving &&
-           one.regions == other.regions && one.runs == other.runs;
+           one.regions == other.regions && one.runs == other.runs && sameVolume(one, other);
 }
 
 std::vector<Property> materials() {

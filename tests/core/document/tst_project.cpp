@@ -56,6 +56,7 @@ private slots:
         QTest::newRow("with fixtures, a chosen axis and guides") << 3;
         QTest::newRow("with several setups") << 4;
         QTest::newRow("with roles and layers") << 5;
+        QTest::newRow("with a stock from a file") << 6;
     }
     void aProjectOfEachVersionOpens() {
         QFETCH(int, version);
@@ -74,7 +75,7 @@ private slots:
         QVERIFY(*project->obstacles() == fixture::obstacles());
         // The file as it was is there for who still has the version that wrote it.
         const fs::path kept = project->keptEarlier();
-        QCOMPARE(kept.empty(), version == 5);
+        QCOMPARE(kept.empty(), version == 6);
         if (!kept.empty()) QCOMPARE(kept.filename().string(), "p.format-" + std::to_string(version) + ".burin");
         if (!kept.empty()) QCOMPARE(contentOf(kept), written);
         QVERIFY(project->setAxisMode({}) && project->save());
