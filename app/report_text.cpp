@@ -57,6 +57,7 @@ std::string noteText(const ImportNote& note) {
 } // namespace
 
 std::string textOf(const Model& model) {
+    if (model.bodies.empty()) return worded(BURIN_TEXT("Command", "no part"));
     const glm::dvec3 size = model.box().size();
     std::string text =
         model.sourceFile + "\n  " +
@@ -291,6 +292,13 @@ std::string textOf(const NearPass& pass) {
                   {text, std::to_string(pass.lines), formatShortest(nearPlace)});
 }
 
+std::string textOf(const TouchedVoxels& area) {
+    return worded(
+        BURIN_TEXT("Command", "touched  line %1: with the tip at %2 shank and holder touch %3 voxels of %4 mm"),
+        {std::to_string(area.line), placeText(area.pose.tip), std::to_string(area.centres.size()),
+         formatShortest(area.edge)});
+}
+
 std::string warningText(const std::string& text) {
     return worded(BURIN_TEXT("Command", "warning  %1"), {text});
 }
@@ -325,6 +333,7 @@ std::vector<std::string> findingLines(const VerifyReport& report) {
         if (told.insert(finding.kind).second)
             lines.push_back(worded(BURIN_TEXT("Command", "remedy   %1: %2"),
                                    {findingName(idOf(finding.kind)), worded(remedyOf(finding.kind))}));
+    for (const TouchedVoxels& area : report.touched) lines.push_back(textOf(area));
     for (std::size_t i = 0; i < report.warnings.size() && i < mostFindings; ++i)
         lines.push_back(warningText(textOf(report.warnings[i])));
     if (report.warnings.size() > mostFindings)

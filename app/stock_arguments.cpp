@@ -306,7 +306,7 @@ nlohmann::json jsonOfGradings(const EmbeddedSetup& embedded) {
 
 std::string textOfMaterials(const Setup& setup, const EmbeddedSetup& embedded) {
     std::string text;
-    if (const bool one = setup.roles.empty() && setup.regions.empty(); !one)
+    if (const bool one = setup.roles.empty() && setup.regions.empty() && setup.form != StockForm::file; !one)
         for (const MaterialAmount& amount : materialAmounts(embedded))
             text += "\n" + worded(amount.isProtected ? BURIN_TEXT("Command", "  %1: %2 mm^3, %3, protected")
                                                      : BURIN_TEXT("Command", "  %1: %2 mm^3, %3"),

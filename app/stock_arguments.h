@@ -21,7 +21,8 @@ struct StockArguments {
     bool freeCarving = false;
 };
 
-/// Declares --stock, --stock-box, --stock-cylinder, --stock-axis, --stock-file, --stock-table, --margin, --material, --role, --body-material,
+/// Declares --stock, --stock-box, --stock-cylinder, --stock-axis, --stock-file, --stock-table, --margin, --material,
+/// --role, --body-material,
 /// --layer, --grade, --grade-table, --bands and --free-carving.
 void addStock(CommandParser command, StockArguments& arguments);
 

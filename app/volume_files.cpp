@@ -11,9 +11,14 @@ namespace burin {
 Result<RunVolume> readVolume(const std::string& file, const std::string& table, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Reading"));
     Result<VolumeInput> input = readAnyVolume(file, table, context.progress());
-    if (!input) return std::move(input).error();
+    if (!input) return withTableOption(std::move(input).error(), "--table");
     if (!input->unitKnown) tellUnknownUnit(file, context);
     return std::move(input->volume);
+}
+
+Error withTableOption(Error error, const char* option) {
+    if (error.code == ErrorCode::argumentInvalid && error.subject == "table") error.subject = option;
+    return error;
 }
 
 void tellUnknownUnit(const std::string& file, CommandContext& context) {

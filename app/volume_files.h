@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/error.h"
 #include "core/volume/runs/run_volume.h"
 
 #include <string>
@@ -12,6 +13,9 @@ class CommandContext;
 
 /// readAnyVolume, as a stage of a command. A file that states no unit is told.
 Result<RunVolume> readVolume(const std::string& file, const std::string& table, CommandContext& context);
+
+/// An error of reading with the option's name in place of "table".
+Error withTableOption(Error error, const char* option);
 
 /// Says that a voxel array states no unit of length.
 void tellUnknownUnit(const std::string& file, CommandContext& context);

@@ -50,7 +50,7 @@ Result<void> addStockFile(const EmbedArguments& arguments, Setup& setup, Command
     if (!material) return std::move(material).error();
     request.material = std::move(*material);
     Result<StockFile> stock = readStockFile(request, context.progress());
-    if (!stock) return std::move(stock).error();
+    if (!stock) return withTableOption(std::move(stock).error(), "--stock-table");
     if (!stock->unitKnown) tellUnknownUnit(arguments.stock.file, context);
     setup.volume = std::move(stock->volume);
     return {};

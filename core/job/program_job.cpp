@@ -360,6 +360,7 @@ Result<CheckedProgram> overrideCheck(CheckedProgram program, const std::string& 
         if (finding.line > 0) finding.line += added;
     for (Finding& warning : program.report.warnings) warning.line += added;
     for (NearPass& pass : program.report.nearPasses) pass.line += added;
+    for (TouchedVoxels& area : program.report.touched) area.line += added;
     for (MotionLoad& load : program.report.loads) load.line += added;
     for (LintMark& mark : program.lint) mark.line += added;
     program.text = std::move(*text);

@@ -124,6 +124,26 @@ NearPass nearPassFrom(const json& entry) {
     throw json::other_error::create(501, "near pass", &entry);
 }
 
+json recordOf(const TouchedVoxels& area) {
+    json centres = json::array();
+    for (const glm::dvec3& centre : area.centres) centres.push_back({centre.x, centre.y, centre.z});
+    const glm::dvec3 &tip = area.pose.tip, &axis = area.pose.axis;
+    return {{"line", area.line},
+            {"tip_mm", {tip.x, tip.y, tip.z}},
+            {"axis", {axis.x, axis.y, axis.z}},
+            {"voxel_mm", area.edge},
+            {"centres_mm", std::move(centres)}};
+}
+
+TouchedVoxels touchedFrom(const json& entry) {
+    TouchedVoxels area;
+    area.line = entry.at("line").get<std::uint32_t>();
+    area.pose = {placeFrom(entry.at("tip_mm")), placeFrom(entry.at("axis"))};
+    area.edge = entry.at("voxel_mm").get<double>();
+    for (const json& centre : entry.at("centres_mm")) area.centres.push_back(placeFrom(centre));
+    return area;
+}
+
 } // namespace
 
 std::string toJson(const VerifyReport& report) {
@@ -138,7 +158,10 @@ std::string toJson(const VerifyReport& report) {
                             {"place_mm", json::array({pass.place.x, pass.place.y, pass.place.z})},
                             {"distance_mm", pass.distance},
                             {"lines", pass.lines}});
+    json touched = json::array();
+    for (const TouchedVoxels& area : report.touched) touched.push_back(recordOf(area));
     return json{{"passed", report.passed()},
+                {"touched", std::move(touched)},
                 {"gouge_max_mm", report.gougeMax},
                 {"gouge_max_mesh_mm", report.gougeMaxMesh},
                 {"excess_max_mm", report.excessMax},
@@ -213,6 +236,8 @@ std::optional<VerifyReport> reportFromJson(std::string_view text) try {
     report.toolChanges = record.value("tool_changes", 0);
     report.untimedMoves = record.value("moves_without_time", 0);
     for (const json& entry : record.at("warnings")) report.nearPasses.push_back(nearPassFrom(entry));
+    if (const auto touched = record.find("touched"); touched != record.end()) // not in verdicts of earlier versions
+        for (const json& entry : *touched) report.touched.push_back(touchedFrom(entry));
     if (record.at("passed").get<bool>() != report.passed()) return std::nullopt;
     return report;
 } catch (const json::exception&) {

@@ -14,8 +14,8 @@ namespace burin {
 /// beside a program.
 std::string toJson(const VerifyReport& report);
 
-/// What `toJson` wrote of the verdict: figures, findings and near passes. Times, loads and deviations are not in it.
-/// Nothing: it wrote no such text.
+/// What `toJson` wrote of the verdict: figures, findings, near passes and touched voxels. Times, loads and deviations
+/// are not in it. Nothing: it wrote no such text.
 std::optional<VerifyReport> reportFromJson(std::string_view text);
 
 /// The load of a program as JSON: "load_by_block", an entry for each block that removes something, with its mean and

@@ -22,6 +22,7 @@
 #include "core/verify/replay.h"
 #include "core/verify/side_lines.h"
 #include "core/verify/tool_moves.h"
+#include "core/verify/touched_voxels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -150,6 +151,23 @@ void judgePlunges(const ReplayedProgram& replayed, Findings& findings) {
     }
 }
 
+/// On a workpiece of its own, and only where something collided: kept from the beginning, it would cost every check
+/// the memory of a second one.
+Result<void> addTouchedVoxels(const VerifyRequest& request, const std::vector<ToolMove>& moves,
+                              std::span<const Tool> tools, const Findings& findings, VerifyReport& report,
+                              Progress& progress) {
+    const std::vector<Finding> found = findings.inProgramOrder();
+    if (std::ranges::none_of(found, isShankOrHolder)) return {};
+    Result<EmbeddedSetup> embedded = embed(*request.model, request.setup, request.materials, progress);
+    if (!embedded) return std::move(embedded).error();
+    if (const Result<EarlierMoves> earlier = millBefore(request, embedded->workpiece, progress); !earlier)
+        return earlier.error();
+    Result<std::vector<TouchedVoxels>> touched = findTouchedVoxels(moves, tools, embedded->workpiece, found, progress);
+    if (!touched) return std::move(touched).error();
+    report.touched = std::move(*touched);
+    return {};
+}
+
 } // namespace
 
 Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, VolumeSnapshot* machined) {
@@ -223,6 +241,8 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     report.findings = byCause(findings.inProgramOrder(), *request.program, *comparison);
     report.nearPasses = passes.byPlace();
     if (machined != nullptr) *machined = workpiece.snapshot();
+    if (Result<void> found = addTouchedVoxels(request, moves, tools->tools, findings, report, progress); !found)
+        return std::move(found).error();
     progress.report(1.0);
     return report;
 }

@@ -118,6 +118,15 @@ inline constexpr double nearPlace = 10.0; ///< mm
 /// Stable id, for JSON: "holder_near_part", "shank_near_stock", …
 std::string idOf(const NearPass& pass);
 
+/// The collision area of a line (paper, eq. 4): surface voxels of shank and holder that are surface voxels of the
+/// workpiece, at the pose of the line where they overlap most.
+struct TouchedVoxels {
+    std::uint32_t line = 0;          ///< of the program's text, from 1
+    ToolPose pose;                   ///< setup frame
+    double edge = 0.0;               ///< mm, of the voxels
+    std::vector<glm::dvec3> centres; ///< mm, setup frame
+};
+
 /// Signed distance from the part's surface to what the program leaves there.
 struct DeviationSample {
     glm::dvec3 place{0.0}; ///< on the part, mm, setup frame
@@ -159,6 +168,7 @@ struct VerifyReport {
     std::vector<FeedLimit> feedLimits; ///< of motions that are fed too fast for spindle or tool, in program order
     std::vector<NearPass> nearPasses;  ///< one a place, the nearest first
     std::vector<DeviationSample> deviations;
+    std::vector<TouchedVoxels> touched; ///< of the lines on which shank or holder overlap most, in program order
 
     /// True when nothing was found; a gouge within the tolerance is not a finding.
     bool passed() const noexcept { return findings.empty(); }

@@ -45,6 +45,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , section_(*solids_, *marks_)
     , ghost_(*marks_)
     , touch_(*marks_)
+    , touchedVoxels_(*marks_)
     , moveMark_(*marks_)
     , outlines_(*marks_)
     , strokePlans_(*marks_)
@@ -82,6 +83,7 @@ void Scene::setPalette(const Palette& palette) {
     section_.setPalette(palette);
     ghost_.setPalette(palette);
     touch_.setPalette(palette);
+    touchedVoxels_.setColours(palette.force, palette.pathHalo);
     moveMark_.setColours(palette.chosenPath, palette.pathHalo);
     outlines_.setColours(palette.rapidPath, palette.pathHalo);
     strokePlans_.setColours(palette.chosenPath, palette.pathHalo);
@@ -265,7 +267,8 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     films_->SetDraw(guides_.visible() || obstacles_.filmsVisible() || tool_.filmsVisible() ||
                     workpiece_.filmsVisible());
     marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible() || moveMark_.visible() ||
-                    outlines_.visible() || strokePlans_.visible() || touch_.visible() || section_.plane().has_value());
+                    outlines_.visible() || strokePlans_.visible() || touch_.visible() || touchedVoxels_.visible() ||
+                    section_.plane().has_value());
 
     aimCamera(*solids_, drawnBounds(), view);
     const DepthCue cue = depthCue(*solids_);

@@ -21,6 +21,7 @@
 #include "ui/scene/stylus_ghost.h"
 #include "ui/scene/tool_actors.h"
 #include "ui/scene/touch_mark.h"
+#include "ui/scene/touched_voxels_actor.h"
 #include "ui/scene/view_cube.h"
 #include "ui/scene/workpiece_actors.h"
 
@@ -75,6 +76,7 @@ public:
     OtherPaths& otherPaths() noexcept { return otherPaths_; }
     /// Stands for the part's own surface. Without triangles: none.
     void setDeviations(const DeviationSurface& surface);
+    TouchedVoxelsActor& touchedVoxels() noexcept { return touchedVoxels_; }
     MarkedLines& moveMark() noexcept { return moveMark_; }
     MarkedLines& outlines() noexcept { return outlines_; }
     MarkedLines& strokePlans() noexcept { return strokePlans_; }
@@ -121,6 +123,7 @@ private:
     SectionActors section_;
     StylusGhost ghost_;
     TouchMark touch_;
+    TouchedVoxelsActor touchedVoxels_;
     MarkedLines moveMark_, outlines_, strokePlans_;
     ForceArrow force_;
     ViewCube cube_;

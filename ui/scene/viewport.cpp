@@ -261,6 +261,11 @@ void Viewport::setStrokePlans(const PlaceChains& lines) {
     impl_->refresh();
 }
 
+void Viewport::setTouchedVoxels(const std::vector<TouchedVoxels>& areas) {
+    impl_->scene.touchedVoxels().set(areas);
+    impl_->refresh();
+}
+
 void Viewport::setMoveMark(const PlaceChains& moves) {
     impl_->scene.moveMark().set(moves);
     impl_->refresh();

@@ -7,6 +7,7 @@
 #include "core/path/evaluate.h"
 #include "core/recording/sample.h"
 #include "core/tool/tool.h"
+#include "core/verify/verify.h"
 #include "core/volume/runs/run_volume.h"
 #include "ui/scene/deviation_surface.h"
 #include "ui/scene/guide_marks.h"
@@ -117,6 +118,8 @@ public:
     /// What a program leaves on the part, or takes from it, in colours on the part. They come from a worker's thread,
     /// and stand until they are taken away by a picture without samples.
     void setDeviations(const DeviationPicture& picture);
+    /// What shank or holder touch, as cubes; none: nothing.
+    void setTouchedVoxels(const std::vector<TouchedVoxels>& areas);
     /// What is chosen or looked at of a path.
     void setMoveMark(const PlaceChains& moves);
     /// What the user drew for the path: areas, guides.

@@ -102,6 +102,15 @@ void ProgramScenePresenter::pick(std::size_t move) {
     showLine();
 }
 
+/// What shank and holder touch on the line that is looked at; of the whole program where that touches nothing.
+void ProgramScenePresenter::showTouched() {
+    std::vector<TouchedVoxels> areas;
+    if (program_) areas = program_->report.touched;
+    const auto onLine = [this](const TouchedVoxels& area) { return static_cast<int>(area.line) == line_; };
+    if (std::ranges::any_of(areas, onLine)) std::erase_if(areas, [&](const auto& area) { return !onLine(area); });
+    viewport_.setTouchedVoxels(areas);
+}
+
 void ProgramScenePresenter::showLine() {
     const auto line = static_cast<std::uint32_t>(line_);
     const NcMotion* motion = program_ && line_ > 0 ? lastMotion(program_->parsed.motions, line) : nullptr;
@@ -112,6 +121,7 @@ void ProgramScenePresenter::showLine() {
             places.push_back(tipAt(move.to));
         }
     viewport_.setMoveMark({places});
+    showTouched();
     if (motion != nullptr)
         scene_.showToolAt(tipAt(motion->to), program_->toolNumbered(motion->tool));
     else

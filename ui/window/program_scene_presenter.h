@@ -29,6 +29,7 @@ private:
     void choose(int line);
     void pick(std::size_t move);
     void showLine();
+    void showTouched();
     void take(std::shared_ptr<const CheckedProgram> program);
     void followText();
     void chooseSelection();

@@ -123,6 +123,7 @@ private slots:
     void stockEndsWithinAVoxel();
     void spindleThatStandsStillIsFound();
     void shankInADeepGrooveIsFound();
+    void whatTheShankTouchesIsToldAsVoxels();
     void aToolInAFixtureIsFound_data();
     void aToolInAFixtureIsFound();
     void aHolderThatPassesNearIsToldAndIsNoFault_data();
@@ -395,6 +396,50 @@ void VerifyTest::shankInADeepGrooveIsFound() {
     Case shallow;
     const VerifyReport fine = shallow.judge(start + "G0 Z5\nG0 X-30 Y0\nG1 Z-7.5 F300\nG1 X0 F600\nG1 Z5\n");
     QCOMPARE(countOf(fine, FindingKind::shankCollision), 0);
+}
+
+/// Eq. 4 of the paper for a plunge, voxel by voxel from closed formulas: a hole of 6 mm, and a shank of 10 mm that
+/// begins 8 mm up, 2 mm deep in the stock.
+void VerifyTest::whatTheShankTouchesIsToldAsVoxels() {
+    Case job;
+    job.request.tool.cutter = {CutterType::flat, 6.0, 0.0, 8.0, 10.0, 30.0, {{20.0, 20.0, 15.0}}};
+    const std::string program = start + "G0 Z5\nG0 X0 Y0\nG1 Z-10 F300\nG1 Z5\n";
+    const VerifyReport report = job.judge(program);
+    QCOMPARE(report.touched.size(), std::size_t{1});
+    const TouchedVoxels& touched = report.touched.front();
+    QCOMPARE(touched.line, lineOf(program, "G1 Z-10"));
+    QCOMPARE(touched.pose.tip, glm::dvec3(15.0, 10.0, 20.0));
+    QCOMPARE(touched.edge, 0.25);
+    const Box& stock = job.request.setup.stock;
+    const auto far = [](const glm::dvec3& at) { return std::hypot(at.x - 15.0, at.y - 10.0); };
+    const auto inPart = [](const glm::dvec3& at) {
+        return at.x > 0.0 && at.x < 30.0 && at.y > 0.0 && at.y < 20.0 && at.z > 0.0 && at.z < 10.0;
+    };
+    const auto inStock = [&](const glm::dvec3& at) {
+        const bool inside = glm::all(glm::greaterThan(at, stock.low)) && glm::all(glm::lessThan(at, stock.high));
+        return inside && (inPart(at) || far(at) > 3.0 || at.z < 20.0);
+    };
+    const auto inShank = [&](const glm::dvec3& at) { return far(at) <= 5.0 && at.z >= 28.0 && at.z <= 50.0; };
+    const auto onSurface = [](const auto& holds, const glm::dvec3& at) {
+        if (!holds(at)) return false;
+        for (int i = 0; i < 27; ++i)
+            if (!holds(at + 0.25 * glm::dvec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1))) return true;
+        return false;
+    };
+    std::size_t expected = 0;
+    for (double x = 9.125; x < 21.0; x += 0.25)
+        for (double y = 4.125; y < 16.0; y += 0.25)
+            for (double z = 20.125; z < 30.0; z += 0.25)
+                if (const glm::dvec3 at(x, y, z); onSurface(inStock, at) && onSurface(inShank, at)) {
+                    ++expected;
+                    QVERIFY(std::ranges::any_of(
+                        touched.centres, [&](const glm::dvec3& centre) { return glm::length(centre - at) < 1e-9; }));
+                }
+    QCOMPARE(touched.centres.size(), expected);
+    QVERIFY(expected > 100);
+    const std::optional<VerifyReport> again = reportFromJson(toJson(report)); // as a project keeps it
+    QVERIFY(again && again->touched.size() == 1 && again->touched.front().centres == touched.centres);
+    QVERIFY(job.judge(start + "G0 Z5\nG0 X0 Y0\nG1 Z-7 F300\nG1 Z5\n").touched.empty());
 }
 
 void VerifyTest::aToolInAFixtureIsFound_data() {
