@@ -5,13 +5,11 @@
 #include "core/base/file.h"
 #include "core/base/numbers.h"
 #include "core/base/staged_file.h"
-#include "core/cutting/calibration.h"
+#include "core/cutting/calibrated_materials.h"
 #include "core/document/companions.h"
 #include "ui/messages/details.h"
 
-#include <algorithm>
 #include <array>
-#include <ctime>
 
 namespace burin {
 
@@ -24,21 +22,11 @@ struct CalibrateArguments {
     bool onWorkpiece = false, replace = false, dryRun = false;
 };
 
-/// A calibration with the material that it makes.
+/// A calibration with the file that its material was written to; empty: none.
 struct Calibrated {
-    MaterialCalibration calibration;
-    Property material;
-    std::string file; ///< that it was written to; empty: none
+    CalibratedMaterial made;
+    std::string file;
 };
-
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    ::gmtime_r(&now, &utc);
-    std::array<char, 16> text{};
-    std::strftime(text.data(), text.size(), "%Y-%m-%d", &utc);
-    return text.data();
-}
 
 CalibrationOptions optionsOf(const CalibrateArguments& arguments) {
     CalibrationOptions options;
@@ -50,58 +38,12 @@ CalibrationOptions optionsOf(const CalibrateArguments& arguments) {
     return options;
 }
 
-/// In the order of the file, each once; only the requested one.
-Result<std::vector<std::string>> materialsOf(const std::vector<ForceRecord>& records, const std::string& wanted) {
-    std::vector<std::string> materials;
-    std::string known;
-    for (const ForceRecord& record : records) {
-        if (std::find(materials.begin(), materials.end(), record.material) != materials.end()) continue;
-        materials.push_back(record.material);
-        known += (known.empty() ? "" : ", ") + record.material;
-    }
-    if (wanted.empty()) return materials;
-    if (std::find(materials.begin(), materials.end(), wanted) == materials.end())
-        return Error{ErrorCode::nameUnknown, "material", wanted, known};
-    return std::vector<std::string>{wanted};
-}
-
-/// What the calibrated material has beside K and Kr: the material of that id, or the one that it is said to be like.
-/// @param written false: nobody will read those other values
-Result<Property> basisOf(const std::string& id, const std::string& like, bool written) {
-    if (like.empty()) {
-        Result<Property> known = loadMaterial(id);
-        if (known || known.error().code != ErrorCode::nameUnknown) return known;
-        if (!written) return Property{};
-        return Error{ErrorCode::argumentInvalid, "material", id,
-                     worded(BURIN_TEXT("Command", "a known material, or --like MATERIAL"))};
-    }
-    Result<Property> model = loadMaterial(like);
-    if (!model || like == id) return model;
-    for (auto& [name, value] : model->values) {
-        value.source = "taken over from " + like + ": " + value.source;
-        value.estimate = true;
-    }
-    model->name = id;
-    return model;
-}
-
-Result<Calibrated> calibrated(const std::vector<ForceRecord>& records, const std::string& id,
-                              const CalibrateArguments& arguments) {
-    Result<MaterialCalibration> calibration = calibrate(records, id, optionsOf(arguments), arguments.forces);
-    if (!calibration) return calibration.error();
-    const Result<Property> basis = basisOf(id, arguments.like, !arguments.dryRun);
-    if (!basis) return basis.error();
-    const std::string evidence = std::filesystem::path(arguments.forces).filename().string() + ", " + today();
-    Property material = calibratedMaterial(*basis, *calibration, evidence);
-    return Calibrated{std::move(*calibration), std::move(material), {}};
-}
-
 json jsonOf(const Confidence& confidence) {
     return {{"value", confidence.value}, {"low", confidence.low}, {"high", confidence.high}};
 }
 
 json jsonOf(const Calibrated& entry) {
-    const MaterialCalibration& c = entry.calibration;
+    const MaterialCalibration& c = entry.made.calibration;
     json leftOut = json::array(), residuals = json::array();
     for (const LeftOut& record : c.leftOut) leftOut.push_back({{"line", record.line}, {"reason", record.reason}});
     for (const Residual& record : c.residuals)
@@ -130,7 +72,7 @@ json jsonOf(const Calibrated& entry) {
 }
 
 std::string textOf(const Calibrated& entry) {
-    const MaterialCalibration& c = entry.calibration;
+    const MaterialCalibration& c = entry.made.calibration;
     std::string text =
         worded(BURIN_TEXT("Command", "%1: %2 of %3 records, noise %4 N tangential, %5 N radial"),
                {c.material, std::to_string(c.residuals.size()), std::to_string(c.records),
@@ -151,7 +93,7 @@ std::string textOf(const Calibrated& entry) {
 /// Writes the materials to the user's library, all or none, once all ids may be used.
 Result<void> keepMaterials(std::vector<Calibrated>& materials, const CalibrateArguments& arguments) {
     for (Calibrated& entry : materials) {
-        const Result<std::filesystem::path> file = userMaterialFile(entry.material.id, arguments.replace);
+        const Result<std::filesystem::path> file = userMaterialFile(entry.made.material.id, arguments.replace);
         if (!file) return file.error();
         const std::array<std::filesystem::path, 1> output{*file};
         if (Result<void> free = checkDistinct("FORCES", arguments.forces, output); !free) return free;
@@ -164,7 +106,7 @@ Result<void> keepMaterials(std::vector<Calibrated>& materials, const CalibrateAr
         std::error_code failed;
         std::filesystem::create_directories(file.parent_path(), failed);
         if (failed) return writeError(file, failed.value());
-        Result<StagedFile> staged = StagedFile::containing(file, toJson(entry.material));
+        Result<StagedFile> staged = StagedFile::containing(file, toJson(entry.made.material));
         if (!staged) return std::move(staged).error();
         files.push_back(std::move(*staged));
     }
@@ -172,19 +114,11 @@ Result<void> keepMaterials(std::vector<Calibrated>& materials, const CalibrateAr
 }
 
 int runCalibrate(const CalibrateArguments& arguments, CommandContext& context) {
-    const Result<std::string> text = readFile(arguments.forces);
-    if (!text) return context.fail(text.error());
-    const Result<std::vector<ForceRecord>> records = parseForceRecords(*text, arguments.forces);
-    if (!records) return context.fail(records.error());
-    const Result<std::vector<std::string>> ids = materialsOf(*records, arguments.material);
-    if (!ids) return context.fail(ids.error());
-
+    Result<std::vector<CalibratedMaterial>> made = calibrateMaterials(
+        {arguments.forces, arguments.material, arguments.like, optionsOf(arguments), !arguments.dryRun});
+    if (!made) return context.fail(made.error());
     std::vector<Calibrated> materials;
-    for (const std::string& id : *ids) {
-        Result<Calibrated> one = calibrated(*records, id, arguments);
-        if (!one) return context.fail(one.error());
-        materials.push_back(std::move(*one));
-    }
+    for (CalibratedMaterial& one : *made) materials.push_back({std::move(one), {}});
     if (!arguments.dryRun)
         if (const Result<void> kept = keepMaterials(materials, arguments); !kept) return context.fail(kept.error());
     json list = json::array();

@@ -155,6 +155,8 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Export the rest of the program from the selected line, with a safe re-entry into "
                                      "the cut, for example after tool breakage."),
         "F8"},
+    Row{ActionId::materials, "materialsAction", QT_TRANSLATE_NOOP("Actions", "Mate&rials…"),
+        QT_TRANSLATE_NOOP("Actions", "Look at, copy, change, add and calibrate materials."), "Ctrl+Shift+T"},
     Row{ActionId::machines, "machinesAction", QT_TRANSLATE_NOOP("Actions", "&Machines…"),
         QT_TRANSLATE_NOOP("Actions", "Look at the machines; copy, change and delete your own."), "Ctrl+Shift+M"},
     Row{ActionId::welcome, "welcomeAction", QT_TRANSLATE_NOOP("Actions", "&Welcome page"),

@@ -75,6 +75,7 @@ enum class ActionId : std::size_t {
     overrideCheck,
     restart,
     machines,
+    materials,
     welcome,
     keyList,
     about,

@@ -85,6 +85,16 @@ QString askArrayTable(QWidget* parent, const QString& folder, const QString& arr
                      FileDialogs::tr("Tables (*.json);;All files (*)"));
 }
 
+QString askMaterialToAdd(QWidget* parent, const QString& folder) {
+    return askToOpen(parent, FileDialogs::tr("Add a material"), folder,
+                     FileDialogs::tr("Materials (*.json *.FCMat);;All files (*)"));
+}
+
+QString askForcesToRead(QWidget* parent, const QString& folder) {
+    return askToOpen(parent, FileDialogs::tr("Measured forces"), folder,
+                     FileDialogs::tr("Tables (*.csv);;All files (*)"));
+}
+
 QString askMachineToAdd(QWidget* parent, const QString& folder) {
     return askToOpen(parent, FileDialogs::tr("Add a machine"), folder, FileDialogs::tr("Machines (*.json)"));
 }

@@ -17,6 +17,10 @@ QString askFixtureToImport(QWidget* parent, const QString& folder);
 QString askStockToRead(QWidget* parent, const QString& folder);
 /// What the values of a voxel array mean. @param array name of its file
 QString askArrayTable(QWidget* parent, const QString& folder, const QString& array);
+/// Burin's own form or a FreeCAD card.
+QString askMaterialToAdd(QWidget* parent, const QString& folder);
+/// Measured cutting forces, CSV.
+QString askForcesToRead(QWidget* parent, const QString& folder);
 QString askMachineToAdd(QWidget* parent, const QString& folder);
 /// With the ending .burin.
 QString askProjectToSave(QWidget* parent, const QString& folder, const QString& name);

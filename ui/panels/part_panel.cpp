@@ -41,6 +41,7 @@ class PartPanel::Fields : public QObject {
 public:
     explicit Fields(PartPanel* panel);
     void refresh();
+    void chooseBody(std::size_t body);
 
     PartState state;
     LengthUnit unit = LengthUnit::millimetre;
@@ -145,6 +146,13 @@ void PartPanel::Fields::makeRole(PartPanel* panel) {
         state.roles[body] = bodyRoles[static_cast<std::size_t>(index)];
         emit panel->roleChosen(body, state.roles[body]);
     });
+}
+
+void PartPanel::Fields::chooseBody(std::size_t body) {
+    if (!state.model || body >= state.model->bodies.size()) return;
+    bodies_->setChosen(static_cast<int>(body));
+    refreshRole();
+    role_->setFocus();
 }
 
 BodyRole PartPanel::Fields::roleOfBody(std::size_t body) const {
@@ -300,6 +308,10 @@ PartPanel::PartPanel(QWidget* parent) : QWidget(parent), fields_(new Fields(this
 void PartPanel::setUnit(LengthUnit unit) {
     fields_->unit = unit;
     fields_->refresh();
+}
+
+void PartPanel::chooseBody(std::size_t body) {
+    fields_->chooseBody(body);
 }
 
 void PartPanel::setState(const PartState& state) {

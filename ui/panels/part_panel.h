@@ -16,6 +16,7 @@ public:
     explicit PartPanel(QWidget* parent = nullptr);
     void setUnit(LengthUnit unit);
     void setState(const PartState& state); ///< never emits
+    void chooseBody(std::size_t body);     ///< its role can be chosen with the keys
 
 signals:
     void importRequested();

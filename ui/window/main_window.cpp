@@ -9,6 +9,7 @@
 #include "ui/panels/texts.h"
 #include "ui/scene/view_cube_room.h"
 #include "ui/window/machine_dialog.h"
+#include "ui/window/material_dialog.h"
 #include "ui/window/program_dock.h"
 
 #include <QApplication>
@@ -215,9 +216,11 @@ void MainWindow::showStep(JobStep step) {
     presenters_->guideScene.setShown(step);
     presenters_->deviation.setShown(step == JobStep::program);
     // Who lets go of the pointer comes before who takes it.
+    if (step != JobStep::part) presenters_->part.setShown(false);
     if (step == JobStep::program) presenters_->pathScene.setShown(step);
     presenters_->programScene.setShown(step);
     if (step != JobStep::program) presenters_->pathScene.setShown(step);
+    if (step == JobStep::part) presenters_->part.setShown(true);
     panels_->showStep(step);
     followProgram();
 }
@@ -334,6 +337,11 @@ void MainWindow::removeTake(qint64 take) {
 
 void MainWindow::showMachines() {
     MachineDialog dialog(workbench_.target, settings_.preferences().unit, this);
+    dialog.exec();
+}
+
+void MainWindow::showMaterials() {
+    MaterialDialog dialog(workbench_.material, workbench_.setup.setup().stockMaterial, workbench_.setup.locked(), this);
     dialog.exec();
 }
 

@@ -56,6 +56,7 @@ void MainWindow::connectActions() {
         flow_.restartProgram(panels_->program->line());
     });
     on(ActionId::machines, [this] { showMachines(); });
+    on(ActionId::materials, [this] { showMaterials(); });
     on(ActionId::welcome, [this] {
         if (pages_->currentWidget() != welcome_) {
             leftFrom_ = QApplication::focusWidget();

@@ -9,7 +9,7 @@ namespace burin {
 Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage& stage, QObject* parent)
     : QObject(parent)
     , millMode(workbench, stage.viewport, this)
-    , part(workbench, *stage.panels.part, this)
+    , part(workbench, stage.viewport, *stage.panels.part, this)
     , stock(workbench, *stage.panels.stock, *stage.panels.findings, this)
     , material(workbench, *stage.panels.material, this)
     , layers(workbench, *stage.panels.layers, this)

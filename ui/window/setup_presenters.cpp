@@ -8,8 +8,9 @@
 
 namespace burin {
 
-PartPresenter::PartPresenter(Workbench& workbench, PartPanel& panel, QObject* parent)
-    : Presenter(workbench, {&workbench.model, &workbench.setup}, parent), panel_(panel) {
+PartPresenter::PartPresenter(Workbench& workbench, Viewport& viewport, PartPanel& panel, QObject* parent)
+    : Presenter(workbench, {&workbench.model, &workbench.setup}, parent), viewport_(viewport), panel_(panel) {
+    connect(&picker_, &BodyPicker::chosen, &panel, &PartPanel::chooseBody);
     connect(&panel, &PartPanel::roleChosen, &workbench.setup, &SetupController::chooseRole);
 }
 
@@ -18,7 +19,16 @@ void PartPresenter::setUnit(LengthUnit unit) {
     Presenter::setUnit(unit);
 }
 
+void PartPresenter::setShown(bool shown) {
+    shown_ = shown;
+    if (shown)
+        viewport_.setInteractiveTool(&picker_);
+    else if (viewport_.interactiveTool() == &picker_)
+        viewport_.setInteractiveTool(nullptr);
+}
+
 void PartPresenter::present() {
+    picker_.setModel(workbench_.model.preview() ? nullptr : workbench_.model.model());
     PartState state{workbench_.model.model(), workbench_.model.importing(), workbench_.model.preview()};
     state.roles = workbench_.setup.setup().roles;
     state.locked = workbench_.setup.locked();

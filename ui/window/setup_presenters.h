@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/actions/actions.h"
+#include "ui/input/body_picker.h"
 #include "ui/panels/allowance_panel.h"
 #include "ui/panels/embedding_findings.h"
 #include "ui/panels/layer_panel.h"
@@ -10,6 +11,7 @@
 #include "ui/panels/part_panel.h"
 #include "ui/panels/stock_panel.h"
 #include "ui/panels/tool_panel.h"
+#include "ui/scene/viewport.h"
 #include "ui/window/presenter.h"
 
 namespace burin {
@@ -19,12 +21,17 @@ namespace burin {
 class PartPresenter final : public Presenter {
     Q_OBJECT
 public:
-    PartPresenter(Workbench& workbench, PartPanel& panel, QObject* parent);
+    PartPresenter(Workbench& workbench, Viewport& viewport, PartPanel& panel, QObject* parent);
     void setUnit(LengthUnit unit) override;
+    /// While its step is shown a click in the viewport chooses a body.
+    void setShown(bool shown);
 
 private:
     void present() override;
+    Viewport& viewport_;
     PartPanel& panel_;
+    BodyPicker picker_;
+    bool shown_ = false;
 };
 
 class StockPresenter final : public Presenter {

@@ -99,6 +99,19 @@ void SetupController::readMaterials(const std::vector<Property>& own) {
     std::ranges::sort(materials_, {}, &Property::id);
 }
 
+void SetupController::readLibrary() {
+    const std::vector<std::string> library = materialIds(), used = materialsUsed(setup_);
+    const auto isIn = [](const std::vector<std::string>& ids, const Property& material) {
+        return std::ranges::find(ids, material.id) != ids.end();
+    };
+    std::vector<Property> kept;
+    for (const Property& material : materials_)
+        if (isIn(used, material) && (locked_ || !isIn(library, material))) kept.push_back(material);
+    readMaterials(kept);
+    if (model_ && !locked_ && !problem_) storeSetup();
+    emit changed();
+}
+
 const Property* SetupController::stockMaterial() const {
     const auto found = std::ranges::find(materials_, setup_.stockMaterial, &Property::id);
     if (found == materials_.end() && setup_.form == StockForm::file && setup_.volume)

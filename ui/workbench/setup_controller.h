@@ -32,6 +32,8 @@ public:
     /// Stock and material stay as they are: there are recordings of them.
     void setLocked(bool locked);
 
+    /// The library of materials changed: the project takes its values, unless it is locked.
+    void readLibrary();
     /// A new part in a stock that suits its size.
     void placeAround(std::shared_ptr<const Model> model);
     /// What a project holds.

@@ -18,7 +18,20 @@
 namespace burin {
 
 /// Long work of the window; of each kind one runs at a time.
-enum class TaskKind { importing, embedding, field, growth, planning, edges, fixture, path, program, device, exporting, stock };
+enum class TaskKind {
+    importing,
+    embedding,
+    field,
+    growth,
+    planning,
+    edges,
+    fixture,
+    path,
+    program,
+    device,
+    exporting,
+    stock
+};
 
 /// A task as the status line shows it.
 struct TaskRow {

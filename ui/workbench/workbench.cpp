@@ -23,6 +23,7 @@ Workbench::Workbench(QObject* parent)
     , document(desk_, this)
     , model(desk_, this)
     , setup(desk_, this)
+    , material(desk_, this)
     , tool(desk_, this)
     , target(desk_, this)
     , workpiece(desk_, this)
@@ -46,8 +47,8 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document, &model,        &setup,  &tool, &target, &workpiece, &styluses, &session,
-            &mill,     &surroundings, &guides, &hand, &showMe, &path,      &program};
+    return {&document, &model, &setup,        &material, &tool, &target, &workpiece, &styluses,
+            &session,  &mill,  &surroundings, &guides,   &hand, &showMe, &path,      &program};
 }
 
 void Workbench::wire() {
@@ -65,6 +66,7 @@ void Workbench::wire() {
     connect(&surroundings, &Controller::changed, this, [this] { workpiece.setWanted(surroundings.wanted()); });
     connect(&workpiece, &WorkpieceController::surroundingsChanged, &path, &PathController::workpieceRemade);
     connect(&workpiece, &WorkpieceController::machineChanged, &path, &PathController::workpieceRemade);
+    connect(&material, &Controller::changed, &setup, &SetupController::readLibrary);
     connect(&tool, &ToolController::chosen, this, &Workbench::updateWanted);
     connect(&target, &Controller::changed, this, [this] { workpiece.setWanted(target.machine()); });
     connect(&mill, &MillController::takesChanged, this, [this] {

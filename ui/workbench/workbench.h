@@ -4,6 +4,7 @@
 
 #include "ui/workbench/document_controller.h"
 #include "ui/workbench/hand_controller.h"
+#include "ui/workbench/material_controller.h"
 #include "ui/workbench/mill_controller.h"
 #include "ui/workbench/model_controller.h"
 #include "ui/workbench/path_controller.h"
@@ -36,6 +37,7 @@ public:
     DocumentController document;
     ModelController model;
     SetupController setup;
+    MaterialController material;
     ToolController tool;
     TargetController target;
     WorkpieceController workpiece;

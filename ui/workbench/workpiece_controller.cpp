@@ -22,6 +22,12 @@ struct ReplayedMilling {
     std::map<std::int64_t, std::size_t> strokes;
 };
 
+/// A material as its file would be; empty where it is not among them.
+std::string textOf(const std::vector<Property>& materials, const std::string& id) {
+    const auto found = std::ranges::find(materials, id, &Property::id);
+    return found == materials.end() ? std::string() : toJson(*found);
+}
+
 } // namespace
 
 void WorkpieceController::setWanted(std::shared_ptr<const Model> model, const Setup& setup,
@@ -32,14 +38,23 @@ void WorkpieceController::setWanted(std::shared_ptr<const Model> model, const Se
     materials_ = materials;
     tool_ = tool;
     if (otherTool && milling_) buildBounds();
-    if (milling_ && milling_->model == model_ && !embedded() && shapedAlike(milling_->setup, setup_)) changeMaterials();
+    if (otherMaterials()) changeMaterials();
     emit changed();
+}
+
+/// The workpiece is the wanted one but for its materials, or for their values.
+bool WorkpieceController::otherMaterials() const {
+    if (!milling_ || milling_->model != model_ || !shapedAlike(milling_->setup, setup_)) return false;
+    if (!embedded()) return true;
+    return std::ranges::any_of(materialsUsed(setup_), [this](const std::string& id) {
+        return textOf(materials_, id) != textOf(milling_->materials, id);
+    });
 }
 
 /// The workpiece stays, and so do the bounds, which know no material.
 void WorkpieceController::changeMaterials() {
     letGo([this] {
-        if (!milling_ || embedded() || !shapedAlike(milling_->setup, setup_)) return; // changed again meanwhile
+        if (!otherMaterials()) return; // changed again meanwhile
         if (const Result<void> done = burin::changeMaterials(*milling_, setup_, materials_); !done) {
             emit failed(done.error());
             return;

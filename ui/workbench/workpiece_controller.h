@@ -79,6 +79,7 @@ signals:
 
 private:
     void changeMaterials();
+    bool otherMaterials() const;
     void embedWith(std::vector<RecordedCuts> takes);
     void adopt(std::shared_ptr<MillingContext> milling);
     void buildBounds();

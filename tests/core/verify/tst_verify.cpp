@@ -405,7 +405,7 @@ void VerifyTest::whatTheShankTouchesIsToldAsVoxels() {
     job.request.tool.cutter = {CutterType::flat, 6.0, 0.0, 8.0, 10.0, 30.0, {{20.0, 20.0, 15.0}}};
     const std::string program = start + "G0 Z5\nG0 X0 Y0\nG1 Z-10 F300\nG1 Z5\n";
     const VerifyReport report = job.judge(program);
-    QCOMPARE(report.touched.size(), std::size_t{1});
+    QCOMPARE(report.touched.size(), std::size_t{2}); // down, and up again
     const TouchedVoxels& touched = report.touched.front();
     QCOMPARE(touched.line, lineOf(program, "G1 Z-10"));
     QCOMPARE(touched.pose.tip, glm::dvec3(15.0, 10.0, 20.0));
@@ -438,7 +438,7 @@ void VerifyTest::whatTheShankTouchesIsToldAsVoxels() {
     QCOMPARE(touched.centres.size(), expected);
     QVERIFY(expected > 100);
     const std::optional<VerifyReport> again = reportFromJson(toJson(report)); // as a project keeps it
-    QVERIFY(again && again->touched.size() == 1 && again->touched.front().centres == touched.centres);
+    QVERIFY(again && again->touched.size() == 2 && again->touched.front().centres == touched.centres);
     QVERIFY(job.judge(start + "G0 Z5\nG0 X0 Y0\nG1 Z-7 F300\nG1 Z5\n").touched.empty());
 }
 

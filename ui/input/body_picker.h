@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cad/model.h"
+#include "ui/scene/interactive_tool.h"
+
+#include <QObject>
+
+#include <memory>
+#include <optional>
+
+namespace burin {
+
+/// Chooses the body of a model that is nearest to the eye under a click, whatever stock hides it; every other click and
+/// drag is the camera's. Thread: user interface.
+class BodyPicker final : public QObject, public InteractiveTool {
+    Q_OBJECT
+public:
+    using QObject::QObject;
+    void setModel(std::shared_ptr<const Model> model) { model_ = std::move(model); }
+
+    bool press(const ViewportEvent& event) override;
+    bool release(const ViewportEvent& event) override;
+
+signals:
+    void chosen(std::size_t body); ///< its place in the model
+
+private:
+    std::shared_ptr<const Model> model_;
+    bool taken_ = false; ///< the press that is under way was on a body
+};
+
+/// The body that a sight meets first; nothing: none. Cost: all of its triangles.
+std::optional<std::size_t> bodyOn(const Sight& sight, const Model& model);
+
+} // namespace burin
