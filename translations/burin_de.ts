@@ -523,6 +523,22 @@
         <source>Write the workpiece as a surface (STL, PLY, 3MF) or as voxels.</source>
         <translation>Das Werkstück als Oberfläche (STL, PLY, 3MF) oder als Voxel schreiben.</translation>
     </message>
+    <message>
+        <source>Stoc&amp;k from a file…</source>
+        <translation>Rohteil aus einer &amp;Datei …</translation>
+    </message>
+    <message>
+        <source>Read the stock from a volume file, a voxel array (a scan) or a model.</source>
+        <translation>Liest das Rohteil aus einer Volumendatei, einem Voxelfeld (einem Scan) oder einem Modell.</translation>
+    </message>
+    <message>
+        <source>Mate&amp;rials…</source>
+        <translation>&amp;Werkstoffe …</translation>
+    </message>
+    <message>
+        <source>Look at, copy, change, add and calibrate materials.</source>
+        <translation>Werkstoffe ansehen, kopieren, ändern, hinzufügen und kalibrieren.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -648,10 +664,6 @@
     <message>
         <source>(not built: tests/run --bench builds it)</source>
         <translation>(nicht gebaut: tests/run --bench baut ihn)</translation>
-    </message>
-    <message>
-        <source>a known material, or --like MATERIAL</source>
-        <translation>ein bekannter Werkstoff oder --like WERKSTOFF</translation>
     </message>
     <message>
         <source>%1: %2 of %3 records, noise %4 N tangential, %5 N radial</source>
@@ -1370,10 +1382,6 @@
         <translation>freies Schnitzen: Es gibt kein Teil, also hält nichts das Werkzeug zurück</translation>
     </message>
     <message>
-        <source>a table of what the values of the array mean</source>
-        <translation>eine Tabelle, was die Werte des Feldes bedeuten</translation>
-    </message>
-    <message>
         <source>%1 states no unit of length: mm are taken.</source>
         <translation>%1 nennt keine Längeneinheit: Es werden mm angenommen.</translation>
     </message>
@@ -1392,6 +1400,26 @@
     <message>
         <source>layer    %1: %2, %3 from %4 to %5 mm</source>
         <translation>Schicht  %1: %2, %3 von %4 bis %5 mm</translation>
+    </message>
+    <message>
+        <source>--stock-file FILE</source>
+        <translation>--stock-file DATEI</translation>
+    </message>
+    <message>
+        <source>Reading the stock</source>
+        <translation>Rohteil wird gelesen</translation>
+    </message>
+    <message>
+        <source>no part</source>
+        <translation>kein Bauteil</translation>
+    </message>
+    <message>
+        <source>touched  line %1: with the tip at %2 shank and holder touch %3 voxels of %4 mm</source>
+        <translation>berührt  Zeile %1: mit der Spitze bei %2 berühren Schaft und Halter %3 Voxel von %4 mm</translation>
+    </message>
+    <message>
+        <source>a known material, or --like MATERIAL</source>
+        <translation>ein bekannter Werkstoff oder --like WERKSTOFF</translation>
     </message>
 </context>
 <context>
@@ -2319,6 +2347,170 @@
     <message>
         <source>%1 must be file names without a folder</source>
         <translation>%1 müssen Dateinamen ohne Ordner sein</translation>
+    </message>
+    <message>
+        <source>at least one body whose role is part, or free carving</source>
+        <translation>mindestens ein Körper mit der Rolle Bauteil, oder freies Schnitzen</translation>
+    </message>
+    <message>
+        <source>a box whose second corner lies above the first along each axis</source>
+        <translation>ein Quader, dessen zweite Ecke auf jeder Achse über der ersten liegt</translation>
+    </message>
+    <message>
+        <source>a direction</source>
+        <translation>eine Richtung</translation>
+    </message>
+    <message>
+        <source>a finite base, a radius and a height above 0 mm</source>
+        <translation>ein endlicher Fußpunkt, Radius und Höhe über 0 mm</translation>
+    </message>
+    <message>
+        <source>solids where a body has the role stock, a box or a cylinder</source>
+        <translation>solids, wo ein Körper die Rolle Rohteil hat, ein Quader oder ein Zylinder</translation>
+    </message>
+    <message>
+        <source>a file where one was read, a box, a cylinder or solids</source>
+        <translation>eine Datei, wo eine gelesen wurde, ein Quader, ein Zylinder oder Körper</translation>
+    </message>
+    <message>
+        <source>a stated box or cylinder, as there is no body to lay one around</source>
+        <translation>ein angegebener Quader oder Zylinder, da es keinen Körper gibt, um den einer gelegt werden könnte</translation>
+    </message>
+    <message>
+        <source>a volume that is not air all over</source>
+        <translation>ein Volumen, das nicht überall Luft ist</translation>
+    </message>
+    <message>
+        <source>a closed surface; close its holes</source>
+        <translation>eine geschlossene Oberfläche; schließen Sie ihre Löcher</translation>
+    </message>
+    <message>
+        <source>a table of what the values of the array mean</source>
+        <translation>eine Tabelle, was die Werte des Felds bedeuten</translation>
+    </message>
+    <message>
+        <source>a body that a scanline meets; smaller voxels may help</source>
+        <translation>ein Körper, den eine Abtastzeile trifft; kleinere Voxel können helfen</translation>
+    </message>
+    <message>
+        <source>a first plane below the second</source>
+        <translation>eine erste Ebene unter der zweiten</translation>
+    </message>
+    <message>
+        <source>a formula or table whose values are above 0 all over the layer</source>
+        <translation>eine Formel oder Tabelle, deren Werte in der ganzen Schicht über 0 liegen</translation>
+    </message>
+    <message>
+        <source>a name that is not empty</source>
+        <translation>ein Name, der nicht leer ist</translation>
+    </message>
+    <message>
+        <source>a name that no other layer has</source>
+        <translation>ein Name, den keine andere Schicht hat</translation>
+    </message>
+    <message>
+        <source>planes between which there is stock</source>
+        <translation>Ebenen, zwischen denen Rohteil liegt</translation>
+    </message>
+    <message>
+        <source>positions that rise</source>
+        <translation>steigende Positionen</translation>
+    </message>
+    <message>
+        <source>the id of a material</source>
+        <translation>die Kennung eines Werkstoffs</translation>
+    </message>
+    <message>
+        <source>the name of one of the material&apos;s values</source>
+        <translation>der Name eines der Werte des Werkstoffs</translation>
+    </message>
+    <message>
+        <source>two lines or more, each a position in mm and a value</source>
+        <translation>zwei Zeilen oder mehr, jede eine Position in mm und ein Wert</translation>
+    </message>
+    <message>
+        <source>values that one entry alone has</source>
+        <translation>Werte, die nur ein Eintrag hat</translation>
+    </message>
+    <message>
+        <source>a material that is milled needs a value above 0</source>
+        <translation>ein Werkstoff, der zerspant wird, braucht einen Wert über 0</translation>
+    </message>
+    <message>
+        <source>a material of your own; those that Burin is shipped with can&apos;t be deleted</source>
+        <translation>ein eigener Werkstoff; mitgelieferte können nicht gelöscht werden</translation>
+    </message>
+    <message>
+        <source>has to be a finite number</source>
+        <translation>muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+        <source>has to be letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;</source>
+        <translation>muss aus Buchstaben, Ziffern, „-“, „_“ und „.“ bestehen</translation>
+    </message>
+    <message>
+        <source>has to be there</source>
+        <translation>muss vorhanden sein</translation>
+    </message>
+    <message>
+        <source>has to be there, as the other half of Kienzle&apos;s law is</source>
+        <translation>muss vorhanden sein, da die andere Hälfte des Kienzle-Gesetzes es ist</translation>
+    </message>
+    <message>
+        <source>has to be there, or Kienzle&apos;s law: without it nothing is felt</source>
+        <translation>muss vorhanden sein, oder das Kienzle-Gesetz: Ohne sie ist nichts zu spüren</translation>
+    </message>
+    <message>
+        <source>has to be there: feeds and speeds come from it</source>
+        <translation>muss vorhanden sein: Aus ihm kommen Vorschübe und Drehzahlen</translation>
+    </message>
+    <message>
+        <source>is out of what can be milled</source>
+        <translation>liegt außerhalb dessen, was zerspant werden kann</translation>
+    </message>
+    <message>
+        <source>material has to be an id, null or a material</source>
+        <translation>Werkstoff muss eine Kennung, null oder ein Werkstoff sein</translation>
+    </message>
+    <message>
+        <source>has to have a value, or from and to that rise</source>
+        <translation>muss einen Wert haben, oder from und to, die steigen</translation>
+    </message>
+    <message>
+        <source>has to name a material</source>
+        <translation>muss einen Werkstoff nennen</translation>
+    </message>
+    <message>
+        <source>the same spacing along all axes</source>
+        <translation>derselbe Abstand auf allen Achsen</translation>
+    </message>
+    <message>
+        <source>three dimensions</source>
+        <translation>drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>axes along +X, +Y and +Z</source>
+        <translation>Achsen längs +X, +Y und +Z</translation>
+    </message>
+    <message>
+        <source>raw or gzip</source>
+        <translation>raw oder gzip</translation>
+    </message>
+    <message>
+        <source>one file beside the header</source>
+        <translation>eine Datei neben dem Kopf</translation>
+    </message>
+    <message>
+        <source>data that begin at once</source>
+        <translation>Daten, die sofort beginnen</translation>
+    </message>
+    <message>
+        <source>little or big</source>
+        <translation>little oder big</translation>
+    </message>
+    <message>
+        <source>a known material, or one that a new material is like</source>
+        <translation>ein bekannter Werkstoff, oder einer, dem ein neuer gleicht</translation>
     </message>
 </context>
 <context>
@@ -3280,6 +3472,38 @@
     <message>
         <source>Surfaces and voxels (*.stl *.ply *.3mf *.srle *.nrrd)</source>
         <translation>Oberflächen und Voxel (*.stl *.ply *.3mf *.srle *.nrrd)</translation>
+    </message>
+    <message>
+        <source>Stock from a file</source>
+        <translation>Rohteil aus einer Datei</translation>
+    </message>
+    <message>
+        <source>Volumes, voxel arrays and models (%1);;All files (*)</source>
+        <translation>Volumen, Voxelfelder und Modelle (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Materials of the values in %1</source>
+        <translation>Werkstoffe der Werte in %1</translation>
+    </message>
+    <message>
+        <source>Tables (*.json);;All files (*)</source>
+        <translation>Tabellen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Add a material</source>
+        <translation>Werkstoff hinzufügen</translation>
+    </message>
+    <message>
+        <source>Materials (*.json *.FCMat);;All files (*)</source>
+        <translation>Werkstoffe (*.json *.FCMat);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Measured forces</source>
+        <translation>Gemessene Kräfte</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tabellen (*.csv);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -4305,10 +4529,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Ob zwei Volumen sich überschneiden, berühren oder getrennt sind</translation>
     </message>
     <message>
-        <source>Shape of the stock: box, cylinder or solids</source>
-        <translation>Form des Rohteils: box, cylinder oder solids</translation>
-    </message>
-    <message>
         <source>Box of the stock whatever the part: X0,Y0,Z0,X1,Y1,Z1, mm</source>
         <translation>Quader des Rohteils unabhängig vom Teil: X0,Y0,Z0,X1,Y1,Z1, mm</translation>
     </message>
@@ -4343,6 +4563,18 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>No part is needed: nothing pushes the tool back</source>
         <translation>Ein Teil ist nicht nötig: Nichts hält das Werkzeug zurück</translation>
+    </message>
+    <message>
+        <source>Shape of the stock: box, cylinder, solids or file</source>
+        <translation>Form des Rohteils: box, cylinder, solids oder file</translation>
+    </message>
+    <message>
+        <source>Stock as a file has it: a volume file (.srle), a voxel array (NRRD, or raw data with a JSON header), or a model whose solids are of --material</source>
+        <translation>Rohteil, wie eine Datei es enthält: eine Volumendatei (.srle), ein Voxelfeld (NRRD, oder Rohdaten mit JSON-Kopf) oder ein Modell, dessen Körper aus --material sind</translation>
+    </message>
+    <message>
+        <source>JSON table of the materials that the values of a voxel array mean</source>
+        <translation>JSON-Tabelle der Werkstoffe, die die Werte eines Voxelfelds bedeuten</translation>
     </message>
 </context>
 <context>
@@ -4754,6 +4986,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Bodies have roles, and the stock a form and layers.</source>
         <translation>Körper haben Rollen, das Rohteil eine Form und Schichten.</translation>
+    </message>
+    <message>
+        <source>The stock may come from a file.</source>
+        <translation>Das Rohteil darf aus einer Datei kommen.</translation>
     </message>
 </context>
 <context>
@@ -6027,6 +6263,129 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Machine&apos;s travel</source>
         <translation>Verfahrweg der Maschine</translation>
+    </message>
+</context>
+<context>
+    <name>burin::CalibrationDialog</name>
+    <message>
+        <source>%1: %2 of %3 records, noise %4 N tangential, %5 N radial</source>
+        <translation>%1: %2 von %3 Messungen, Rauschen %4 N tangential, %5 N radial</translation>
+    </message>
+    <message>
+        <source>K = %1 J/mm³ at chips of %2 mm</source>
+        <translation>K = %1 J/mm³ bei Spänen von %2 mm</translation>
+    </message>
+    <message>
+        <source>Kr = %1</source>
+        <translation>Kr = %1</translation>
+    </message>
+    <message>
+        <source>kc1.1 = %1 N/mm², mc = %2</source>
+        <translation>kc1.1 = %1 N/mm², mc = %2</translation>
+    </message>
+    <message>
+        <source>Kte = %1 N/mm, Kre = %2 N/mm</source>
+        <translation>Kte = %1 N/mm, Kre = %2 N/mm</translation>
+    </message>
+    <message>
+        <source>Line %1 left out: %2</source>
+        <translation>Zeile %1 ausgelassen: %2</translation>
+    </message>
+    <message>
+        <source>Calibrate materials</source>
+        <translation>Werkstoffe kalibrieren</translation>
+    </message>
+    <message>
+        <source>No other material</source>
+        <translation>Keinem anderen Werkstoff</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Measured forces</source>
+        <translation>Gemessene Kräfte</translation>
+    </message>
+    <message>
+        <source>CSV with a row for each cut; `burin calibrate --help` lists the columns</source>
+        <translation>CSV mit einer Zeile je Schnitt; `burin calibrate --help` nennt die Spalten</translation>
+    </message>
+    <message>
+        <source>K and the force of the edge</source>
+        <translation>K und die Kraft der Schneide</translation>
+    </message>
+    <message>
+        <source>K alone</source>
+        <translation>K allein</translation>
+    </message>
+    <message>
+        <source>Kienzle: K falls with the chip</source>
+        <translation>Kienzle: K fällt mit dem Span</translation>
+    </message>
+    <message>
+        <source>Law</source>
+        <translation>Gesetz</translation>
+    </message>
+    <message>
+        <source>How the force depends on the thickness of the chip</source>
+        <translation>Wie die Kraft von der Spandicke abhängt</translation>
+    </message>
+    <message>
+        <source>Rotating teeth</source>
+        <translation>Drehende Zähne</translation>
+    </message>
+    <message>
+        <source>Feed and axis</source>
+        <translation>Vorschub und Achse</translation>
+    </message>
+    <message>
+        <source>Forces resolved for</source>
+        <translation>Kräfte zerlegt nach</translation>
+    </message>
+    <message>
+        <source>Rotating teeth: forces of a dynamometer. Feed and axis: the force that the hand feels against its motion</source>
+        <translation>Drehende Zähne: Kräfte eines Dynamometers. Vorschub und Achse: die Kraft, die die Hand gegen ihre Bewegung spürt</translation>
+    </message>
+    <message>
+        <source>New materials are like</source>
+        <translation>Neue Werkstoffe gleichen</translation>
+    </message>
+    <message>
+        <source>Whose other values a material takes over that is not in the library</source>
+        <translation>Wessen übrige Werte ein Werkstoff übernimmt, der nicht in der Bibliothek ist</translation>
+    </message>
+    <message>
+        <source>On: the forces act on the workpiece, as a dynamometer below it measures. Off: on the tool</source>
+        <translation>Ein: Die Kräfte wirken auf das Werkstück, wie ein Dynamometer darunter sie misst. Aus: auf das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Forces on the workpiece</source>
+        <translation>Kräfte auf das Werkstück</translation>
+    </message>
+    <message>
+        <source>Keep in the library</source>
+        <translation>In der Bibliothek behalten</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Choose a file of measured forces first.</source>
+        <translation>Wählen Sie zuerst eine Datei gemessener Kräfte.</translation>
+    </message>
+    <message>
+        <source>There is nothing to keep yet.</source>
+        <translation>Es gibt noch nichts zu behalten.</translation>
+    </message>
+    <message>
+        <source>In brackets: the interval that holds the true value in 95 % of such measurements.</source>
+        <translation>In Klammern: das Intervall, das in 95&#xa0;% solcher Messungen den wahren Wert enthält.</translation>
+    </message>
+    <message>
+        <source>Keep these materials as your own; Undo takes each back</source>
+        <translation>Diese Werkstoffe als eigene behalten; Rückgängig nimmt jeden zurück</translation>
     </message>
 </context>
 <context>
@@ -7594,6 +7953,259 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>The workpiece was written to “%1”.</source>
         <translation>Das Werkstück wurde in „%1“ geschrieben.</translation>
     </message>
+    <message>
+        <source>“%1” states no unit of length: mm are taken.</source>
+        <translation>„%1“ nennt keine Längeneinheit: Es werden mm angenommen.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::MaterialController</name>
+    <message>
+        <source>copy of a material</source>
+        <translation>Kopie eines Werkstoffs</translation>
+    </message>
+    <message>
+        <source>values of a material</source>
+        <translation>Werte eines Werkstoffs</translation>
+    </message>
+    <message>
+        <source>deleting a material</source>
+        <translation>Löschen eines Werkstoffs</translation>
+    </message>
+</context>
+<context>
+    <name>burin::MaterialDialog</name>
+    <message>
+        <source>Materials</source>
+        <translation>Werkstoffe</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy this material to one of your own and change that</source>
+        <translation>Diesen Werkstoff in einen eigenen kopieren und den ändern</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Add from a file…</source>
+        <translation>Aus einer Datei hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Add a material file, or a material card of FreeCAD (.FCMat)</source>
+        <translation>Eine Werkstoffdatei oder eine Werkstoffkarte von FreeCAD (.FCMat) hinzufügen</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>Kalibrieren …</translation>
+    </message>
+    <message>
+        <source>Fit K and Kr to measured cutting forces (CSV)</source>
+        <translation>K und Kr an gemessene Schnittkräfte anpassen (CSV)</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this page (Esc)</source>
+        <translation>Diese Seite schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>shipped</source>
+        <translation>mitgeliefert</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>eigener</translation>
+    </message>
+    <message>
+        <source>Burin is shipped with this material, which can&apos;t be changed. Copy it and change the copy.</source>
+        <translation>Dieser Werkstoff wird mit Burin geliefert und kann nicht geändert werden. Kopieren Sie ihn und ändern Sie die Kopie.</translation>
+    </message>
+    <message>
+        <source>Your own material. The open project has recordings and keeps the values that they were made with.</source>
+        <translation>Ihr eigener Werkstoff. Das offene Projekt hat Aufzeichnungen und behält die Werte, mit denen sie gemacht wurden.</translation>
+    </message>
+    <message>
+        <source>Your own material.</source>
+        <translation>Ihr eigener Werkstoff.</translation>
+    </message>
+    <message>
+        <source>Changed, and not saved yet.</source>
+        <translation>Geändert und noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>The materials that Burin is shipped with can&apos;t be deleted.</source>
+        <translation>Die mitgelieferten Werkstoffe können nicht gelöscht werden.</translation>
+    </message>
+    <message>
+        <source>Delete this material; Undo brings it back (Del in the list)</source>
+        <translation>Diesen Werkstoff löschen; Rückgängig bringt ihn zurück (Entf in der Liste)</translation>
+    </message>
+    <message>
+        <source>Nothing is changed.</source>
+        <translation>Nichts ist geändert.</translation>
+    </message>
+    <message>
+        <source>Keep the changed values (Ctrl+S)</source>
+        <translation>Die geänderten Werte behalten (Strg+S)</translation>
+    </message>
+    <message>
+        <source>Discard the changes (Ctrl+R)</source>
+        <translation>Die Änderungen verwerfen (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Discard the changes of “%1”?</source>
+        <translation>Die Änderungen an „%1“ verwerfen?</translation>
+    </message>
+    <message>
+        <source>They are not saved. This can&apos;t be undone.</source>
+        <translation>Sie sind nicht gespeichert. Das kann nicht rückgängig gemacht werden.</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>%1 (copy)</source>
+        <translation>%1 (Kopie)</translation>
+    </message>
+    <message>
+        <source>“%1” was deleted; Undo brings it back.</source>
+        <translation>„%1“ wurde gelöscht; Rückgängig holt sie zurück.</translation>
+    </message>
+    <message>
+        <source>There is a material with the ID “%1” already; give the one in the file another ID.</source>
+        <translation>Es gibt schon einen Werkstoff mit der ID „%1“; geben Sie dem in der Datei eine andere ID.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::MaterialForm</name>
+    <message>
+        <source>K: energy to cut a volume; the cutting force comes from it</source>
+        <translation>K: Energie, um ein Volumen zu zerspanen; aus ihr kommt die Schnittkraft</translation>
+    </message>
+    <message>
+        <source>Kr: force along the tool axis over that against the feed</source>
+        <translation>Kr: Kraft längs der Werkzeugachse durch die gegen den Vorschub</translation>
+    </message>
+    <message>
+        <source>kc1.1 of Kienzle&apos;s law; stands for K together with mc</source>
+        <translation>kc1.1 des Kienzle-Gesetzes; steht mit mc zusammen für K</translation>
+    </message>
+    <message>
+        <source>mc of Kienzle&apos;s law</source>
+        <translation>mc des Kienzle-Gesetzes</translation>
+    </message>
+    <message>
+        <source>Density; masses come from it</source>
+        <translation>Dichte; aus ihr kommen die Massen</translation>
+    </message>
+    <message>
+        <source>Cutting speed with carbide; the spindle speed comes from it</source>
+        <translation>Schnittgeschwindigkeit mit Hartmetall; aus ihr kommt die Drehzahl</translation>
+    </message>
+    <message>
+        <source>Chip load of a tooth over the diameter; the feed comes from it</source>
+        <translation>Zahnvorschub durch den Durchmesser; aus ihm kommt der Vorschub</translation>
+    </message>
+    <message>
+        <source>Plunge feed over feed</source>
+        <translation>Eintauchvorschub durch Vorschub</translation>
+    </message>
+    <message>
+        <source>A further value; Burin keeps it</source>
+        <translation>Ein weiterer Wert; Burin bewahrt ihn auf</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>As it is shown</source>
+        <translation>Wie er angezeigt wird</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>In which it is drawn</source>
+        <translation>In der er gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Values of the material</source>
+        <translation>Kennwerte des Werkstoffs</translation>
+    </message>
+    <message>
+        <source>Property</source>
+        <translation>Eigenschaft</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>Schätzung</translation>
+    </message>
+    <message>
+        <source>Add a value</source>
+        <translation>Wert hinzufügen</translation>
+    </message>
+    <message>
+        <source>A further named property of the material</source>
+        <translation>Eine weitere benannte Eigenschaft des Werkstoffs</translation>
+    </message>
+    <message>
+        <source>Remove the value</source>
+        <translation>Wert entfernen</translation>
+    </message>
+    <message>
+        <source>Nobody published this number: calibrate before you trust what depends on it</source>
+        <translation>Niemand hat diese Zahl veröffentlicht: Kalibrieren Sie, bevor Sie dem trauen, was von ihr abhängt</translation>
+    </message>
+    <message>
+        <source>A value has no name; enter one, or remove the row.</source>
+        <translation>Ein Wert hat keinen Namen; geben Sie einen ein, oder entfernen Sie die Zeile.</translation>
+    </message>
+    <message>
+        <source>“%1” of “%2” is no number; enter one, with a decimal point.</source>
+        <translation>„%1“ von „%2“ ist keine Zahl; geben Sie eine ein, mit Dezimalpunkt.</translation>
+    </message>
+    <message>
+        <source>“%1” has no unit; enter one, or 1 where it has none.</source>
+        <translation>„%1“ hat keine Einheit; geben Sie eine ein, oder 1, wo er keine hat.</translation>
+    </message>
+    <message>
+        <source>“%1” has no source; enter where the number comes from.</source>
+        <translation>„%1“ hat keine Quelle; geben Sie ein, woher die Zahl kommt.</translation>
+    </message>
+    <message>
+        <source>Two values have the same name; rename one of them.</source>
+        <translation>Zwei Werte haben denselben Namen; benennen Sie einen um.</translation>
+    </message>
 </context>
 <context>
     <name>burin::MaterialPanel</name>
@@ -9046,6 +9658,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Bodies of the model</source>
         <translation>Körper des Modells</translation>
     </message>
+    <message>
+        <source>From a file</source>
+        <translation>Aus einer Datei</translation>
+    </message>
 </context>
 <context>
     <name>burin::SelectionCard</name>
@@ -9143,6 +9759,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>layers</source>
         <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>Reading the stock from %1</source>
+        <translation>Das Rohteil wird aus %1 gelesen</translation>
     </message>
 </context>
 <context>
@@ -9393,10 +10013,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Form</translation>
     </message>
     <message>
-        <source>A box, a round bar, or the bodies of the model whose role is stock</source>
-        <translation>Ein Quader, ein Rundstab oder die Körper des Modells mit der Rolle Rohteil</translation>
-    </message>
-    <message>
         <source>Axis</source>
         <translation>Achse</translation>
     </message>
@@ -9447,6 +10063,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Free carving</source>
         <translation>Freies Schnitzen</translation>
+    </message>
+    <message>
+        <source>A box, a round bar, the bodies of the model whose role is stock, or what a file holds</source>
+        <translation>Ein Quader, ein Rundstab, die Körper des Modells mit der Rolle Rohteil, oder was eine Datei enthält</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Read the stock from another volume file, voxel array (a scan) or model</source>
+        <translation>Das Rohteil aus einer anderen Volumendatei, einem anderen Voxelfeld (einem Scan) oder Modell lesen</translation>
     </message>
 </context>
 <context>

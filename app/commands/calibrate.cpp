@@ -113,10 +113,17 @@ Result<void> keepMaterials(std::vector<Calibrated>& materials, const CalibrateAr
     return putInPlace(files);
 }
 
+/// A name without a material to start from is mended by an option of this command.
+Error withOptionNamed(Error error, const CalibrateArguments& arguments) {
+    if (error.code == ErrorCode::argumentInvalid && error.subject == "material" && arguments.like.empty())
+        error.detail = worded(BURIN_TEXT("Command", "a known material, or --like MATERIAL"));
+    return error;
+}
+
 int runCalibrate(const CalibrateArguments& arguments, CommandContext& context) {
     Result<std::vector<CalibratedMaterial>> made = calibrateMaterials(
         {arguments.forces, arguments.material, arguments.like, optionsOf(arguments), !arguments.dryRun});
-    if (!made) return context.fail(made.error());
+    if (!made) return context.fail(withOptionNamed(std::move(made).error(), arguments));
     std::vector<Calibrated> materials;
     for (CalibratedMaterial& one : *made) materials.push_back({std::move(one), {}});
     if (!arguments.dryRun)

@@ -43,7 +43,8 @@ Result<Property> basisOf(const std::string& id, const CalibrationRequest& reques
         Result<Property> known = loadMaterial(id);
         if (known || known.error().code != ErrorCode::nameUnknown) return known;
         if (!request.wanted) return Property{};
-        return Error{ErrorCode::argumentInvalid, "material", id, "a known material, or --like MATERIAL"};
+        return Error{ErrorCode::argumentInvalid, "material", id,
+                     "a known material, or one that a new material is like"};
     }
     Result<Property> model = loadMaterial(like);
     if (!model || like == id) return model;

@@ -60,7 +60,8 @@ Result<void> checkMaterial(const Property& material, const std::string& origin) 
         return wrong(origin, specificCuttingEnergy, "has to be there, or Kienzle's law: without it nothing is felt");
     for (const std::string_view needed : {surfaceSpeed, chipLoadPerDiameter, plungeFeedRatio})
         if (!has(material, needed)) return wrong(origin, needed, "has to be there: feeds and speeds come from it");
-    return {};
+    const Result<Property> again = propertyFromJson(toJson(material), origin); // else its file could not be read
+    return again ? Result<void>() : again.error();
 }
 
 Property copyOf(const Property& material, const std::string& id, const std::string& name) {

@@ -104,9 +104,11 @@ void WindowDriver::whenDialogStands(std::function<void(QWidget& dialog)> act) {
     QObject::connect(timer, &QTimer::timeout, window_.get(), [timer, act = std::move(act)] {
         QWidget* dialog = QApplication::activeModalWidget();
         if (dialog == nullptr || !dialog->isVisible()) return;
+        const std::function<void(QWidget&)> acts =
+            act; // which may wait, and the timer goes meanwhile, with what it holds
         timer->deleteLater();
         timer->stop();
-        act(*dialog);
+        acts(*dialog);
     });
     timer->start(20);
 }

@@ -18,6 +18,9 @@ namespace burin {
 
 namespace {
 
+constexpr auto editing =
+    QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed | QAbstractItemView::AnyKeyPressed;
+
 enum Cell : int { keyCell, valueCell, unitCell, sourceCell, estimateCell, cellCount };
 
 /// What the values that Burin reads are for.
@@ -91,7 +94,7 @@ void MaterialForm::showMaterial(const Property& material, bool locked) {
 void MaterialForm::showRows() {
     table_->setRowCount(0);
     for (const auto& [key, value] : material_.values) addRow(key, value);
-    table_->setEditTriggers(locked_ ? QAbstractItemView::NoEditTriggers : QAbstractItemView::AllEditTriggers);
+    table_->setEditTriggers(locked_ ? QAbstractItemView::NoEditTriggers : QAbstractItemView::EditTriggers(editing));
 }
 
 void MaterialForm::addRow(const std::string& key, const NamedValue& value) {
@@ -136,6 +139,10 @@ QString MaterialForm::problem() const {
         if (key.isEmpty()) return tr("A value has no name; enter one, or remove the row.");
         if (!parseNumber(value.toStdString()))
             return tr("“%1” of “%2” is no number; enter one, with a decimal point.").arg(value, key);
+        for (const int column : {unitCell, sourceCell})
+            if (table_->item(row, column)->text().trimmed().isEmpty())
+                return column == unitCell ? tr("“%1” has no unit; enter one, or 1 where it has none.").arg(key)
+                                          : tr("“%1” has no source; enter where the number comes from.").arg(key);
     }
     if (material_.values.size() != static_cast<std::size_t>(table_->rowCount()))
         return tr("Two values have the same name; rename one of them.");
@@ -144,7 +151,7 @@ QString MaterialForm::problem() const {
 
 void MaterialForm::addValue() {
     showing_ = true;
-    addRow({}, {0.0, {}, {}, true});
+    addRow({}, {0.0, "1", "entered by hand", true});
     showing_ = false;
     const int row = table_->rowCount() - 1;
     table_->setCurrentCell(row, keyCell);

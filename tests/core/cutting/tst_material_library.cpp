@@ -41,6 +41,19 @@ private slots:
             QVERIFY2(std::ranges::find(ids, id) != ids.end(), id);
     }
 
+    /// A file that could not be read again would be a material lost.
+    void whatCouldNotBeReadAgainIsNotWritten() {
+        Property material = copyOf(loadMaterial("oak").value(), "our-oak", "Our oak");
+        QVERIFY(saveMaterial(material, false));
+        Property damaged = material;
+        damaged.values["hardness"] = {30.0, "N/mm^2", "", true}; // no source
+        const auto refused = saveMaterial(damaged, true);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().place, std::string("values.hardness.source"));
+        QVERIFY(toJson(loadMaterial("our-oak").value()) == toJson(material));
+        QVERIFY(removeMaterial("our-oak"));
+    }
+
     void everyNumberHasItsSource_data() {
         QTest::addColumn<QString>("id");
         for (const std::string& id : materialIds()) QTest::newRow(id.c_str()) << QString::fromStdString(id);

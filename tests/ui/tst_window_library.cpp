@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/places.h"
+#include "tests/ui/visible_texts.h"
+#include "tests/ui/window_steps.h"
+#include "ui/panels/notice.h"
+#include "ui/panels/row_list.h"
+#include "ui/scene/viewport.h"
+
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QtTest>
+
+#include <cmath>
+
+using namespace burin;
+using namespace burin::testing;
+
+namespace {
+
+bool open(WindowDriver& driver) {
+    Workbench& workbench = driver.window().workbench();
+    drop(driver.window(), QStringLiteral(BURIN_FIXTURES "/models/red-cube-blue-cylinder.step"));
+    return driver.waitFor([&] { return workbench.model.model() && workbench.setup.usable(); }) && driver.settle();
+}
+
+QString write(WindowDriver& driver, const char* name, const QByteArray& content) {
+    QFile file(driver.folder().filePath(QString::fromLatin1(name)));
+    return file.open(QIODevice::WriteOnly) && file.write(content) == content.size() ? file.fileName() : QString();
+}
+
+int rowOf(const QTableWidget& table, const QString& key) {
+    for (int row = 0; row < table.rowCount(); ++row)
+        if (table.item(row, 0)->text() == key) return row;
+    return -1;
+}
+
+/// By the mouse and the keys: a click into the cell, F2, the text, Enter.
+void enterCell(QTableWidget& table, int row, int column, const QString& text) {
+    const QPoint place = table.visualItemRect(table.item(row, column)).center();
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, place);
+    QTest::keyClick(&table, Qt::Key_F2);
+    QWidget* editor = QApplication::focusWidget();
+    QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(editor, text);
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTest::qWait(20); // the editor goes with the next events
+}
+
+QPushButton& button(QWidget& dialog, const char* name) {
+    return *dialog.findChild<QPushButton*>(QLatin1String(name));
+}
+
+void click(QWidget& dialog, const char* name) {
+    QTest::mouseClick(&button(dialog, name), Qt::LeftButton);
+}
+
+/// Slots of 6 mm at 12,000 1/min: forces on the tool by Ft = K MRR / v with K = 0.85 J/mm³ and Kr = 0.4, off by
+/// hundredths of a newton.
+QByteArray forcesOf(const char* material) {
+    QByteArray text = "material,force_x_n,force_y_n,force_z_n,axis_x,axis_y,axis_z,feed_x,feed_y,feed_z,"
+                      "spindle_speed_1_min,diameter_mm,teeth,axial_depth_mm,radial_depth_mm,feed_mm_min\n";
+    const double errors[] = {0.02, -0.01, 0.015, -0.03, 0.01, -0.02, 0.025, -0.005};
+    for (int i = 0; i < 8; ++i) {
+        const double depth = 1.0 + i % 4, feed = 600.0 + 300.0 * (i / 4);
+        const double force = 850.0 * depth * 6.0 * feed / 60.0 / (std::acos(-1.0) * 6.0 * 200.0);
+        text += QByteArray(material) + ',' + QByteArray::number(-force + errors[i], 'g', 12) + ",0," +
+                QByteArray::number(0.4 * force + errors[7 - i], 'g', 12) + ",0,0,1,1,0,0,12000,6,2," +
+                QByteArray::number(depth) + ",6," + QByteArray::number(feed) + '\n';
+    }
+    return text;
+}
+
+/// A dialog that a check failed in ends all the same, and the test with it.
+class Closing {
+public:
+    explicit Closing(QWidget& dialog) : dialog_(qobject_cast<QDialog*>(&dialog)) {}
+    ~Closing() {
+        if (dialog_ && dialog_->isVisible()) dialog_->done(QDialog::Rejected);
+    }
+
+private:
+    QPointer<QDialog> dialog_;
+};
+
+const Property* materialIn(const std::vector<Property>& materials, const std::string& id) {
+    const auto found = std::ranges::find(materials, id, &Property::id);
+    return found == materials.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+/// What a user brings to a job beside the part: materials, a stock from a file, the roles of bodies.
+class TestWindowLibrary : public QObject {
+    Q_OBJECT
+private slots:
+    void aMaterialIsCopiedChangedAndTakenBack() {
+        WindowDriver driver(QSize(1280, 800));
+        Workbench& workbench = driver.window().workbench();
+        QVERIFY(open(driver));
+        driver.whenDialogStands([&](QWidget& dialog) {
+            const Closing closing(dialog);
+            QVERIFY(!button(dialog, "deleteMaterialButton").isEnabled()); // of a shipped one
+            driver.shoot("library-01-shipped");
+            click(dialog, "copyMaterialButton");
+            auto* const name = dialog.findChild<QLineEdit*>("materialName");
+            QVERIFY(name->hasFocus());
+            QTest::keyClicks(name, "Wax of our own");
+            auto& table = *dialog.findChild<QTableWidget*>("materialValues");
+            const int row = rowOf(table, "specific_cutting_energy");
+            QVERIFY(row >= 0);
+            enterCell(table, row, 1, "a lot");
+            QVERIFY(!button(dialog, "saveMaterialButton").isEnabled());
+            QVERIFY(dialog.findChild<Notice*>("materialNotice")->sentence().contains("no number"));
+            enterCell(table, row, 1, "0.125");
+            click(dialog, "addValueButton");
+            QTest::keyClicks(QApplication::focusWidget(), "hardness");
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+            QTest::qWait(20);
+            enterCell(table, rowOf(table, "hardness"), 1, "48");
+            enterCell(table, rowOf(table, "hardness"), 2, "ShoreD");
+            driver.shoot("library-02-changed");
+            QTest::keyClick(&dialog, Qt::Key_S, Qt::ControlModifier);
+            driver.shoot("library-03-saved");
+            QVERIFY(!button(dialog, "saveMaterialButton").isEnabled());
+            click(dialog, "closeMaterialsButton");
+        });
+        driver.window().setFocus();
+        driver.key(Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
+        const Property* const own = materialIn(workbench.material.materials(), "machinable-wax-copy");
+        QVERIFY(own);
+        QCOMPARE(own->name, std::string("Wax of our own"));
+        QCOMPARE(own->values.find(specificCuttingEnergy)->second.value, 0.125);
+        QCOMPARE(own->values.find(std::string_view("hardness"))->second.unit, std::string("ShoreD"));
+        // It can be chosen for the stock at once.
+        QVERIFY(materialIn(workbench.setup.materials(), "machinable-wax-copy"));
+        for (int i = 0; i < 2; ++i) driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(!materialIn(workbench.material.materials(), "machinable-wax-copy"));
+    }
+
+    void aMaterialIsCalibrated() {
+        WindowDriver driver(QSize(1280, 800));
+        Workbench& workbench = driver.window().workbench();
+        QVERIFY(open(driver));
+        const QString forces = write(driver, "forces.csv", forcesOf("our-alloy"));
+        driver.whenDialogStands([&](QWidget& dialog) {
+            const Closing closing(dialog);
+            driver.whenDialogStands([&](QWidget& calibration) {
+                const Closing ending(calibration);
+                QVERIFY(!button(calibration, "keepCalibrationButton").isEnabled());
+                chooseFile(driver, forces);
+                click(calibration, "forceFileButton");
+                auto* const projection = calibration.findChild<QComboBox*>("forceProjection");
+                projection->setFocus();
+                QTest::keyClick(projection, Qt::Key_Down);
+                auto* const law = calibration.findChild<QComboBox*>("chipLaw");
+                law->setFocus();
+                QTest::keyClick(law, Qt::Key_Down);
+                QVERIFY(button(calibration, "keepCalibrationButton").isEnabled());
+                driver.shoot("library-04-calibrated");
+                click(calibration, "keepCalibrationButton");
+            });
+            click(dialog, "calibrateMaterialButton");
+            driver.shoot("library-05-kept");
+            click(dialog, "closeMaterialsButton");
+        });
+        driver.window().setFocus();
+        driver.key(Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
+        const Property* const made = materialIn(workbench.setup.materials(), "our-alloy");
+        QVERIFY(made);
+        QVERIFY(std::abs(made->values.find(specificCuttingEnergy)->second.value - 0.85) < 0.01);
+        QVERIFY(std::abs(made->values.find(radialForceRatio)->second.value - 0.4) < 0.01);
+    }
+
+    /// Values of the stock's material that change are those of the workpiece that stands.
+    void aChangedMaterialIsThatOfTheWorkpiece() {
+        WindowDriver driver(QSize(1280, 800));
+        Workbench& workbench = driver.window().workbench();
+        QVERIFY(open(driver));
+        workbench.material.copyMaterial(*materialIn(workbench.material.materials(), "machinable-wax"), "Own");
+        workbench.setup.chooseStockMaterial("machinable-wax-copy");
+        QVERIFY(driver.step(JobStep::stock) && driver.clickOn("embedButton") &&
+                driver.waitFor([&] { return workbench.workpiece.ready(); }) && driver.settle());
+        Property wax = *materialIn(workbench.material.materials(), "machinable-wax-copy");
+        wax.values.find(specificCuttingEnergy)->second.value = 0.25;
+        workbench.material.keepMaterial(wax);
+        QVERIFY(driver.settle());
+        const EmbeddedSetup& embedded = workbench.workpiece.milling()->embedded;
+        QCOMPARE(embedded.workpiece.properties()[embedded.stockProperty].valueOr(specificCuttingEnergy, 0.0), 0.25);
+        QVERIFY(workbench.workpiece.embedded());
+    }
+
+    void aClickIntoTheViewChoosesABody() {
+        WindowDriver driver(QSize(1280, 800));
+        Workbench& workbench = driver.window().workbench();
+        QVERIFY(open(driver));
+        QVERIFY(driver.step(JobStep::part));
+        auto& viewport = *driver.visible<Viewport>("viewport");
+        const auto clickAt = [&](const glm::dvec3& place) {
+            QTest::mouseClick(&viewport, Qt::LeftButton, {}, viewport.project(place).toPoint());
+            driver.settle();
+        };
+        const std::vector<Body>& bodies = workbench.model.model()->bodies;
+        for (const std::size_t body : {std::size_t{1}, std::size_t{0}}) {
+            clickAt(bodies[body].box.centre());
+            QCOMPARE(driver.visible<RowList>("bodyList")->currentRow(), static_cast<int>(body));
+        }
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_End); // the role has the focus
+        QCOMPARE(roleOf(workbench.setup.setup(), 0), BodyRole::ignored);
+        driver.shoot("library-06-picked");
+        // Elsewhere the left button does nothing to it.
+        QVERIFY(driver.step(JobStep::stock));
+        clickAt(bodies[1].box.centre());
+        QVERIFY(driver.step(JobStep::part));
+        QCOMPARE(driver.visible<RowList>("bodyList")->currentRow(), 0);
+    }
+
+    void theStockComesFromAFile() {
+        WindowDriver driver(QSize(1280, 800));
+        Workbench& workbench = driver.window().workbench();
+        QVERIFY(open(driver));
+        // Around cube and cylinder, 0.5 mm a voxel: oak below, foam above.
+        QByteArray values;
+        for (int z = 0; z < 28; ++z) values += QByteArray(72 * 32, z < 14 ? '\1' : '\2');
+        const QString array = write(driver, "scan.nrrd",
+                                    "NRRD0004\ntype: uint8\ndimension: 3\nspace dimension: 3\nsizes: 72 32 28\n"
+                                    "space directions: (0.5,0,0) (0,0.5,0) (0,0,0.5)\nspace units: \"mm\" \"mm\" "
+                                    "\"mm\"\nspace origin: (-17.75,-2.75,-1.75)\nencoding: raw\n\n" +
+                                        values);
+        const QString table =
+            write(driver, "scan.json",
+                  R"({"entries": [{"value": 1, "material": "oak"}, {"value": 2, "material": "pu-foam"}]})");
+        driver.whenDialogStands([&](QWidget& dialog) { // the array, and then its table
+            dialog.findChild<QLineEdit*>("fileNameEdit")->setText(array);
+            QTest::mouseClick(dialog.findChild<QDialogButtonBox*>("buttonBox")->button(QDialogButtonBox::Open),
+                              Qt::LeftButton);
+            chooseFile(driver, table);
+        });
+        driver.window().setFocus();
+        driver.key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(driver.waitFor([&] { return workbench.setup.setup().form == StockForm::file; }, 10000));
+        QVERIFY2(!workbench.setup.problem(), workbench.setup.problem()->subject.c_str());
+        QCOMPARE(workbench.setup.setup().voxel, 0.5);
+        QVERIFY(driver.step(JobStep::stock) && driver.settle());
+        driver.shoot("library-07-stock-file");
+        for (const VisibleText& cut : clippedTexts(driver.window()))
+            QFAIL(qPrintable(QStringLiteral("cut: %1: %2").arg(cut.where, cut.text)));
+        QVERIFY(driver.clickOn("embedButton") && driver.waitFor([&] { return workbench.workpiece.ready(); }) &&
+                driver.settle());
+        QVERIFY(driver.step(JobStep::mill) && driver.settle());
+        driver.shoot("library-08-scan");
+        QCOMPARE(workbench.workpiece.milling()->embedded.untouched.units.size(), std::size_t{256});
+        double foam = 0.0;
+        for (const MaterialAmount& amount : materialAmounts(workbench.workpiece.milling()->embedded))
+            if (amount.id == "pu-foam") foam = amount.volume;
+        // The layers above z = 5 mm, less the upper halves of a cube of 10 mm and a cylinder of 10 mm.
+        const double exact = 36.0 * 16.0 * 7.0 - 500.0 - std::acos(-1.0) * 25.0 * 5.0;
+        QVERIFY2(std::abs(foam / exact - 1.0) < 0.02, qPrintable(QString::number(foam / exact)));
+        // It is kept with the project.
+        const QString file = driver.folder().filePath("scan.burin");
+        QVERIFY(saveAs(driver, file));
+        QVERIFY(driver.restart());
+        drop(driver.window(), file);
+        Workbench& again = driver.window().workbench();
+        QVERIFY(driver.waitFor([&] { return again.setup.setup().form == StockForm::file; }, 10000));
+        QVERIFY(again.setup.setup().volume && again.setup.setup().volume->name() == "scan.nrrd");
+    }
+};
+
+QTEST_MAIN(TestWindowLibrary)
+#include "tst_window_library.moc"
