@@ -22,7 +22,7 @@ Error withTableOption(Error error, const char* option) {
 }
 
 void tellUnknownUnit(const std::string& file, CommandContext& context) {
-    context.message(worded(BURIN_TEXT("Command", "%1 states no unit of length: mm are taken."), {file}));
+    context.message(worded(BURIN_TEXT("Command", "%1 gives no unit of length; it was read in mm."), {file}));
 }
 
 } // namespace burin

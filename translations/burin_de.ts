@@ -1382,10 +1382,6 @@
         <translation>freies Schnitzen: Es gibt kein Teil, also hält nichts das Werkzeug zurück</translation>
     </message>
     <message>
-        <source>%1 states no unit of length: mm are taken.</source>
-        <translation>%1 nennt keine Längeneinheit: Es werden mm angenommen.</translation>
-    </message>
-    <message>
         <source>Reading</source>
         <translation>Lesen</translation>
     </message>
@@ -1420,6 +1416,10 @@
     <message>
         <source>a known material, or --like MATERIAL</source>
         <translation>ein bekannter Werkstoff oder --like WERKSTOFF</translation>
+    </message>
+    <message>
+        <source>%1 gives no unit of length; it was read in mm.</source>
+        <translation>%1 nennt keine Längeneinheit; es wurde in mm gelesen.</translation>
     </message>
 </context>
 <context>
@@ -5636,10 +5636,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Close this page.</source>
-        <translation>Schließt diese Seite.</translation>
-    </message>
-    <message>
         <source>Override the check</source>
         <translation>Prüfung übergehen</translation>
     </message>
@@ -5661,6 +5657,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Export a program that was refused?</source>
         <translation>Ein abgelehntes Programm exportieren?</translation>
+    </message>
+    <message>
+        <source>Close this window.</source>
+        <translation>Dieses Fenster schließen.</translation>
     </message>
 </context>
 <context>
@@ -7221,8 +7221,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Close this page.</source>
-        <translation>Schließt diese Seite.</translation>
+        <source>Close this window.</source>
+        <translation>Dieses Fenster schließen.</translation>
     </message>
 </context>
 <context>
@@ -7403,6 +7403,77 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::LibraryDialog</name>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Add from a file…</source>
+        <translation>Aus einer Datei hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this window (Esc)</source>
+        <translation>Dieses Fenster schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>eigen</translation>
+    </message>
+    <message>
+        <source>in use</source>
+        <translation>in Gebrauch</translation>
+    </message>
+    <message>
+        <source>Changed, and not saved yet.</source>
+        <translation>Geändert und noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Nothing is changed.</source>
+        <translation>Nichts ist geändert.</translation>
+    </message>
+    <message>
+        <source>Keep the changed values (Ctrl+S)</source>
+        <translation>Die geänderten Werte behalten (Strg+S)</translation>
+    </message>
+    <message>
+        <source>Discard the changes (Ctrl+R)</source>
+        <translation>Die Änderungen verwerfen (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Discard the changes of “%1”?</source>
+        <translation>Die Änderungen an „%1“ verwerfen?</translation>
+    </message>
+    <message>
+        <source>They are not saved. This can&apos;t be undone.</source>
+        <translation>Sie sind nicht gespeichert. Das kann nicht rückgängig gemacht werden.</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>“%1” was deleted; Undo brings it back.</source>
+        <translation>„%1“ wurde gelöscht; „Rückgängig“ bringt es zurück.</translation>
+    </message>
+</context>
+<context>
     <name>burin::LoadChart</name>
     <message>
         <source>Cutting force over the machining time</source>
@@ -7432,20 +7503,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Maschinen</translation>
     </message>
     <message>
-        <source>Copy</source>
-        <translation>Kopieren</translation>
-    </message>
-    <message>
         <source>Copy this machine to one of your own and change that</source>
         <translation>Diese Maschine als eigene kopieren und die Kopie ändern</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Add from a file…</source>
-        <translation>Aus einer Datei hinzufügen …</translation>
     </message>
     <message>
         <source>Add a machine file to your own machines</source>
@@ -7456,32 +7515,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Für dieses Projekt verwenden</translation>
     </message>
     <message>
-        <source>Revert</source>
-        <translation>Zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Close this page</source>
-        <translation>Diese Seite schließen</translation>
-    </message>
-    <message>
         <source>typical</source>
         <translation>typisch</translation>
-    </message>
-    <message>
-        <source>own</source>
-        <translation>eigene</translation>
-    </message>
-    <message>
-        <source>in use</source>
-        <translation>in Gebrauch</translation>
     </message>
     <message>
         <source>Typical values of its class, which can&apos;t be changed. Copy the machine and enter the values of your own.</source>
@@ -7492,24 +7527,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Ihre eigene Maschine.</translation>
     </message>
     <message>
-        <source>Changed, and not saved yet.</source>
-        <translation>Geändert und noch nicht gespeichert.</translation>
-    </message>
-    <message>
         <source>The machines that Burin is shipped with can&apos;t be deleted.</source>
         <translation>Die mitgelieferten Maschinen können nicht gelöscht werden.</translation>
     </message>
     <message>
         <source>Delete this machine; Undo brings it back (Del in the list)</source>
         <translation>Diese Maschine löschen; Rückgängig holt sie zurück (Entf in der Liste)</translation>
-    </message>
-    <message>
-        <source>Nothing is changed.</source>
-        <translation>Nichts ist geändert.</translation>
-    </message>
-    <message>
-        <source>Keep the changed values (Ctrl+S)</source>
-        <translation>Die geänderten Werte behalten (Strg+S)</translation>
     </message>
     <message>
         <source>The programs are for this machine.</source>
@@ -7520,28 +7543,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Die Programme dieses Projekts für diese Maschine machen (Strg+Eingabe)</translation>
     </message>
     <message>
-        <source>Discard the changes of “%1”?</source>
-        <translation>Die Änderungen an „%1“ verwerfen?</translation>
-    </message>
-    <message>
-        <source>They are not saved. This can&apos;t be undone.</source>
-        <translation>Sie sind nicht gespeichert. Das kann nicht rückgängig gemacht werden.</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
-        <source>“%1” was deleted; Undo brings it back.</source>
-        <translation>„%1“ wurde gelöscht; Rückgängig holt sie zurück.</translation>
-    </message>
-    <message>
         <source>There is a machine with the ID “%1” already; give the one in the file another ID.</source>
         <translation>Es gibt schon eine Maschine mit der ID „%1“; geben Sie der in der Datei eine andere ID.</translation>
-    </message>
-    <message>
-        <source>Discard the changes (Ctrl+R)</source>
-        <translation>Die Änderungen verwerfen (Strg+R)</translation>
     </message>
 </context>
 <context>
@@ -7954,8 +7957,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Das Werkstück wurde in „%1“ geschrieben.</translation>
     </message>
     <message>
-        <source>“%1” states no unit of length: mm are taken.</source>
-        <translation>„%1“ nennt keine Längeneinheit: Es werden mm angenommen.</translation>
+        <source>“%1” gives no unit of length; it was read in mm.</source>
+        <translation>„%1“ nennt keine Längeneinheit; es wurde in mm gelesen.</translation>
     </message>
 </context>
 <context>
@@ -7980,20 +7983,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Werkstoffe</translation>
     </message>
     <message>
-        <source>Copy</source>
-        <translation>Kopieren</translation>
-    </message>
-    <message>
         <source>Copy this material to one of your own and change that</source>
         <translation>Diesen Werkstoff in einen eigenen kopieren und den ändern</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Add from a file…</source>
-        <translation>Aus einer Datei hinzufügen …</translation>
     </message>
     <message>
         <source>Add a material file, or a material card of FreeCAD (.FCMat)</source>
@@ -8008,28 +7999,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>K und Kr an gemessene Schnittkräfte anpassen (CSV)</translation>
     </message>
     <message>
-        <source>Revert</source>
-        <translation>Zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Close this page (Esc)</source>
-        <translation>Diese Seite schließen (Esc)</translation>
-    </message>
-    <message>
         <source>shipped</source>
         <translation>mitgeliefert</translation>
-    </message>
-    <message>
-        <source>own</source>
-        <translation>eigener</translation>
     </message>
     <message>
         <source>Burin is shipped with this material, which can&apos;t be changed. Copy it and change the copy.</source>
@@ -8044,10 +8015,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Ihr eigener Werkstoff.</translation>
     </message>
     <message>
-        <source>Changed, and not saved yet.</source>
-        <translation>Geändert und noch nicht gespeichert.</translation>
-    </message>
-    <message>
         <source>The materials that Burin is shipped with can&apos;t be deleted.</source>
         <translation>Die mitgelieferten Werkstoffe können nicht gelöscht werden.</translation>
     </message>
@@ -8056,36 +8023,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Diesen Werkstoff löschen; Rückgängig bringt ihn zurück (Entf in der Liste)</translation>
     </message>
     <message>
-        <source>Nothing is changed.</source>
-        <translation>Nichts ist geändert.</translation>
-    </message>
-    <message>
-        <source>Keep the changed values (Ctrl+S)</source>
-        <translation>Die geänderten Werte behalten (Strg+S)</translation>
-    </message>
-    <message>
-        <source>Discard the changes (Ctrl+R)</source>
-        <translation>Die Änderungen verwerfen (Strg+R)</translation>
-    </message>
-    <message>
-        <source>Discard the changes of “%1”?</source>
-        <translation>Die Änderungen an „%1“ verwerfen?</translation>
-    </message>
-    <message>
-        <source>They are not saved. This can&apos;t be undone.</source>
-        <translation>Sie sind nicht gespeichert. Das kann nicht rückgängig gemacht werden.</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
         <source>%1 (copy)</source>
         <translation>%1 (Kopie)</translation>
-    </message>
-    <message>
-        <source>“%1” was deleted; Undo brings it back.</source>
-        <translation>„%1“ wurde gelöscht; Rückgängig holt sie zurück.</translation>
     </message>
     <message>
         <source>There is a material with the ID “%1” already; give the one in the file another ID.</source>
@@ -8119,24 +8058,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Schnittgeschwindigkeit mit Hartmetall; aus ihr kommt die Drehzahl</translation>
     </message>
     <message>
-        <source>Chip load of a tooth over the diameter; the feed comes from it</source>
-        <translation>Zahnvorschub durch den Durchmesser; aus ihm kommt der Vorschub</translation>
-    </message>
-    <message>
         <source>Plunge feed over feed</source>
         <translation>Eintauchvorschub durch Vorschub</translation>
     </message>
     <message>
-        <source>A further value; Burin keeps it</source>
-        <translation>Ein weiterer Wert; Burin bewahrt ihn auf</translation>
-    </message>
-    <message>
         <source>Name</source>
         <translation>Name</translation>
-    </message>
-    <message>
-        <source>As it is shown</source>
-        <translation>Wie er angezeigt wird</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -8175,10 +8102,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Wert hinzufügen</translation>
     </message>
     <message>
-        <source>A further named property of the material</source>
-        <translation>Eine weitere benannte Eigenschaft des Werkstoffs</translation>
-    </message>
-    <message>
         <source>Remove the value</source>
         <translation>Wert entfernen</translation>
     </message>
@@ -8205,6 +8128,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Two values have the same name; rename one of them.</source>
         <translation>Zwei Werte haben denselben Namen; benennen Sie einen um.</translation>
+    </message>
+    <message>
+        <source>Chip load per tooth, as a share of the diameter; the feed follows from it</source>
+        <translation>Zahnvorschub als Anteil am Durchmesser; aus ihm folgt der Vorschub</translation>
+    </message>
+    <message>
+        <source>A property of your own, kept with the material</source>
+        <translation>Eine eigene Eigenschaft, die mit dem Werkstoff aufbewahrt wird</translation>
+    </message>
+    <message>
+        <source>Name in the list of materials</source>
+        <translation>Name in der Liste der Werkstoffe</translation>
+    </message>
+    <message>
+        <source>Add a property of your own</source>
+        <translation>Eine eigene Eigenschaft hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -9222,16 +9161,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Close this page.</source>
-        <translation>Schließt diese Seite.</translation>
-    </message>
-    <message>
         <source>The unit in which lengths are shown. Files always hold millimetres.</source>
         <translation>Die Einheit, in der Längen angezeigt werden. Dateien enthalten immer Millimeter.</translation>
     </message>
     <message>
         <source>Same as the system</source>
         <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Close this window.</source>
+        <translation>Dieses Fenster schließen.</translation>
     </message>
 </context>
 <context>

@@ -116,7 +116,7 @@ void showAbout(QWidget* parent, const QString& version) {
         "run-length encoding”, Robotics and Computer-Integrated Manufacturing 20 (2004) 237–246.\n\nFree software "
         "under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneTBB, SQLite and Zstandard."));
     QPushButton* close = addButton(box, Questions::tr("Close"), QMessageBox::AcceptRole, "closeButton",
-                                   Questions::tr("Close this page."));
+                                   Questions::tr("Close this window."));
     box.setEscapeButton(close);
     box.exec();
 }

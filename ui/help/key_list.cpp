@@ -49,7 +49,7 @@ KeyList::KeyList(const std::vector<KeySection>& sections, QWidget* parent) : QDi
     layout->addWidget(nothing_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     buttons->button(QDialogButtonBox::Close)->setText(tr("Close"));
-    buttons->button(QDialogButtonBox::Close)->setToolTip(tr("Close this page."));
+    buttons->button(QDialogButtonBox::Close)->setToolTip(tr("Close this window."));
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout->addWidget(buttons);
     resize(usualSize);

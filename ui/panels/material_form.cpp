@@ -33,9 +33,9 @@ QString purposeOf(std::string_view key) {
     if (key == density) return MaterialForm::tr("Density; masses come from it");
     if (key == surfaceSpeed) return MaterialForm::tr("Cutting speed with carbide; the spindle speed comes from it");
     if (key == chipLoadPerDiameter)
-        return MaterialForm::tr("Chip load of a tooth over the diameter; the feed comes from it");
+        return MaterialForm::tr("Chip load per tooth, as a share of the diameter; the feed follows from it");
     if (key == plungeFeedRatio) return MaterialForm::tr("Plunge feed over feed");
-    return MaterialForm::tr("A further value; Burin keeps it");
+    return MaterialForm::tr("A property of your own, kept with the material");
 }
 
 } // namespace
@@ -46,7 +46,7 @@ MaterialForm::MaterialForm(QWidget* parent) : QWidget(parent) {
     column->setSpacing(8);
     name_ = new QLineEdit(this);
     name_->setObjectName(QStringLiteral("materialName"));
-    column->addWidget(new FieldRow(tr("Name"), name_, tr("As it is shown"), this));
+    column->addWidget(new FieldRow(tr("Name"), name_, tr("Name in the list of materials"), this));
     colour_ = new QPushButton(this);
     colour_->setObjectName(QStringLiteral("materialColour"));
     column->addWidget(new FieldRow(tr("Colour"), colour_, tr("In which it is drawn"), this));
@@ -63,7 +63,7 @@ MaterialForm::MaterialForm(QWidget* parent) : QWidget(parent) {
     column->addWidget(table_, 1);
     auto* row = new QHBoxLayout;
     add_ = makeButton(tr("Add a value"), QStringLiteral("add"), QStringLiteral("addValueButton"), this);
-    add_->setToolTip(tr("A further named property of the material"));
+    add_->setToolTip(tr("Add a property of your own"));
     remove_ = makeButton(tr("Remove the value"), QStringLiteral("remove"), QStringLiteral("removeValueButton"), this);
     row->addWidget(add_);
     row->addWidget(remove_);

@@ -133,7 +133,7 @@ void MainWindow::connectWorkbench() {
         message_->tell(Notice::Kind::passed, tr("The workpiece was written to “%1”.").arg(QFileInfo(file).fileName()));
     });
     connect(&workbench_.setup, &SetupController::unitUnknown, this, [this](const QString& file) {
-        message_->tell(Notice::Kind::information, tr("“%1” states no unit of length: mm are taken.").arg(file));
+        message_->tell(Notice::Kind::information, tr("“%1” gives no unit of length; it was read in mm.").arg(file));
     });
     connect(&flow_, &DocumentFlow::restartExported, this, [this](int line, const QString& file) {
         message_->tell(Notice::Kind::passed,

@@ -2,56 +2,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/window/library_dialog.h"
 #include "ui/workbench/material_controller.h"
-
-#include <QDialog>
-
-class QLabel;
-class QPushButton;
 
 namespace burin {
 
 class MaterialForm;
-class Notice;
-class RowList;
 
 /// The materials that Burin is shipped with and the user's own: to look at, copy, change, delete, add from a file and
-/// calibrate. What is changed counts when it is saved; each step is an entry of the undo stack. `library` outlives it.
-class MaterialDialog final : public QDialog {
+/// calibrate. Each step is an entry of the undo stack. `library` outlives it.
+class MaterialDialog final : public LibraryDialog {
     Q_OBJECT
 public:
     /// @param inUse id of the stock's material: shown first
     /// @param locked the project keeps its own values, as there are recordings
     MaterialDialog(MaterialController& library, const std::string& inUse, bool locked, QWidget* parent);
 
-    void reject() override; ///< asks about changes that are not saved
-
 private:
-    void layOut();
-    QWidget* makeList();
-    QWidget* makeButtons();
-    void refresh();
-    void refreshList();
-    void showMaterial(const std::string& id);
-    void follow(); ///< the fields were edited
-    void choose(int row);
-    void copy();
-    void remove();
-    void addFromFile();
+    std::vector<Entry> entries() const override;
+    void fill(const std::string& id, bool shipped) override;
+    bool edited() const override;
+    QString problem() const override;
+    QString about(bool shipped) const override;
+    std::string copy(const std::string& id) override;
+    void erase(const std::string& id) override;
+    Result<void> keep() override;
+    QString askFile() override;
+    Result<Incoming> read(const std::string& file) override;
+
     void calibrate();
-    void saveChanges();
-    bool leaveChanges(); ///< nothing is unsaved, or the user gives it up
-    const Property* shown() const;
-    bool modified() const;
+    const Property* material(const std::string& id) const;
 
     MaterialController& library_;
-    std::string id_; ///< of the material that is shown
     bool locked_;
-    RowList* list_ = nullptr;
     MaterialForm* form_ = nullptr;
-    QLabel* title_ = nullptr;
-    Notice* notice_ = nullptr;
-    QPushButton *copy_ = nullptr, *remove_ = nullptr, *save_ = nullptr, *revert_ = nullptr;
 };
 
 } // namespace burin

@@ -5,8 +5,6 @@
 #include "core/cutting/material_library.h"
 #include "ui/workbench/value_command.h"
 
-#include <algorithm>
-
 namespace burin {
 
 MaterialController::MaterialController(const Desk& desk, QObject* parent) : Controller(desk, parent) {
@@ -25,10 +23,7 @@ void MaterialController::readLibrary() {
 }
 
 std::string MaterialController::copyMaterial(const Property& material, const QString& name) {
-    const std::string first = material.id + "-copy";
-    std::string id = first;
-    for (int i = 2; std::ranges::find(materials_, id, &Property::id) != materials_.end(); ++i)
-        id = first + "-" + std::to_string(i);
+    const std::string id = freeId(materials_, material.id + "-copy");
     push(tr("copy of a material"), {id, copyOf(material, id, name.toStdString())});
     return id;
 }
@@ -41,22 +36,15 @@ void MaterialController::deleteMaterial(const std::string& id) {
     push(tr("deleting a material"), {id, std::nullopt});
 }
 
-void MaterialController::push(const QString& text, const OwnMaterial& wanted) {
-    OwnMaterial before{wanted.id, std::nullopt};
-    const auto found = std::ranges::find(materials_, wanted.id, &Property::id);
-    if (found != materials_.end() && !isShippedMaterial(wanted.id)) before.material = *found;
-    desk_.undo.push(new ValueCommand<OwnMaterial>(text, -1, before, wanted,
-                                                  [this](const OwnMaterial& material) { apply(material); }));
+void MaterialController::push(const QString& text, const OwnFile<Property>& wanted) {
+    const OwnFile<Property> before{wanted.id,
+                                   isShippedMaterial(wanted.id) ? std::nullopt : itemOf(materials_, wanted.id)};
+    desk_.undo.push(new ValueCommand<OwnFile<Property>>(text, -1, before, wanted,
+                                                        [this](const OwnFile<Property>& own) { apply(own); }));
 }
 
-/// Material files are a few kilobytes: they are written here, before anything shows them.
-void MaterialController::apply(const OwnMaterial& material) {
-    const Result<void> done = [&]() -> Result<void> {
-        if (!material.material) return removeMaterial(material.id);
-        const Result<std::filesystem::path> file = saveMaterial(*material.material, true);
-        return file ? Result<void>() : Result<void>(file.error());
-    }();
-    if (!done) emit failed(done.error());
+void MaterialController::apply(const OwnFile<Property>& own) {
+    if (const Result<void> done = write(own, saveMaterial, removeMaterial); !done) emit failed(done.error());
     readLibrary();
     emit changed();
 }

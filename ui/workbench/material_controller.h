@@ -4,8 +4,8 @@
 
 #include "core/volume/runs/property_list.h"
 #include "ui/workbench/controller.h"
+#include "ui/workbench/own_file.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,13 +27,8 @@ public:
     void deleteMaterial(const std::string& id);  ///< one of the user's own
 
 private:
-    /// A file of the user's, or that there is none.
-    struct OwnMaterial {
-        std::string id;
-        std::optional<Property> material;
-    };
-    void push(const QString& text, const OwnMaterial& wanted);
-    void apply(const OwnMaterial& material);
+    void push(const QString& text, const OwnFile<Property>& wanted);
+    void apply(const OwnFile<Property>& own);
     void readLibrary();
 
     std::vector<Property> materials_;

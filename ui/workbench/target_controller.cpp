@@ -50,12 +50,8 @@ std::string TargetController::missingMachine() const {
     return machine().id == target_.machine ? std::string() : target_.machine;
 }
 
-/// Under an id that no machine has: that of the original with "-copy" and, where needed, a number.
 std::string TargetController::copyMachine(const MachineProfile& machine, const QString& name) {
-    const std::string first = machine.id + "-copy";
-    std::string id = first;
-    for (int i = 2; std::ranges::find(machines_, id, &MachineProfile::id) != machines_.end(); ++i)
-        id = first + "-" + std::to_string(i);
+    const std::string id = freeId(machines_, machine.id + "-copy");
     pushMachine(tr("copy of a machine"), {id, copyOf(machine, id, name.toStdString())});
     return id;
 }
@@ -68,22 +64,14 @@ void TargetController::deleteMachine(const std::string& id) {
     pushMachine(tr("deleting a machine"), {id, std::nullopt});
 }
 
-void TargetController::pushMachine(const QString& text, const OwnMachine& wanted) {
-    OwnMachine before{wanted.id, std::nullopt};
-    const auto found = std::ranges::find(machines_, wanted.id, &MachineProfile::id);
-    if (found != machines_.end()) before.profile = *found;
-    desk_.undo.push(new ValueCommand<OwnMachine>(text, -1, before, wanted,
-                                                 [this](const OwnMachine& machine) { applyMachine(machine); }));
+void TargetController::pushMachine(const QString& text, const OwnFile<MachineProfile>& wanted) {
+    const OwnFile<MachineProfile> before{wanted.id, itemOf(machines_, wanted.id)};
+    desk_.undo.push(new ValueCommand<OwnFile<MachineProfile>>(
+        text, -1, before, wanted, [this](const OwnFile<MachineProfile>& own) { applyMachine(own); }));
 }
 
-/// Machine files are a few kilobytes: they are written here, before anything shows them.
-void TargetController::applyMachine(const OwnMachine& machine) {
-    const Result<void> done = [&]() -> Result<void> {
-        if (!machine.profile) return burin::removeMachine(machine.id);
-        const Result<std::filesystem::path> file = saveMachine(*machine.profile, true);
-        return file ? Result<void>() : Result<void>(file.error());
-    }();
-    if (!done) emit failed(done.error());
+void TargetController::applyMachine(const OwnFile<MachineProfile>& own) {
+    if (const Result<void> done = write(own, saveMachine, removeMachine); !done) emit failed(done.error());
     readLibraries();
     emit changed();
     emit desk_.project.worked(); // a verdict that was kept was given for the machine as it was

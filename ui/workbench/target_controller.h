@@ -5,8 +5,8 @@
 #include "core/document/program_target.h"
 #include "core/nc/dialect_library.h"
 #include "ui/workbench/controller.h"
+#include "ui/workbench/own_file.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +32,7 @@ public:
 
     // Entries of the undo stack. The machines are the user's, not the project's: who undoes a change of one has the
     // file as it was.
-    /// @return id of the copy, which is not chosen
+    /// @return id of the copy, which is not chosen: that of the original with "-copy" and, where needed, a number
     std::string copyMachine(const MachineProfile& machine, const QString& name);
     void keepMachine(const MachineProfile& machine); ///< one of the user's own, new or changed
     void deleteMachine(const std::string& id);       ///< one of the user's own
@@ -46,13 +46,8 @@ private:
     void readLibraries();
     void push(const QString& text, const ProgramTarget& wanted);
     void apply(const ProgramTarget& target);
-    /// A machine's file, or that there is none.
-    struct OwnMachine {
-        std::string id;
-        std::optional<MachineProfile> profile;
-    };
-    void pushMachine(const QString& text, const OwnMachine& wanted);
-    void applyMachine(const OwnMachine& machine);
+    void pushMachine(const QString& text, const OwnFile<MachineProfile>& wanted);
+    void applyMachine(const OwnFile<MachineProfile>& own);
 
     std::vector<MachineProfile> machines_;
     std::vector<DialectDescription> dialects_;
