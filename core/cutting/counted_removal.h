@@ -7,6 +7,17 @@
 
 namespace burin {
 
+/// Whether anything can be cut between two places of a line.
+inline bool machinableWithin(const RunVolume& workpiece, LineIndex line, RunPosition from, RunPosition to) noexcept {
+    for (const Segment segment : workpiece.line(line)) {
+        if (segment.end() > from && segment.property() != airProperty &&
+            !workpiece.properties().isProtected(segment.property()))
+            return true;
+        if (segment.end() >= to) return false;
+    }
+    return false;
+}
+
 /// Takes the machinable runs between two places of a line out of a workpiece and counts them with their moments.
 /// @param taken  gets the units by property (`removed.byProperty` does not)
 /// @return false when the workpiece's memory is used up: the line is uncut then, and `removed.outOfMemory` set

@@ -37,10 +37,14 @@ inline RunPosition contactTolerance(const RevolvedPiece& piece, const Grid& grid
 /// Calls `visit(line, from, to)` for every scanline of some rows (v) whose centre line meets the swept piece in the
 /// grid, run positions from < to rounded by Grid's one rule; stops when it returns false.
 /// @param swept in the frame of the grid's lines (inLineFrame)
-template <class Visit>
-void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineStretch within, Visit&& visit) noexcept {
+/// @param wanted  (line, from, to): whether anything between these places, all that the piece may reach, matters to
+/// `visit`; a span takes more time than the answer
+template <class Visit, class Wanted>
+void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineStretch within, Visit&& visit,
+                       Wanted&& wanted) noexcept {
     const Box reach = swept.bounds(), box = inLineFrame(grid, grid.box());
     if (reach.high.z <= box.low.z || reach.low.z >= box.high.z) return;
+    const RunPosition lowest = grid.toRunPosition(reach.low.z), highest = grid.toRunPosition(reach.high.z);
     double top = std::numeric_limits<double>::quiet_NaN(); // mm, of the line before: most lines end at one height
     RunPosition to = 0;
     const LineStretch rows = linesWithin({reach.low.y, reach.high.y}, box.low.y, grid.edge(), grid.lineCountV());
@@ -52,6 +56,7 @@ void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineStretch wi
         const LineStretch row = linesWithin(*shadow, box.low.x, grid.edge(), grid.lineCountU());
         for (std::int32_t u = row.first; u <= row.last; ++u) {
             const LineIndex line{u, v};
+            if (!wanted(line, lowest, highest)) continue;
             const std::optional<Span> span = swept.along(grid.lineCentre(line).x, y);
             if (!span) continue;
             // Ends beyond the grid need no arithmetic: most flutes reach out of the stock.
@@ -63,10 +68,18 @@ void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineStretch wi
     }
 }
 
-/// The same for every scanline of the grid.
+/// The same of every line.
 template <class Visit>
-void forEachSpan(const SweptPiece& swept, const Grid& grid, Visit&& visit) noexcept {
-    forEachSpanInRows(swept, grid, {0, grid.lineCountV() - 1}, std::forward<Visit>(visit));
+void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineStretch within, Visit&& visit) noexcept {
+    forEachSpanInRows(swept, grid, within, std::forward<Visit>(visit),
+                      [](LineIndex, RunPosition, RunPosition) { return true; });
+}
+
+/// The same for every scanline of the grid.
+template <class Visit, class... Wanted>
+void forEachSpan(const SweptPiece& swept, const Grid& grid, Visit&& visit, Wanted&&... wanted) noexcept {
+    forEachSpanInRows(swept, grid, {0, grid.lineCountV() - 1}, std::forward<Visit>(visit),
+                      std::forward<Wanted>(wanted)...);
 }
 
 /// Calls `visit(property, start, end)` for every piece of a line's segments between `from` and `to` that is not air.

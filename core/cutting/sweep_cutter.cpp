@@ -30,9 +30,13 @@ bool SweepCutter::cutStep(RunVolume& workpiece, const PoseStep& step, RunAmounts
     const auto take = [&](LineIndex line, RunPosition from, RunPosition to) {
         return removeCounted(workpiece, line, from, to, taken, removed);
     };
+    // Most of what a step reaches was cut by the step before it.
+    const auto wanted = [&workpiece](LineIndex line, RunPosition from, RunPosition to) {
+        return machinableWithin(workpiece, line, from, to);
+    };
     const glm::dvec3 fromTip = inLineFrame(grid, step.fromTip), toTip = inLineFrame(grid, step.toTip);
     for (const RevolvedPiece& piece : pieces_) {
-        forEachSpan(SweptPiece(piece, fromTip, toTip, inLineFrame(grid, step.axis)), grid, take);
+        forEachSpan(SweptPiece(piece, fromTip, toTip, inLineFrame(grid, step.axis)), grid, take, wanted);
         if (removed.outOfMemory) return false;
     }
     return true;

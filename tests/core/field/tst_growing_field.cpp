@@ -280,7 +280,8 @@ void GrowingFieldTest::aRovingToolFindsItsTilesInBoundedMemory() {
                                     .arg(let)
                                     .arg(kept)));
         }
-    QVERIFY2(let > 8 && kept > 0, qPrintable(QString("%1 let go, %2 kept").arg(let).arg(kept)));
+    // How many depends on how far the tiles get while the tool waits; of every five, one is kept.
+    QVERIFY2(let >= 5 && kept > 0, qPrintable(QString("%1 let go, %2 kept").arg(let).arg(kept)));
     QVERIFY2(most < limit + all->memoryBytes() / 3, qPrintable(QString("%1 of %2").arg(most).arg(all->memoryBytes())));
 }
 
