@@ -70,6 +70,7 @@ void registerInfo(CommandParser program, CommandContext& context, int& status);
 void registerDevices(CommandParser program, CommandContext& context, int& status);
 void registerMachines(CommandParser program, CommandContext& context, int& status);
 void registerMaterials(CommandParser program, CommandContext& context, int& status);
+void registerTools(CommandParser program, CommandContext& context, int& status);
 void registerCalibrate(CommandParser program, CommandContext& context, int& status);
 void registerDemo(CommandParser program, CommandContext& context, int& status);
 void registerPicture(CommandParser program, CommandContext& context, int& status);

@@ -8,7 +8,8 @@
 
 namespace burin {
 
-void registerLibrary(CommandParser program, CommandContext& context, int& status, const LibraryCommand& library) {
+CommandParser registerLibrary(CommandParser program, CommandContext& context, int& status,
+                              const LibraryCommand& library) {
     auto arguments = std::make_shared<LibraryArguments>();
     const CommandParser command = program.command(library.name, library.about);
     command.requireCommand();
@@ -37,6 +38,7 @@ void registerLibrary(CommandParser program, CommandContext& context, int& status
     copied.option("--name", arguments->name, BURIN_TEXT("Help", "Name of the copy (default: its ID)"));
     addReplace(copied);
     addId(add("remove", library.remove, library.runRemove), library.item);
+    return command;
 }
 
 } // namespace burin

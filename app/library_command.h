@@ -26,6 +26,8 @@ struct LibraryCommand {
     Run runList, runShow, runAdd, runCopy, runRemove;
 };
 
-void registerLibrary(CommandParser program, CommandContext& context, int& status, const LibraryCommand& library);
+/// @return the command, to which more may be added
+CommandParser registerLibrary(CommandParser program, CommandContext& context, int& status,
+                              const LibraryCommand& library);
 
 } // namespace burin

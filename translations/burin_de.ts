@@ -539,6 +539,14 @@
         <source>Look at, copy, change, add and calibrate materials.</source>
         <translation>Werkstoffe ansehen, kopieren, ändern, hinzufügen und kalibrieren.</translation>
     </message>
+    <message>
+        <source>Too&amp;l from models…</source>
+        <translation>&amp;Werkzeug aus Modellen …</translation>
+    </message>
+    <message>
+        <source>Make a tool of models of its flutes and its shank: a form tool, a worn cutter.</source>
+        <translation>Macht ein Werkzeug aus Modellen seiner Schneiden und seines Schafts: ein Formwerkzeug, einen abgenutzten Fräser.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -589,6 +597,10 @@
     <message>
         <source>OTHER</source>
         <translation>ANDERE</translation>
+    </message>
+    <message>
+        <source>FLUTES</source>
+        <translation>SCHNEIDEN</translation>
     </message>
 </context>
 <context>
@@ -1420,6 +1432,22 @@
     <message>
         <source>%1 gives no unit of length; it was read in mm.</source>
         <translation>%1 nennt keine Längeneinheit; es wurde in mm gelesen.</translation>
+    </message>
+    <message>
+        <source>shipped  T%1  %2 mm  %3</source>
+        <translation>mitgeliefert  T%1  %2 mm  %3</translation>
+    </message>
+    <message>
+        <source>own      T%1  %2 mm  %3</source>
+        <translation>eigenes       T%1  %2 mm  %3</translation>
+    </message>
+    <message>
+        <source>profile of %1 lines, at most %2 mm wider than what the flutes sweep in a turn, never narrower</source>
+        <translation>Profil aus %1 Linien, höchstens %2 mm weiter als das, was die Schneiden in einer Umdrehung überstreichen, nie enger</translation>
+    </message>
+    <message>
+        <source>moved along Z by %1 mm, so that the tip is at 0</source>
+        <translation>um %1 mm längs Z verschoben, sodass die Spitze bei 0 liegt</translation>
     </message>
 </context>
 <context>
@@ -3505,6 +3533,29 @@
         <source>Tables (*.csv);;All files (*)</source>
         <translation>Tabellen (*.csv);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Models (%1);;All files (*)</source>
+        <translation>Modelle (%1);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>FileUnits</name>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -4575,6 +4626,74 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>JSON table of the materials that the values of a voxel array mean</source>
         <translation>JSON-Tabelle der Werkstoffe, die die Werte eines Voxelfelds bedeuten</translation>
+    </message>
+    <message>
+        <source>Make a tool of models of its flutes and its shank: what they sweep while the spindle turns. Axis +Z through the origin, towards the holder</source>
+        <translation>Macht ein Werkzeug aus Modellen seiner Schneiden und seines Schafts: was sie überstreichen, während die Spindel dreht. Achse +Z durch den Ursprung, zum Halter hin</translation>
+    </message>
+    <message>
+        <source>ID of the new tool</source>
+        <translation>ID des neuen Werkzeugs</translation>
+    </message>
+    <message>
+        <source>STEP, IGES, BREP or STL file of the flutes, closed</source>
+        <translation>STEP-, IGES-, BREP- oder STL-Datei der Schneiden, geschlossen</translation>
+    </message>
+    <message>
+        <source>The same of the shank (default: the shank of --like)</source>
+        <translation>Dasselbe für den Schaft (ohne: der Schaft von --like)</translation>
+    </message>
+    <message>
+        <source>Tool from which the new one takes number, teeth, limits and holder</source>
+        <translation>Werkzeug, von dem das neue Nummer, Zähne, Grenzen und Halter übernimmt</translation>
+    </message>
+    <message>
+        <source>Name of the tool (default: its ID)</source>
+        <translation>Name des Werkzeugs (ohne: seine ID)</translation>
+    </message>
+    <message>
+        <source>T word (default: that of --like)</source>
+        <translation>T-Wort (ohne: das von --like)</translation>
+    </message>
+    <message>
+        <source>Distance of the profile from what the flutes sweep, mm, at most; more where 48 lines don&apos;t do</source>
+        <translation>Größter Abstand des Profils von dem, was die Schneiden überstreichen, mm; mehr, wo 48 Linien nicht reichen</translation>
+    </message>
+    <message>
+        <source>Replace your tool of this ID</source>
+        <translation>Ersetzt Ihr Werkzeug dieser ID</translation>
+    </message>
+    <message>
+        <source>List and show tools; copy, add and delete your own, and make them of models. Every tool states the source of its values</source>
+        <translation>Werkzeuge auflisten und zeigen; eigene kopieren, hinzufügen, löschen und aus Modellen machen. Jedes Werkzeug nennt die Quelle seiner Werte</translation>
+    </message>
+    <message>
+        <source>List all tools with their numbers and diameters</source>
+        <translation>Alle Werkzeuge mit Nummer und Durchmesser auflisten</translation>
+    </message>
+    <message>
+        <source>Print the file of a tool (JSON), in the form that add reads</source>
+        <translation>Die Datei eines Werkzeugs ausgeben (JSON), in der Form, die add liest</translation>
+    </message>
+    <message>
+        <source>Add a tool to your own; every value is checked</source>
+        <translation>Fügt ein Werkzeug Ihren eigenen hinzu; jeder Wert wird geprüft</translation>
+    </message>
+    <message>
+        <source>Tool file (JSON)</source>
+        <translation>Werkzeugdatei (JSON)</translation>
+    </message>
+    <message>
+        <source>Copy a tool to one of your own</source>
+        <translation>Kopiert ein Werkzeug in ein eigenes</translation>
+    </message>
+    <message>
+        <source>Tool to copy</source>
+        <translation>Werkzeug, das kopiert wird</translation>
+    </message>
+    <message>
+        <source>Delete one of your own tools</source>
+        <translation>Löscht eines Ihrer eigenen Werkzeuge</translation>
     </message>
 </context>
 <context>
@@ -7960,6 +8079,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>“%1” gives no unit of length; it was read in mm.</source>
         <translation>„%1“ nennt keine Längeneinheit; es wurde in mm gelesen.</translation>
     </message>
+    <message>
+        <source>The tool “%1” is in the library. Its profile is at most %2 mm wider than what its flutes sweep, and never narrower.</source>
+        <translation>Das Werkzeug „%1“ ist in der Bibliothek. Sein Profil ist höchstens %2 mm weiter als das, was seine Schneiden überstreichen, und nie enger.</translation>
+    </message>
 </context>
 <context>
     <name>burin::MaterialController</name>
@@ -8903,22 +9026,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>An STL file states no unit. Choosing another one reads the file again.</source>
         <translation>Eine STL-Datei nennt keine Einheit. Bei Wahl einer anderen wird die Datei noch einmal gelesen.</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>inch</source>
-        <translation>Zoll</translation>
-    </message>
-    <message>
-        <source>cm</source>
-        <translation>cm</translation>
-    </message>
-    <message>
-        <source>m</source>
-        <translation>m</translation>
     </message>
     <message>
         <source>This is a preview. The fine mesh, which is milled to, is being made…</source>
@@ -10260,6 +10367,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>tool</source>
         <translation>Werkzeug</translation>
     </message>
+    <message>
+        <source>Making a tool of %1</source>
+        <translation>Aus %1 wird ein Werkzeug gemacht</translation>
+    </message>
+    <message>
+        <source>new tool</source>
+        <translation>neues Werkzeug</translation>
+    </message>
 </context>
 <context>
     <name>burin::ToolDrawing</name>
@@ -10372,6 +10487,89 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
             <numerusform>%n Aufnahme wurde mit diesem Werkzeug gefräst</numerusform>
             <numerusform>%n Aufnahmen wurden mit diesem Werkzeug gefräst</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>burin::ToolShapeDialog</name>
+    <message>
+        <source>Tool from models</source>
+        <translation>Werkzeug aus Modellen</translation>
+    </message>
+    <message>
+        <source>The tool cuts what its flutes sweep while the spindle turns. Models have their axis along +Z, through the origin, towards the holder; their lowest point becomes the tip. Teeth, limits and holder are those of “%1”.</source>
+        <translation>Das Werkzeug schneidet, was seine Schneiden überstreichen, während die Spindel dreht. Die Achse der Modelle liegt längs +Z, durch den Ursprung, zum Halter hin; ihr tiefster Punkt wird die Spitze. Zähne, Grenzen und Halter sind die von „%1“.</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>A closed body or several: STEP, IGES, BREP or STL</source>
+        <translation>Ein geschlossener Körper oder mehrere: STEP, IGES, BREP oder STL</translation>
+    </message>
+    <message>
+        <source>Shank</source>
+        <translation>Schaft</translation>
+    </message>
+    <message>
+        <source>The same of the shank; without it the new tool has the shank of the other</source>
+        <translation>Dasselbe für den Schaft; ohne hat das neue Werkzeug den Schaft des anderen</translation>
+    </message>
+    <message>
+        <source>Unit of the files</source>
+        <translation>Einheit der Dateien</translation>
+    </message>
+    <message>
+        <source>An STL file states no unit</source>
+        <translation>Eine STL-Datei nennt keine Einheit</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What the tool is called</source>
+        <translation>Wie das Werkzeug heißt</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>T in programs</source>
+        <translation>T in Programmen</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>By which the tool&apos;s profile may be wider than the model; never narrower</source>
+        <translation>Um so viel darf das Profil des Werkzeugs weiter als das Modell sein; nie enger</translation>
+    </message>
+    <message>
+        <source>Make the tool</source>
+        <translation>Werkzeug machen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Choose a model of the flutes first.</source>
+        <translation>Wählen Sie zuerst ein Modell der Schneiden.</translation>
+    </message>
+    <message>
+        <source>Give the tool a name first.</source>
+        <translation>Geben Sie dem Werkzeug zuerst einen Namen.</translation>
+    </message>
+    <message>
+        <source>Add the tool to your own and take it into the spindle; Undo takes it back</source>
+        <translation>Das Werkzeug zu Ihren eigenen nehmen und in die Spindel einsetzen; Rückgängig nimmt es zurück</translation>
     </message>
 </context>
 <context>

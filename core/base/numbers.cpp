@@ -19,6 +19,13 @@ std::string formatFixed(double value, int decimals) {
     return text;
 }
 
+std::string formatLimit(double value, int decimals) {
+    const double step = std::pow(10.0, -decimals);
+    std::string text = formatFixed(value, decimals);
+    if (parseNumber(text).value_or(value) < value) text = formatFixed(value + step, decimals);
+    return text;
+}
+
 std::string formatShortest(double value) {
     std::array<char, 64> buffer{};
     const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);

@@ -12,6 +12,9 @@ namespace burin {
 /// the C++ library does; "-0.000" becomes "0.000".
 std::string formatFixed(double value, int decimals);
 
+/// The same of a limit, which its text never falls short of.
+std::string formatLimit(double value, int decimals);
+
 /// Shortest text that reads back as the same double, with a decimal point, whatever the locale.
 std::string formatShortest(double value);
 

@@ -7,6 +7,7 @@
 #include "tests/core/geometry/shapes.h"
 #include "tests/oracles/tool_depth.h"
 #include "tests/places.h"
+#include "tests/stl_text.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -17,19 +18,8 @@ namespace {
 
 using namespace burin;
 
-/// A box as an STL file of text.
 bool writeStl(const QString& name, const TriangleMesh& mesh) {
-    QByteArray text = "solid fixture\n";
-    for (const auto& triangle : mesh.triangles) {
-        text += "facet normal 0 0 0\nouter loop\n";
-        for (const std::uint32_t corner : triangle) {
-            const glm::dvec3& place = mesh.vertices[corner];
-            text += "vertex " + QByteArray::number(place.x, 'g', 17) + ' ' + QByteArray::number(place.y, 'g', 17) +
-                    ' ' + QByteArray::number(place.z, 'g', 17) + '\n';
-        }
-        text += "endloop\nendfacet\n";
-    }
-    text += "endsolid fixture\n";
+    const QByteArray text = testing::stlText(mesh);
     QFile file(name);
     return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
 }

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/core/geometry/shapes.h"
 #include "tests/places.h"
+#include "tests/stl_text.h"
 #include "tests/ui/visible_texts.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/notice.h"
@@ -219,6 +221,39 @@ private slots:
         clickAt(bodies[1].box.centre());
         QVERIFY(driver.step(JobStep::part));
         QCOMPARE(driver.visible<RowList>("bodyList")->currentRow(), 0);
+    }
+
+    /// Pythagoras is the oracle: a bar of 6 × 8 mm sweeps a cylinder of 10 mm.
+    void aToolIsMadeOfAModel() {
+        WindowDriver driver(QSize(1280, 800));
+        Workbench& workbench = driver.window().workbench();
+        QVERIFY(open(driver));
+        const QString bar = write(driver, "form tool.stl", stlText(shapes::box({-3.0, -4.0, -5.0}, {3.0, 4.0, 15.0})));
+        const std::string before = workbench.tool.current().id;
+        driver.whenDialogStands([&](QWidget& dialog) {
+            const Closing closing(dialog);
+            QVERIFY(!button(dialog, "makeToolButton").isEnabled()); // of no model
+            chooseFile(driver, bar);
+            click(dialog, "flutesFileButton");
+            QCOMPARE(dialog.findChild<QLineEdit*>("toolName")->text(), QString("form tool"));
+            driver.shoot("library-09-tool-of-models");
+            click(dialog, "makeToolButton");
+        });
+        driver.window().setFocus();
+        driver.key(Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(driver.waitFor([&] { return workbench.tool.current().id == "form-tool"; }, 10000));
+        QCOMPARE(workbench.tool.current().cutter.diameter, 10.0);
+        QVERIFY(driver.step(JobStep::stock) && driver.clickOn("embedButton") &&
+                driver.waitFor([&] { return workbench.workpiece.ready(); }) && driver.settle());
+        QVERIFY(driver.step(JobStep::tool) && driver.settle());
+        driver.shoot("library-10-its-profile");
+        for (const VisibleText& cut : clippedTexts(driver.window()))
+            QFAIL(qPrintable(QStringLiteral("cut: %1: %2").arg(cut.where, cut.text)));
+        QVERIFY(driver.step(JobStep::mill) && driver.settle());
+        driver.shoot("library-11-in-the-spindle");
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(workbench.tool.current().id, before);
+        QVERIFY(!loadTool("form-tool"));
     }
 
     void theStockComesFromAFile() {

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/window_steps.h"
 
+#include "tests/core/geometry/shapes.h"
+#include "tests/stl_text.h"
+
 #include <QDialogButtonBox>
 #include <QFile>
 #include <QLineEdit>
@@ -9,8 +12,6 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QtTest>
-
-#include <span>
 
 namespace burin::testing {
 
@@ -25,20 +26,10 @@ void drop(MainWindow& window, const QString& file) {
 }
 
 QString writeBlock(const WindowDriver& driver, bool closed) {
-    constexpr int faces[12][3] = {{0, 2, 1}, {1, 2, 3}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7},
-                                  {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}, {4, 5, 6}, {5, 7, 6}};
-    QString text = "solid block\n";
-    for (const auto& face : std::span(faces).first(closed ? 12 : 10)) {
-        text += "facet normal 0 0 0\nouter loop\n";
-        for (const int corner : face)
-            text += QString("vertex %1 %2 %3\n")
-                        .arg((corner & 1) != 0 ? 40 : 0)
-                        .arg((corner & 2) != 0 ? 30 : 0)
-                        .arg((corner & 4) != 0 ? 20 : 0);
-        text += "endloop\nendfacet\n";
-    }
+    TriangleMesh block = shapes::box(glm::dvec3(0.0), {40.0, 30.0, 20.0});
+    if (!closed) block.triangles.resize(block.triangles.size() - 2);
     QFile file(driver.folder().filePath("block.stl"));
-    if (file.open(QIODevice::WriteOnly)) file.write((text + "endsolid block\n").toLatin1());
+    if (file.open(QIODevice::WriteOnly)) file.write(stlText(block, "block"));
     return file.fileName();
 }
 

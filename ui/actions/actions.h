@@ -46,6 +46,7 @@ enum class ActionId : std::size_t {
     previousStep,
     embed,
     stockFile,
+    toolShape,
     addFixtureFile,
     axisOfView,
     millMode,

@@ -80,6 +80,11 @@ QString askStockToRead(QWidget* parent, const QString& folder) {
                          .arg((volumes + modelGlobs()).join(QLatin1Char(' '))));
 }
 
+QString askToolModel(QWidget* parent, const QString& folder, const QString& title) {
+    return askToOpen(parent, title, folder,
+                     FileDialogs::tr("Models (%1);;All files (*)").arg(modelGlobs().join(QLatin1Char(' '))));
+}
+
 QString askArrayTable(QWidget* parent, const QString& folder, const QString& array) {
     return askToOpen(parent, FileDialogs::tr("Materials of the values in %1").arg(array), folder,
                      FileDialogs::tr("Tables (*.json);;All files (*)"));

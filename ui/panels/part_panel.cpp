@@ -7,6 +7,7 @@
 #include "ui/panels/choice_box.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/field_row.h"
+#include "ui/panels/file_units.h"
 #include "ui/panels/focus_keeper.h"
 #include "ui/panels/model_words.h"
 #include "ui/panels/notice.h"
@@ -24,12 +25,6 @@
 namespace burin {
 
 namespace {
-
-/// What an STL file may mean by 1, mm.
-constexpr std::array stlUnits{std::pair{1.0, QT_TRANSLATE_NOOP("burin::PartPanel", "mm")},
-                              std::pair{25.4, QT_TRANSLATE_NOOP("burin::PartPanel", "inch")},
-                              std::pair{10.0, QT_TRANSLATE_NOOP("burin::PartPanel", "cm")},
-                              std::pair{1000.0, QT_TRANSLATE_NOOP("burin::PartPanel", "m")}};
 
 QColor swatchOf(const std::optional<std::array<std::uint8_t, 3>>& colour) {
     return colour ? QColor((*colour)[0], (*colour)[1], (*colour)[2]) : QColor();
@@ -120,7 +115,7 @@ PartPanel::Fields::Fields(PartPanel* panel) : QObject(panel) {
 void PartPanel::Fields::makeStlUnit(PartPanel* panel) {
     stlUnit_ = new ChoiceBox(content_);
     stlUnit_->setObjectName(QStringLiteral("stlUnit"));
-    for (const auto& [millimetres, name] : stlUnits) stlUnit_->addItem(PartPanel::tr(name), millimetres);
+    addFileUnits(*stlUnit_);
     stlUnitRow_ = new FieldRow(PartPanel::tr("Unit of the file"), stlUnit_,
                                PartPanel::tr("An STL file states no unit. Choosing another one reads the file again."),
                                content_, FieldRow::choiceWidth);

@@ -10,6 +10,7 @@
 #include "ui/messages/messages.h"
 #include "ui/window/path_presenters.h"
 #include "ui/window/restart_dialog.h"
+#include "ui/window/tool_shape_dialog.h"
 
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -66,6 +67,7 @@ void DocumentFlow::connectActions(const Actions& actions) {
     on(ActionId::exportProgram, &DocumentFlow::exportProgram);
     on(ActionId::exportWorkpiece, &DocumentFlow::exportWorkpiece);
     on(ActionId::stockFile, &DocumentFlow::readStock);
+    on(ActionId::toolShape, &DocumentFlow::shapeTool);
 }
 
 QString DocumentFlow::folder() const {
@@ -257,6 +259,16 @@ void DocumentFlow::readStock() {
         if (table.isEmpty()) return;
     }
     workbench_.setup.readStock(pathOf(file), table.isEmpty() ? std::filesystem::path() : pathOf(table));
+}
+
+void DocumentFlow::shapeTool() {
+    if (workbench_.tool.locked() || workbench_.tool.shaping()) return;
+    ToolShapeDialog dialog(workbench_.tool.current(), folder(), settings_.preferences().unit, &window_);
+    if (dialog.exec() != QDialog::Accepted) return;
+    settings_.setLastFolder(dialog.folder());
+    ToolShapeRequest request = dialog.request();
+    request.id = workbench_.tool.freeId(QString::fromStdString(request.name));
+    workbench_.tool.shape(request);
 }
 
 void DocumentFlow::exportWorkpiece() {

@@ -35,6 +35,7 @@ public:
     void saveAs();
     void exportProgram();
     void readStock(); ///< from a file
+    void shapeTool(); ///< of models
     void exportWorkpiece();
     /// The rest of the program from a line of its text on; asks for the file once it passed its check.
     void restartProgram(int line);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // What follows when an action is chosen, when work is done, and when something is asked for on the welcome page.
+#include "core/base/numbers.h"
 #include "ui/dialogs/questions.h"
 #include "ui/messages/messages.h"
 #include "ui/panels/program_editor.h"
@@ -134,6 +135,13 @@ void MainWindow::connectWorkbench() {
     });
     connect(&workbench_.setup, &SetupController::unitUnknown, this, [this](const QString& file) {
         message_->tell(Notice::Kind::information, tr("“%1” gives no unit of length; it was read in mm.").arg(file));
+    });
+    connect(&workbench_.tool, &ToolController::shaped, this, [this](const ShapedTool& made) {
+        message_->tell(
+            Notice::Kind::passed,
+            tr("The tool “%1” is in the library. Its profile is at most %2 mm wider than what its flutes "
+               "sweep, and never narrower.")
+                .arg(QString::fromStdString(made.tool.name), QString::fromStdString(formatLimit(made.excess, 4))));
     });
     connect(&flow_, &DocumentFlow::restartExported, this, [this](int line, const QString& file) {
         message_->tell(Notice::Kind::passed,

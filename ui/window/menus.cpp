@@ -44,10 +44,10 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
              sectionPlane, flipSection,    line,          showWorkpiece, showPart,   showTool,
              showPath,     showOtherPaths, showGuides,    line,          nextStep,   previousStep});
     addMenu(bar, tr("&Mill"), "millMenu", actions,
-            {embed,       stockFile,  addFixtureFile, axisOfView, line,      millMode,    raster,
-             repeatLower, repeatLeft, repeatRight,    line,       guides,    nearestEdge, levelAbove,
-             levelBelow,  line,       clutch,         recentre,   alignHand, finerHand,   coarserHand,
-             rateControl, line,       showMe,         stopShow});
+            {embed,       stockFile,   toolShape,  addFixtureFile, axisOfView, line,      millMode,
+             raster,      repeatLower, repeatLeft, repeatRight,    line,       guides,    nearestEdge,
+             levelAbove,  levelBelow,  line,       clutch,         recentre,   alignHand, finerHand,
+             coarserHand, rateControl, line,       showMe,         stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions, {newPath, evaluatePath, line, drawStretch, drawEdit});
     addMenu(bar, tr("P&rogram"), "programMenu", actions,
             {post, exportProgram, overrideCheck, restart, line, findInProgram, programDock, line, machines});

@@ -30,7 +30,8 @@ enum class TaskKind {
     program,
     device,
     exporting,
-    stock
+    stock,
+    tool
 };
 
 /// A task as the status line shows it.

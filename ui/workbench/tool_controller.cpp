@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/tool_controller.h"
 
+#include "core/tool/tool_library.h"
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
@@ -12,13 +13,17 @@ namespace {
 
 constexpr const char* defaultTool = "ball-6";
 
+void sortTools(std::vector<Tool>& tools) {
+    std::ranges::stable_sort(tools, [](const Tool& a, const Tool& b) {
+        return std::pair(a.cutter.type, a.cutter.diameter) < std::pair(b.cutter.type, b.cutter.diameter);
+    });
+}
+
 std::vector<Tool> toolLibrary() {
     std::vector<Tool> tools;
     for (const std::string& id : toolIds())
         if (Result<Tool> tool = loadTool(id)) tools.push_back(std::move(*tool));
-    std::ranges::stable_sort(tools, [](const Tool& a, const Tool& b) {
-        return std::pair(a.cutter.type, a.cutter.diameter) < std::pair(b.cutter.type, b.cutter.diameter);
-    });
+    sortTools(tools);
     return tools;
 }
 
@@ -68,6 +73,54 @@ void ToolController::apply(const std::string& id) {
     store([tool = *found](Project& project) { return project.setTool(tool); });
     emit changed();
     emit chosen();
+}
+
+std::string ToolController::freeId(const QString& name) const {
+    std::string first;
+    for (const QChar letter : name.toLower().normalized(QString::NormalizationForm_D)) {
+        const char plain = letter.toLatin1();
+        if ((plain >= 'a' && plain <= 'z') || (plain >= '0' && plain <= '9'))
+            first += plain;
+        else if (!letter.isMark() && !first.empty() && first.back() != '-')
+            first += '-';
+    }
+    while (first.ends_with('-')) first.pop_back();
+    if (first.empty()) first = "tool";
+    return burin::freeId(tools_, first);
+}
+
+void ToolController::shape(const ToolShapeRequest& request) {
+    if (locked_ || shaping()) return;
+    desk_.tasks.start(
+        TaskKind::tool, tr("Making a tool of %1").arg(QString::fromStdString(request.flutes.filename().string())),
+        [request](Progress& progress) { return shapedTool(request, progress); },
+        [this](const Result<ShapedTool>& made) {
+            if (!made) {
+                if (made.error().code != ErrorCode::cancelled) emit failed(made.error());
+            } else if (!locked_) { // a recording may have begun meanwhile
+                const OwnTool before{{made->tool.id, std::nullopt}, current().id};
+                const OwnTool after{{made->tool.id, made->tool}, made->tool.id};
+                desk_.undo.push(new ValueCommand<OwnTool>(tr("new tool"), -1, before, after,
+                                                          [this](const OwnTool& value) { keep(value); }));
+                emit shaped(*made);
+            }
+            emit changed();
+        });
+    emit changed();
+}
+
+void ToolController::keep(const OwnTool& own) {
+    if (const Result<void> done = write(own.file, saveTool, removeTool); !done) {
+        emit failed(done.error());
+        return;
+    }
+    const std::string inSpindle = current().id;
+    std::erase_if(tools_, [&](const Tool& tool) { return tool.id == own.file.id; });
+    if (own.file.item) tools_.push_back(*own.file.item);
+    sortTools(tools_);
+    const auto found = std::ranges::find(tools_, inSpindle, &Tool::id);
+    current_ = found == tools_.end() ? 0 : static_cast<std::size_t>(found - tools_.begin());
+    apply(own.inSpindle);
 }
 
 void ToolController::load(const std::vector<Tool>& own, const std::string& last) {

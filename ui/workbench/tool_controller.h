@@ -3,10 +3,12 @@
 #pragma once
 
 #include "core/cutting/cutting_force.h"
+#include "core/job/tool_shape.h"
 #include "core/machine/machine_profile.h"
 #include "core/tool/tool.h"
 #include "core/volume/runs/property_list.h"
 #include "ui/workbench/controller.h"
+#include "ui/workbench/own_file.h"
 
 #include <optional>
 
@@ -30,11 +32,24 @@ public:
     /// What a project holds. @param last the tool of its newest recording; empty: none
     void load(const std::vector<Tool>& own, const std::string& last);
 
+    bool shaping() const { return desk_.tasks.running(TaskKind::tool); }
+    /// Makes a tool of models beside the window's work, adds it to the user's own and takes it into the spindle: an
+    /// entry of the undo stack.
+    void shape(const ToolShapeRequest& request);
+    /// An id of a file that no tool has yet. @param name what the user calls it
+    std::string freeId(const QString& name) const;
+
 signals:
     void chosen();
+    void shaped(const ShapedTool& tool);
 
 private:
+    struct OwnTool {
+        OwnFile<Tool> file;
+        std::string inSpindle; ///< then, by id
+    };
     void apply(const std::string& id);
+    void keep(const OwnTool& own);
 
     std::vector<Tool> tools_;
     std::size_t current_ = 0;

@@ -37,6 +37,14 @@ private slots:
         QCOMPARE(QString::fromStdString(formatFixed(value, decimals)), text);
     }
 
+    void aLimitIsNeverUnderstated() {
+        QCOMPARE(formatLimit(0.12349, 2), std::string("0.13"));
+        QCOMPARE(formatLimit(0.1199, 2), std::string("0.12"));
+        QCOMPARE(formatLimit(0.12, 2), std::string("0.12"));
+        QCOMPARE(formatLimit(1e-13, 4), std::string("0.0001"));
+        QCOMPARE(formatLimit(0.0, 4), std::string("0.0000"));
+    }
+
     void shortestTextReadsBackAsTheSameNumber() {
         const bool held = rc::check("any finite double", [] {
             const auto value = std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/command.h"
+#include "app/library_command.h"
+#include "app/wording.h"
+#include "core/base/file.h"
+#include "core/base/numbers.h"
+#include "core/job/tool_shape.h"
+#include "core/tool/tool_library.h"
+
+#include <nlohmann/json.hpp>
+
+namespace burin {
+
+namespace {
+
+using nlohmann::json;
+
+json briefOf(const Tool& tool) {
+    return {{"id", tool.id},
+            {"name", tool.name},
+            {"own", !isShippedTool(tool.id)},
+            {"number", tool.number},
+            {"type", cutterTypeName(tool.cutter.type)},
+            {"diameter_mm", tool.cutter.diameter},
+            {"flute_length_mm", tool.cutter.fluteLength}};
+}
+
+int listTools(const LibraryArguments&, CommandContext& context) {
+    json tools = json::array();
+    std::string text;
+    int status = 0;
+    for (const std::string& id : toolIds()) {
+        const Result<Tool> tool = loadTool(id);
+        if (!tool) { // the others can be used all the same
+            status = context.fail(tool.error());
+            continue;
+        }
+        tools.push_back(briefOf(*tool));
+        text += (text.empty() ? "" : "\n") + id + std::string(id.size() < 20 ? 20 - id.size() : 1, ' ') +
+                worded(isShippedTool(id) ? BURIN_TEXT("Command", "shipped  T%1  %2 mm  %3")
+                                         : BURIN_TEXT("Command", "own      T%1  %2 mm  %3"),
+                       {std::to_string(tool->number), formatShortest(tool->cutter.diameter), resourceName(tool->name)});
+    }
+    if (status == 0) context.answer({{"tools", tools}}, text);
+    return status;
+}
+
+int showTool(const LibraryArguments& arguments, CommandContext& context) {
+    const Result<Tool> tool = loadTool(arguments.id);
+    if (!tool) return context.fail(tool.error());
+    std::string text = toJson(*tool);
+    text.pop_back(); // the answer ends its line itself
+    context.answer(json::parse(text), text);
+    return 0;
+}
+
+int keepTool(const Tool& tool, bool replace, CommandContext& context, json more = json::object(),
+             const std::string& notes = {}) {
+    const Result<std::filesystem::path> file = saveTool(tool, replace);
+    if (!file) return context.fail(file.error());
+    more.update(briefOf(tool));
+    more["file"] = file->string();
+    context.answer(more, tool.id + ": " + file->string() + notes);
+    return 0;
+}
+
+int addTool(const LibraryArguments& arguments, CommandContext& context) {
+    const Result<std::string> text = readFile(arguments.file);
+    if (!text) return context.fail(text.error());
+    const Result<Tool> tool = toolFromJson(*text, arguments.file);
+    return tool ? keepTool(*tool, arguments.replace, context) : context.fail(tool.error());
+}
+
+int copyTool(const LibraryArguments& arguments, CommandContext& context) {
+    const Result<Tool> tool = loadTool(arguments.id);
+    if (!tool) return context.fail(tool.error());
+    const std::string& name = arguments.name.empty() ? arguments.newId : arguments.name;
+    return keepTool(copyOf(*tool, arguments.newId, name), arguments.replace, context);
+}
+
+int deleteTool(const LibraryArguments& arguments, CommandContext& context) {
+    if (const Result<void> removed = removeTool(arguments.id); !removed) return context.fail(removed.error());
+    context.answer({{"removed", arguments.id}}, worded(BURIN_TEXT("Command", "%1: removed"), {arguments.id}));
+    return 0;
+}
+
+struct ShapeArguments {
+    std::string id, flutes, shank, like, name;
+    double tolerance = 0.005;
+    double stlUnit = 1.0;
+    int number = 0; ///< 0: that of `like`
+    bool replace = false;
+};
+
+int shapeTool(const ShapeArguments& arguments, CommandContext& context) {
+    Result<Tool> like = loadTool(arguments.like);
+    if (!like) return context.fail(like.error());
+    if (arguments.number > 0) like->number = arguments.number;
+    ToolShapeRequest request;
+    request.flutes = arguments.flutes;
+    request.shank = arguments.shank;
+    request.like = *like;
+    request.id = arguments.id;
+    request.name = arguments.name.empty() ? arguments.id : arguments.name;
+    request.tolerance = arguments.tolerance;
+    request.import.stlUnit = arguments.stlUnit;
+    context.stage(BURIN_TEXT("Command", "Importing"));
+    const Result<ShapedTool> shaped = shapedTool(request, context.progress());
+    if (!shaped) return context.fail(shaped.error());
+    const Cutter& cutter = shaped->tool.cutter;
+    return keepTool(
+        shaped->tool, arguments.replace, context,
+        {{"lift_mm", shaped->lift}, {"excess_mm", shaped->excess}, {"profile_lines", cutter.profile.size()}},
+        "\n  " +
+            worded(BURIN_TEXT("Command", "profile of %1 lines, at most %2 mm wider than what the flutes sweep in a "
+                                         "turn, never narrower"),
+                   {std::to_string(cutter.profile.size()), formatLimit(shaped->excess, 4)}) +
+            "\n  " +
+            worded(BURIN_TEXT("Command", "moved along Z by %1 mm, so that the tip is at 0"),
+                   {formatShortest(shaped->lift)}));
+}
+
+void registerShape(CommandParser tools, CommandContext& context, int& status) {
+    auto arguments = std::make_shared<ShapeArguments>();
+    const CommandParser shape = tools.command(
+        "shape", BURIN_TEXT("Help", "Make a tool of models of its flutes and its shank: what they sweep while the "
+                                    "spindle turns. Axis +Z through the origin, towards the holder"));
+    shape.passOn();
+    shape.positional(BURIN_TEXT("Argument", "ID"), arguments->id, BURIN_TEXT("Help", "ID of the new tool")).required();
+    shape
+        .positional(BURIN_TEXT("Argument", "FLUTES"), arguments->flutes,
+                    BURIN_TEXT("Help", "STEP, IGES, BREP or STL file of the flutes, closed"))
+        .required();
+    shape.option("--shank", arguments->shank,
+                 BURIN_TEXT("Help", "The same of the shank (default: the shank of --like)"));
+    shape
+        .option("--like", arguments->like,
+                BURIN_TEXT("Help", "Tool from which the new one takes number, teeth, limits and holder"))
+        .required();
+    shape.option("--name", arguments->name, BURIN_TEXT("Help", "Name of the tool (default: its ID)"));
+    shape.option("--number", arguments->number, BURIN_TEXT("Help", "T word (default: that of --like)")).range(1, 99999);
+    shape
+        .option("--tolerance", arguments->tolerance,
+                BURIN_TEXT("Help", "Distance of the profile from what the flutes sweep, mm, at most; more where 48 "
+                                   "lines don't do"))
+        .range(1e-4, 1.0)
+        .showDefault();
+    shape.option("--stl-unit", arguments->stlUnit, BURIN_TEXT("Help", "Millimetres per unit of an STL file"))
+        .range(1e-6, 1e6)
+        .showDefault();
+    shape.flag("--replace", arguments->replace, BURIN_TEXT("Help", "Replace your tool of this ID"));
+    shape.run([arguments, &context, &status] { status = shapeTool(*arguments, context); });
+}
+
+} // namespace
+
+void registerTools(CommandParser program, CommandContext& context, int& status) {
+    registerShape(
+        registerLibrary(program, context, status,
+                        {"tools",
+                         BURIN_TEXT("Help", "List and show tools; copy, add and delete your own, and make them of "
+                                            "models. Every tool states the source of its values"),
+                         BURIN_TEXT("Help", "List all tools with their numbers and diameters"),
+                         BURIN_TEXT("Help", "Print the file of a tool (JSON), in the form that add reads"),
+                         BURIN_TEXT("Help", "Add a tool to your own; every value is checked"),
+                         BURIN_TEXT("Help", "Tool file (JSON)"), BURIN_TEXT("Help", "Copy a tool to one of your own"),
+                         BURIN_TEXT("Help", "Tool to copy"), BURIN_TEXT("Help", "Delete one of your own tools"),
+                         BURIN_TEXT("Help", "Replace your tool of this ID"), BURIN_TEXT("Help", "Tool"), &listTools,
+                         &showTool, &addTool, &copyTool, &deleteTool}),
+        context, status);
+}
+
+} // namespace burin

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "program_run.h"
+
+#include "tests/core/geometry/shapes.h"
+#include "tests/places.h"
+#include "tests/stl_text.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+namespace {
+
+using namespace burin;
+
+QByteArray bar(const glm::dvec3& low, const glm::dvec3& high) {
+    return testing::stlText(shapes::box(low, high));
+}
+
+} // namespace
+
+/// Tools of one's own, from files, from other tools and from models.
+class ToolsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        qputenv("XDG_DATA_HOME", folder_.path().toUtf8());
+        flutes_ = write("bar.stl", bar({-3.0, -4.0, -5.0}, {3.0, 4.0, 15.0}));
+    }
+
+    /// Pythagoras is the oracle: a bar of 6 × 8 mm sweeps a cylinder of 10 mm.
+    void aBarCutsAsTheCylinderThatItSweeps() {
+        const QJsonObject made = answer({"tools", "shape", "bar", flutes_, "--like", "flat-10", "--number", "31"});
+        QCOMPARE(made["diameter_mm"].toDouble(), 10.0);
+        QCOMPARE(made["flute_length_mm"].toDouble(), 20.0);
+        QCOMPARE(made["lift_mm"].toDouble(), 5.0);
+        QVERIFY(made["excess_mm"].toDouble() < 1e-6);
+        const QJsonObject shown = answer({"tools", "show", "bar"});
+        QCOMPARE(shown["number"].toInt(), 31);
+        QCOMPARE(shown["cutter"].toObject()["profile"].toArray().size(), 2);
+        // It mills as the flat end mill of those measures does: the same volume, to the last run unit.
+        QJsonObject flat = answer({"tools", "show", "flat-10"}), cutter = flat["cutter"].toObject();
+        for (const char* length : {"flute_length_mm", "stick_out_mm", "shank_diameter_mm"})
+            cutter[length] = shown["cutter"].toObject()[length];
+        flat["id"] = "long-flat";
+        flat["cutter"] = cutter;
+        const QString file = write("long-flat.json", QJsonDocument(flat).toJson());
+        QCOMPARE(runBurin({"tools", "add", file}).status, 0);
+        QCOMPARE(removedWith("bar"), removedWith("long-flat"));
+    }
+
+    void aShankOfItsOwn() {
+        const QString shank = write("shank.stl", bar({-2.0, -2.0, 15.0}, {2.0, 2.0, 45.0}));
+        (void)answer({"tools", "shape", "shanked", flutes_, "--shank", shank, "--like", "flat-10"});
+        const QJsonObject cutter = answer({"tools", "show", "shanked"})["cutter"].toObject();
+        QVERIFY(std::abs(cutter["shank_diameter_mm"].toDouble() - std::sqrt(32.0)) < 1e-9);
+        QCOMPARE(cutter["stick_out_mm"].toDouble(), 50.0);
+    }
+
+    void toolsAreListedCopiedAndRemoved() {
+        (void)answer({"tools", "copy", "ball-6", "my-ball", "--name", "My ball"});
+        QSet<QString> own;
+        const QJsonObject list = answer({"tools", "list"});
+        for (const QJsonValue& each : list["tools"].toArray())
+            if (each.toObject()["own"].toBool()) own << each.toObject()["id"].toString();
+        QVERIFY(own.contains("my-ball") && !own.contains("ball-6"));
+        const QString file = write("again.json", runBurin({"tools", "show", "my-ball"}).output);
+        QCOMPARE(runBurin({"tools", "remove", "my-ball"}).status, 0);
+        QCOMPARE(runBurin({"tools", "add", file}).status, 0);
+        QCOMPARE(runBurin({"tools", "remove", "my-ball"}).status, 0);
+    }
+
+    void badInputIsRefusedInOneSentence_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("words");
+        TriangleMesh holed = shapes::box({-3.0, -4.0, 0.0}, {3.0, 4.0, 15.0});
+        holed.triangles.pop_back();
+        const QString open = write("open.stl", testing::stlText(holed));
+        const QString wide = write("wide.stl", bar({-9.0, -9.0, 0.0}, {9.0, 9.0, 45.0}));
+        const QString low = write("low.stl", bar({-1.0, -1.0, -9.0}, {1.0, 1.0, 2.0}));
+        const auto shape = [](const QString& id, const QString& file) {
+            return QStringList{"tools", "shape", id, file, "--like", "flat-10"};
+        };
+        QTest::newRow("a hole") << shape("x", open) << "open.stl";
+        QTest::newRow("no file") << shape("x", "nothing.stl") << "nothing.stl";
+        QTest::newRow("a shipped id") << shape("ball-6", flutes_) << "ball-6";
+        QTest::newRow("no id") << shape("../x", flutes_) << "../x";
+        QTest::newRow("a wide shank") << shape("x", flutes_) + QStringList{"--shank", wide} << "shank";
+        QTest::newRow("a short shank") << shape("x", flutes_) + QStringList{"--shank", low} << "shank";
+        QTest::newRow("no such tool") << QStringList{"tools", "show", "wand"} << "wand";
+        QTest::newRow("a shipped one stays") << QStringList{"tools", "remove", "ball-6"} << "ball-6";
+    }
+    void badInputIsRefusedInOneSentence() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, words);
+        const ProgramRun run = runBurin(arguments);
+        QVERIFY(run.status == 2 || run.status == 3);
+        QVERIFY2(QString::fromUtf8(run.messages).contains(words), run.messages);
+        QCOMPARE(run.messages.count('\n'), 1);
+        QVERIFY(!QFile::exists(folder_.filePath("burin/tools/x.json")));
+    }
+
+private:
+    QString write(const char* name, const QByteArray& text) const {
+        QFile file(folder_.filePath(name));
+        if (file.open(QIODevice::WriteOnly)) file.write(text);
+        return file.fileName();
+    }
+    static QJsonObject answer(const QStringList& arguments) {
+        const ProgramRun run = runBurin(arguments + QStringList{"--json"});
+        if (run.status != 0) qWarning("%s", run.messages.constData());
+        return QJsonDocument::fromJson(run.output).object();
+    }
+    /// mm³ that a virtual operator takes from a block with a tool.
+    double removedWith(const char* tool) const {
+        const QString project = folder_.filePath(QString(tool) + ".burin");
+        const QString model = BURIN_FIXTURES "/models/red-cube-blue-cylinder.step";
+        if (answer({"embed", model, "-o", project, "--voxel", "0.5", "--margin", "4"}).isEmpty()) return -1.0;
+        const QJsonObject milled = answer({"mill", project, "--tool", tool, "--fast"});
+        return milled.isEmpty() ? -2.0 : milled["removed_mm3"].toDouble();
+    }
+
+    QTemporaryDir folder_;
+    QString flutes_;
+};
+
+QTEST_GUILESS_MAIN(ToolsTest)
+#include "tst_tools.moc"

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/job/tool_shape.h"
+#include "ui/theme/length_unit.h"
+
+#include <QDialog>
+
+class QComboBox;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+
+namespace burin {
+
+class LengthField;
+
+/// Asks for the models of a tool's flutes and shank and for what the new tool is called.
+class ToolShapeDialog final : public QDialog {
+    Q_OBJECT
+public:
+    /// @param like whose other values the new tool takes over
+    /// @param folder where models are looked for first
+    ToolShapeDialog(const Tool& like, const QString& folder, LengthUnit unit, QWidget* parent);
+
+    /// What the user wants, but for the id. Meaningful once the dialog was accepted.
+    ToolShapeRequest request() const;
+    const QString& folder() const noexcept { return folder_; } ///< of the model that was chosen last
+
+private:
+    /// A button that asks for a file and shows its name.
+    struct FileChoice {
+        QPushButton* button = nullptr;
+        QString file;
+    };
+    void layOut(LengthUnit unit);
+    FileChoice addFile(const QString& label, const QString& toolTip, const QString& objectName);
+    void choose(FileChoice& choice, const QString& title);
+    void update();
+
+    Tool like_;
+    QString folder_;
+    FileChoice flutes_, shank_;
+    QComboBox* unit_ = nullptr;
+    QLineEdit* name_ = nullptr;
+    QSpinBox* number_ = nullptr;
+    LengthField* tolerance_ = nullptr;
+    QPushButton* make_ = nullptr;
+};
+
+} // namespace burin
