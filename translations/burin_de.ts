@@ -3383,6 +3383,22 @@
         <source>Height of the retraction inside the area</source>
         <translation>Höhe des Rückzugs im Bereich</translation>
     </message>
+    <message>
+        <source>one speed</source>
+        <translation>eine Drehzahl</translation>
+    </message>
+    <message>
+        <source>by material</source>
+        <translation>nach Werkstoff</translation>
+    </message>
+    <message>
+        <source>Spindle</source>
+        <translation>Spindel</translation>
+    </message>
+    <message>
+        <source>In several materials: one speed, the least that any of them allows, or the speed of each, which changes at their borders; feeds follow in both</source>
+        <translation>In mehreren Werkstoffen: eine Drehzahl, die kleinste, die einer von ihnen erlaubt, oder die Drehzahl von jedem, die an ihren Grenzen wechselt; die Vorschübe folgen in beiden Fällen</translation>
+    </message>
 </context>
 <context>
     <name>EmbeddingWords</name>

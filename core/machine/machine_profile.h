@@ -44,6 +44,9 @@ enum class MachineKinematics : std::uint8_t {
     threeAxes ///< X, Y and Z carry an upright tool
 };
 
+/// s that a spindle is given to get to its speed.
+inline constexpr double spindleStartTime = 3.0;
+
 /// What a spindle gives at one speed for as long as a cut takes.
 struct SpindlePoint {
     double speed = 0.0;  ///< 1/min

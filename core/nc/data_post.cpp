@@ -81,6 +81,7 @@ private:
     }
 
     Result<void> writeSection(Progress& progress) {
+        speed_ = section_->spindleSpeed;
         if (Result<void> done = blocks(dialect_.toolChange); !done) return done;
         const std::vector<NcMove> moves = withoutRoundedBackSteps(section_->moves, numbers_);
         place_ = {};
@@ -129,10 +130,20 @@ private:
     }
 
     Result<void> move(const NcMove& move) {
+        if (move.spindleSpeed > 0.0)
+            if (Result<void> done = changeSpeed(move); !done) return done;
         if (!move.comment.empty()) waiting_ = move.comment;
         if (move.kind == NcMoveKind::dwell) return dwell(move.seconds);
         if (move.kind == NcMoveKind::arc) return arc(move);
         return straight(move.kind, targetOf(move.target.linear()), move.feed);
+    }
+
+    Result<void> changeSpeed(const NcMove& before) {
+        if (before.spindleSpeed == speed_) return {};
+        speed_ = before.spindleSpeed;
+        if (Result<void> done = writeWaiting(); !done) return done;
+        if (Result<void> done = blocks(dialect_.speedChange); !done) return done;
+        return before.kind == NcMoveKind::rapid ? blocks({"{start_dwell}"}) : Result<void>();
     }
 
     Result<void> dwell(double seconds) {
@@ -274,11 +285,11 @@ private:
         if (word == "blend_end") return blends() ? dialect_.blendEnd.value_or("") : std::string();
         if (word == "tool") return std::to_string(section_->toolNumber);
         if (word == "tool_2") return (section_->toolNumber < 10 ? "0" : "") + std::to_string(section_->toolNumber);
-        if (word == "speed") return NumberWords::plain(section_->spindleSpeed, 0);
+        if (word == "speed") return NumberWords::plain(speed_, 0);
         if (word == "spindle") return dialect_.spindle[indexOf(section_->direction)];
         if (word == "coolant") return *dialect_.coolant[indexOf(section_->coolant)];
         if (word == "start_dwell")
-            return program_.spindleStartTime > 0.0 ? dwellWords(program_.spindleStartTime) : std::string();
+            return program_.spindleStart > 0.0 ? dwellWords(program_.spindleStart) : std::string();
         if (word == "program_number") return programNumber();
         if (word == "rapid") return dialect_.rapid;
         if (word.starts_with("home_")) return homeWord(static_cast<std::size_t>(word.back() - 'x'));
@@ -343,6 +354,7 @@ private:
     DialectArcs arcs_;
     double clearHeight_;                            // mm
     std::optional<glm::dvec3> home_;                // mm, machine frame
+    double speed_ = 0.0;                            // 1/min, of the spindle
     std::array<std::optional<long long>, 3> place_; // in steps of the last digit; nothing: not known
     glm::dvec3 reached_{0.0};                       // mm, the same before it was rounded
     std::optional<std::string> motion_;

@@ -24,7 +24,7 @@ public:
 /// them.
 class PostProcessor {
 public:
-    static constexpr int interfaceVersion = 3; ///< +1 with any change to this declaration or to NcProgram
+    static constexpr int interfaceVersion = 4; ///< +1 with any change to this declaration or to NcProgram
     virtual ~PostProcessor() = default;
     virtual Result<void> write(const NcProgram& program, const MachineProfile& machine, LineSink& sink,
                                Progress& progress) const = 0;

@@ -158,6 +158,7 @@ Result<DialectData> dialectFromJson(std::string_view text, const std::string& or
     dialect.toolChange = blocks(*file, "tool_change");
     dialect.toolEnd = blocks(*file, "tool_end");
     dialect.end = blocks(*file, "end");
+    if (file->has("speed_change")) dialect.speedChange = blocks(*file, "speed_change");
     if (file->has("home")) dialect.home = blocks(*file, "home", homeWords);
     if (Result<void> read = file->finish(); !read) return read.error();
     return dialect;

@@ -63,7 +63,8 @@ struct DialectData {
     bool planeBeforeHeight = false; ///< the tool change leaves the tool at the top: first X Y, then Z
     std::string firstHeight;        ///< first block along Z: {rapid}, {clear} (Z and its height), {tool}, {tool_2}
     DialectArcs arcs;
-    std::vector<std::string> begin, toolChange, toolEnd, end; ///< blocks
+    std::vector<std::string> begin, toolChange, toolEnd, end;   ///< blocks
+    std::vector<std::string> speedChange{"S{speed} {spindle}"}; ///< blocks; the spindle turns already
     /// Blocks behind each tool's end that go to MachineProfile::home, for machines that state one; empty: the control
     /// has no words for it.
     std::vector<std::string> home;

@@ -56,19 +56,44 @@ PostTool toolOf(const Path& path, const PostRequest& request) {
     return {request.toolNumber, request.toolName, SpindleDirection::clockwise};
 }
 
+/// 1/min, of a point's move.
+double speedOf(const Path& path, const PathPoint& point) {
+    return point.spindleSpeed > 0.0 ? point.spindleSpeed : path.spindleSpeed;
+}
+
+/// 1/min, of the next move that is no rapid, or at the end of the path's last one.
+double speedFrom(const Path& path, std::size_t first) {
+    const auto isFeed = [](const PathPoint& point) { return point.kind != MoveKind::rapid; };
+    const auto begin = path.points.begin() + static_cast<std::ptrdiff_t>(first);
+    if (const auto next = std::find_if(begin, path.points.end(), isFeed); next != path.points.end())
+        return speedOf(path, *next);
+    const auto last = std::find_if(std::make_reverse_iterator(begin), path.points.rend(), isFeed);
+    return last == path.points.rend() ? path.spindleSpeed : speedOf(path, *last);
+}
+
+double speedAtStart(const Path& path) {
+    return speedFrom(path, 0);
+}
+
+double speedAtEnd(const NcSection& section) {
+    const auto change = std::find_if(section.moves.rbegin(), section.moves.rend(),
+                                     [](const NcMove& move) { return move.spindleSpeed > 0.0; });
+    return change == section.moves.rend() ? section.spindleSpeed : change->spindleSpeed;
+}
+
 /// The section of a path: the last one where it uses the same tool in the same way.
 NcSection& sectionOf(NcProgram& program, const Path& path, const PostRequest& request) {
     const PostTool tool = toolOf(path, request);
     if (!program.sections.empty()) {
         NcSection& last = program.sections.back();
-        if (last.toolNumber == tool.number && last.spindleSpeed == path.spindleSpeed &&
+        if (last.toolNumber == tool.number && speedAtEnd(last) == speedAtStart(path) &&
             last.direction == tool.direction && last.coolant == path.coolant)
             return last;
     }
     NcSection& section = program.sections.emplace_back();
     section.toolNumber = tool.number;
     section.toolName = tool.name;
-    section.spindleSpeed = path.spindleSpeed;
+    section.spindleSpeed = speedAtStart(path);
     section.direction = tool.direction;
     section.coolant = path.coolant;
     return section;
@@ -93,11 +118,13 @@ public:
     Result<void> append(const Path& path) {
         NcSection& section = sectionOf(program_, path, request_);
         bool awaitsCut = true;
+        double speed = speedAtEnd(section);
         for (std::size_t i = 0; i < path.points.size(); ++i) {
             const PathPoint& point = path.points[i];
             Result<NcMove> move = moveTo(path, i);
             if (!move) return std::move(move).error();
             if (point.kind == MoveKind::rapid) awaitsCut = true;
+            if (const double wanted = speedFrom(path, i); wanted != speed) move->spindleSpeed = speed = wanted;
             if (awaitsCut && point.kind == MoveKind::cut && point.sample >= 0) {
                 move->comment = originOf(point);
                 awaitsCut = false;
@@ -201,7 +228,8 @@ private:
 Result<NcProgram> toProgram(const std::vector<Path>& paths, const PostRequest& request, const MachineProfile& machine) {
     if (Result<void> valid = checkPaths(paths, request); !valid) return valid.error();
     for (const Path& path : paths)
-        if (Result<void> speed = checkSpindle(path.spindleSpeed, machine); !speed) return speed.error();
+        for (const PathPoint& point : path.points)
+            if (Result<void> speed = checkSpindle(speedOf(path, point), machine); !speed) return speed.error();
     NcProgram program;
     program.name = request.programName;
     program.header = request.header;

@@ -4,6 +4,7 @@
 
 #include "core/base/coolant.h"
 #include "core/machine/axis_values.h"
+#include "core/machine/machine_profile.h"
 
 #include <glm/glm.hpp>
 
@@ -36,6 +37,9 @@ struct NcMove {
     std::string comment;  ///< stands before the move; empty: none
     NcArc arc{};          ///< of an arc alone
     double seconds = 0.0; ///< of a dwell alone
+    /// 1/min, from before this move on; 0: as it is. The spindle gets its time before a rapid; in a cut the feeds see
+    /// to that.
+    double spindleSpeed = 0.0;
 };
 
 enum class SpindleDirection : std::uint8_t { clockwise, anticlockwise };
@@ -65,10 +69,10 @@ struct NcProgram {
     std::string name;
     std::vector<std::string> header; ///< comment lines
     NcUnits units = NcUnits::millimetre;
-    int workOffset = 54;           ///< as NcMotion::workOffset: 54 … 59, 591 … 593, 1000 + n
-    double safeHeight = 0.0;       ///< mm above the work offset's zero, where travel is free
-    double blendTolerance = 0.0;   ///< mm that the control may leave the path by; 0: it stops exactly
-    double spindleStartTime = 3.0; ///< s that a spindle is given to get to its speed
+    int workOffset = 54;                    ///< as NcMotion::workOffset: 54 … 59, 591 … 593, 1000 + n
+    double safeHeight = 0.0;                ///< mm above the work offset's zero, where travel is free
+    double blendTolerance = 0.0;            ///< mm that the control may leave the path by; 0: it stops exactly
+    double spindleStart = spindleStartTime; ///< s; 0: no dwell for it
     std::vector<NcSection> sections;
 };
 

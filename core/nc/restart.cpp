@@ -40,8 +40,7 @@ double blendOf(const NcMotion& motion) noexcept {
 
 /// Cuts that differ in none of this stand in one section.
 bool sameSection(const NcMotion& a, const NcMotion& b) noexcept {
-    return a.tool == b.tool && a.spindle == b.spindle && a.spindleSpeed == b.spindleSpeed && a.mist == b.mist &&
-           a.flood == b.flood;
+    return a.tool == b.tool && a.spindle == b.spindle && a.mist == b.mist && a.flood == b.flood;
 }
 
 /// The lowest feed of the tool down into material, or `otherwise`.
@@ -146,13 +145,13 @@ private:
         const NcMotion& asCut = motions_[nextCut_[i]];
         if (isCut(motion)) return addCut(motion, share);
         if (motion.kind == NcMotionKind::dwell) {
-            if (open_ && sameSection(*open_, asCut)) push(dwellOf(motion));
+            if (open_ && sameSection(*open_, asCut)) push(dwellOf(motion), asCut.spindleSpeed);
             return {};
         }
         if (motion.tool != asCut.tool) return {}; // back from the last cut of a tool: so does the section's end
         if (!open_ || !sameSection(*open_, asCut))
             if (Result<void> begun = beginSection(asCut); !begun) return begun;
-        push(moveTo(NcMoveKind::rapid, motion.to));
+        push(moveTo(NcMoveKind::rapid, motion.to), asCut.spindleSpeed);
         return {};
     }
 
@@ -165,7 +164,7 @@ private:
         if (motion.kind == NcMotionKind::arc)
             addArc(motion, share);
         else
-            push(moveTo(NcMoveKind::line, motion.to, motion.feed));
+            push(moveTo(NcMoveKind::line, motion.to, motion.feed), motion.spindleSpeed);
         return {};
     }
 
@@ -195,7 +194,7 @@ private:
         NcSection& section = rest_.sections.emplace_back();
         section.toolNumber = tool->second.number;
         section.toolName = tool->second.name;
-        section.spindleSpeed = cut.spindleSpeed;
+        section.spindleSpeed = speed_ = cut.spindleSpeed;
         section.direction =
             cut.spindle == SpindleState::anticlockwise ? SpindleDirection::anticlockwise : SpindleDirection::clockwise;
         section.coolant = coolantOf(cut);
@@ -220,11 +219,13 @@ private:
             const double end = i == pieces ? 1.0 : share + (1.0 - share) * i / pieces;
             NcMove move = moveTo(NcMoveKind::arc, placeIn(motion, end), motion.feed);
             move.arc = {motion.centre, motion.arcAxis, motion.clockwise};
-            push(std::move(move));
+            push(std::move(move), motion.spindleSpeed);
         }
     }
 
-    void push(NcMove move) {
+    /// @param speed 1/min that the spindle turns with; 0: as it does
+    void push(NcMove move, double speed = 0.0) {
+        if (speed > 0.0 && speed != speed_) move.spindleSpeed = speed_ = speed;
         if (move.kind == NcMoveKind::line || move.kind == NcMoveKind::arc) {
             move.comment = std::move(comment_);
             comment_.clear();
@@ -237,6 +238,7 @@ private:
     NcProgram& rest_;
     std::vector<std::size_t> nextCut_;
     const NcMotion* open_ = nullptr; ///< the cut that the last section was begun for
+    double speed_ = 0.0;             ///< 1/min, in force
     std::string comment_;
 };
 

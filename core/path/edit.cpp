@@ -125,8 +125,10 @@ std::optional<Edit> updated(const Edit& edit) {
 std::vector<Edit> standardEdits() {
     Link gentle;
     gentle.entry = Link::Entry::ramp;
+    SetFeed feeds;
+    feeds.spindle = SetFeed::Spindle::byMaterial;
     return {{DropAirCuts{}}, {DropDwells{}}, {SmoothShape{}}, {HoldOut{}},
-            {FitArcs{}},     {gentle},       {SetFeed{}},     {LevelFeed{.goal = LevelFeed::Goal::limits}}};
+            {FitArcs{}},     {gentle},       {feeds},         {LevelFeed{.goal = LevelFeed::Goal::limits}}};
 }
 
 std::vector<Edit> everyEdit() {

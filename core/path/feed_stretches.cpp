@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace burin {
@@ -14,13 +15,18 @@ class Divider {
 public:
     Divider(const std::vector<PathPoint>& points, double leastChange) : points_(points), leastChange_(leastChange) {}
 
-    void add(const MetStretch& met, double feed) {
+    /// @param speed 1/min; nothing: the move keeps its own
+    void add(const MetStretch& met, double feed, std::optional<double> speed) {
         const bool isArc = points_[met.move].arc.has_value();
-        const bool goesOn =
-            met.move == move_ && (isArc || std::max(high_, feed) <= (1.0 + leastChange_) * std::min(low_, feed));
+        const bool alike = std::max(high_, feed) <= (1.0 + leastChange_) * std::min(low_, feed) && speed == speed_;
+        const bool goesOn = met.move == move_ && (isArc || alike);
         if (!goesOn) finish();
         if (met.move != move_) copyUpTo(met.move);
-        if (!goesOn) low_ = high_ = feed;
+        if (!goesOn) {
+            low_ = high_ = feed;
+            speed_ = speed;
+        }
+        if (speed) speed_ = std::min(*speed, speed_.value_or(*speed));
         low_ = std::min(low_, feed);
         high_ = std::max(high_, feed);
         end_ = met.to;
@@ -40,6 +46,7 @@ private:
         PathPoint point = points_[move_];
         if (!ends_) point.pose.tip = end_;
         point.feed = low_;
+        if (speed_) point.spindleSpeed = *speed_;
         divided_.push_back(point);
         open_ = false;
         if (ends_) ++next_;
@@ -55,6 +62,7 @@ private:
     std::vector<PathPoint> divided_;
     std::size_t next_ = 0, move_ = std::numeric_limits<std::size_t>::max();
     double low_ = 0.0, high_ = 0.0;
+    std::optional<double> speed_; ///< 1/min
     glm::dvec3 end_{0.0};
     bool open_ = false, ends_ = false;
 };
@@ -62,9 +70,11 @@ private:
 } // namespace
 
 std::vector<PathPoint> withFeeds(const std::vector<PathPoint>& points, const std::vector<MetStretch>& record,
-                                 const std::vector<double>& feeds, double leastChange) {
+                                 const std::vector<double>& feeds, double leastChange,
+                                 const std::vector<double>& speeds) {
     Divider divider(points, leastChange);
-    for (std::size_t i = 0; i < feeds.size(); ++i) divider.add(record[i], feeds[i]);
+    for (std::size_t i = 0; i < feeds.size(); ++i)
+        divider.add(record[i], feeds[i], speeds.empty() ? std::nullopt : std::optional(speeds[i]));
     return divider.take();
 }
 

@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/units.h"
 #include "core/cutting/tool_beam.h"
 #include "core/path/feed_stretches.h"
+#include "core/path/spindle_schedule.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace burin {
 namespace {
@@ -68,12 +71,70 @@ private:
     double stress_; ///< N/mm² that the tool bears; 0: not stated
 };
 
+/// What is allowed while the spindle turns at one speed.
+struct Turning {
+    Load load;
+    double low = 0.0, high = 0.0; ///< mm/min, that chips and machine allow
+};
+
+/// Makes and keeps what is allowed at each speed.
+class Turnings {
+public:
+    Turnings(const LevelFeed& edit, const PathContext& context, const PropertyList& materials)
+        : edit_(edit), context_(context), materials_(materials) {}
+
+    /// @param speed 1/min
+    const Turning& at(double speed) {
+        const auto found = kept_.find(speed);
+        return found != kept_.end() ? found->second : kept_.emplace(speed, make(speed)).first->second;
+    }
+    double lowest() const {
+        double low = std::numeric_limits<double>::infinity();
+        for (const auto& [speed, turning] : kept_) low = std::min(low, turning.low);
+        return low;
+    }
+
+private:
+    Turning make(double speed) const {
+        const CuttingConditions& conditions = context_.conditions;
+        const double teeth = speed * context_.tool.fluteCount; // a minute
+        const double limit = context_.machine.maximumFeed > 0.0 ? context_.machine.maximumFeed : 1e9;
+        const double thickest = context_.tool.maximumChipLoad > 0.0
+                                    ? std::min(edit_.largestChip, context_.tool.maximumChipLoad)
+                                    : edit_.largestChip;
+        const double high = std::min(limit, teeth * std::max(edit_.smallestChip, thickest));
+        return {Load(edit_, context_, conditions.surfaceSpeed * speed / conditions.spindleSpeed, speed, materials_),
+                std::min(high, teeth * edit_.smallestChip), high};
+    }
+
+    const LevelFeed& edit_;
+    const PathContext& context_;
+    const PropertyList& materials_;
+    std::map<double, Turning> kept_; ///< by 1/min
+};
+
+/// 1/min by stretch, as the path turns it, whatever the tables say.
+std::vector<double> speedsOf(const std::vector<MetStretch>& record, const std::vector<PathPoint>& points,
+                             double pathSpeed) {
+    std::vector<SpindleStretch> stretches;
+    std::vector<double> told;
+    for (std::size_t i = 0; i < record.size(); ++i) {
+        const PathPoint& move = points[record[i].move];
+        told.push_back(move.spindleSpeed > 0.0 ? move.spindleSpeed : pathSpeed);
+        stretches.push_back({told.back(), record[i].length / move.feed * secondsPerMinute,
+                             i > 0 && record[i].from == record[i - 1].to});
+    }
+    return sureSpeeds(stretches, told, spindleStartTime);
+}
+
 /// Over time, where the path cuts at the feeds that it has.
-double meanLoad(const std::vector<MetStretch>& record, const std::vector<PathPoint>& points, const Load& load) {
+double meanLoad(const std::vector<MetStretch>& record, const std::vector<PathPoint>& points,
+                const std::vector<double>& speeds, Turnings& turnings) {
     double sum = 0.0, time = 0.0;
-    for (const MetStretch& met : record) {
+    for (std::size_t i = 0; i < record.size(); ++i) {
+        const MetStretch& met = record[i];
         const PathPoint& point = points[met.move];
-        const double here = load.at(met, point.feed);
+        const double here = turnings.at(speeds[i]).load.at(met, point.feed);
         if (point.kind != MoveKind::cut || !(here > 0.0)) continue;
         sum += here * met.length / point.feed;
         time += met.length / point.feed;
@@ -121,28 +182,22 @@ Result<Deviation> apply(const LevelFeed& edit, PathUnderEdit& state, const PathC
     };
     if (Result<void> cut = context.lendStock(cutAgain, progress); !cut) return cut.error();
     if (record.empty()) return Deviation{};
-    // As the path turns it, whatever the tables say.
-    const double spindleSpeed = state.spindleSpeed > 0.0 ? state.spindleSpeed : conditions.spindleSpeed;
-    const double fluteSpeed = conditions.surfaceSpeed * spindleSpeed / conditions.spindleSpeed;
-    const Load load(edit, context, fluteSpeed, spindleSpeed, materials);
+    const std::vector<double> speeds =
+        speedsOf(record, state.points, state.spindleSpeed > 0.0 ? state.spindleSpeed : conditions.spindleSpeed);
+    Turnings turnings(edit, context, materials);
     const double wanted = limitsAlone         ? std::numeric_limits<double>::infinity()
                           : edit.target > 0.0 ? edit.target
-                                              : meanLoad(record, state.points, load);
-    const double teeth = spindleSpeed * context.tool.fluteCount; // a minute
-    const double limit = context.machine.maximumFeed > 0.0 ? context.machine.maximumFeed : 1e9;
-    const double thickest = context.tool.maximumChipLoad > 0.0
-                                ? std::min(edit.largestChip, context.tool.maximumChipLoad)
-                                : edit.largestChip;
-    const double high = std::min(limit, teeth * std::max(edit.smallestChip, thickest));
-    const double low = std::min(high, teeth * edit.smallestChip);
-    if (statesLimits(context)) state.leastFeed = low;
+                                              : meanLoad(record, state.points, speeds, turnings);
     std::vector<double> feeds;
-    for (const MetStretch& met : record) {
-        const PathPoint& point = state.points[met.move];
-        const double most = limitsAlone ? std::min(point.feed, high) : high;
-        feeds.push_back(point.kind == MoveKind::cut ? load.feedFor(met, wanted, std::min(low, most), most)
-                                                    : point.feed);
+    for (std::size_t i = 0; i < record.size(); ++i) {
+        const PathPoint& point = state.points[record[i].move];
+        const Turning& turning = turnings.at(speeds[i]);
+        const double most = limitsAlone ? std::min(point.feed, turning.high) : turning.high;
+        feeds.push_back(point.kind == MoveKind::cut
+                            ? turning.load.feedFor(record[i], wanted, std::min(turning.low, most), most)
+                            : point.feed);
     }
+    if (statesLimits(context)) state.leastFeed = turnings.lowest();
     if (limitsAlone) feeds = leastOfNeighbours(record, state.points, feeds);
     slowDownInTime(record, context.machine.acceleration, feeds);
     state.points = withFeeds(state.points, record, feeds, edit.leastChange);

@@ -60,6 +60,9 @@ struct EditRow<SetFeed> {
                                                          {"off", BURIN_TEXT("EditParameterTexts", "off")},
                                                          {"mist", BURIN_TEXT("EditParameterTexts", "mist (M7)")},
                                                          {"flood", BURIN_TEXT("EditParameterTexts", "flood (M8)")}}};
+    static constexpr std::array<EditChoice, 2> spindles{
+        {{"one", BURIN_TEXT("EditParameterTexts", "one speed")},
+         {"by_material", BURIN_TEXT("EditParameterTexts", "by material")}}};
     static constexpr std::tuple fields{
         number("speed_factor", &SetFeed::speedFactor, 0.05, 5.0,
                {BURIN_TEXT("EditParameterTexts", "Spindle speed"),
@@ -68,10 +71,15 @@ struct EditRow<SetFeed> {
         number("feed_factor", &SetFeed::feedFactor, 0.05, 5.0,
                {BURIN_TEXT("EditParameterTexts", "Chip load"),
                 BURIN_TEXT("EditParameterTexts", "Share of the table value; feeds change with it")}),
-        choice("coolant", &SetFeed::cooling, coolings,
-               {BURIN_TEXT("EditParameterTexts", "Coolant"),
+        choice(
+            "coolant", &SetFeed::cooling, coolings,
+            {BURIN_TEXT("EditParameterTexts", "Coolant"),
+             BURIN_TEXT("EditParameterTexts", "As advised for the material if the machine has it, or as chosen here")}),
+        choice("spindle", &SetFeed::spindle, spindles,
+               {BURIN_TEXT("EditParameterTexts", "Spindle"),
                 BURIN_TEXT("EditParameterTexts",
-                           "As advised for the material if the machine has it, or as chosen here")})};
+                           "In several materials: one speed, the least that any of them allows, or the speed of each, "
+                           "which changes at their borders; feeds follow in both")})};
 };
 /// What a level of engagement is kept at: what that is, the goal says, and so does the key.
 struct LevelTarget {

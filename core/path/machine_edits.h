@@ -41,9 +41,14 @@ EditResult apply(const Link& edit, PathUnderEdit& state, const PathContext& cont
 /// for a coolant that the machine lacks is left aside, a coolant that was asked for by name is refused then.
 struct SetFeed {
     enum class Cooling { advised, off, mist, flood };
+    enum class Spindle {
+        one,       ///< speed for the path: the least that any material on it allows
+        byMaterial ///< speed for each: it changes at the borders (spindleSchedule)
+    };
     double speedFactor = 1.0; ///< of the tables' spindle speed
     double feedFactor = 1.0;  ///< of the tables' chip load
     Cooling cooling = Cooling::advised;
+    Spindle spindle = Spindle::one;
 };
 EditResult apply(const SetFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 

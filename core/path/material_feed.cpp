@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/material_feed.h"
 
+#include "core/base/units.h"
 #include "core/path/feed_stretches.h"
+#include "core/path/spindle_schedule.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace burin {
@@ -23,30 +26,29 @@ void forEachMaterial(const MetStretch& met, const Use& use) {
         if (material.volume > crumb * all) use(material.property);
 }
 
-/// The least that any material on the path allows: a path has one spindle speed.
-double spindleFor(const std::vector<MetStretch>& record, const std::vector<CuttingConditions>& conditions) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const MetStretch& met : record)
-        forEachMaterial(met, [&](PropertyIndex material) {
-            if (conditions[material].spindleSpeed > 0.0) least = std::min(least, conditions[material].spindleSpeed);
-        });
-    return least;
-}
-
 /// By how much a stretch's feeds differ from those of the one material, cutting and plunging; at a lower spindle speed
 /// the chip stays as thick.
 class Shares {
 public:
-    Shares(const std::vector<CuttingConditions>& conditions, const CuttingConditions& one, double spindleSpeed)
-        : conditions_(conditions), one_(one), spindleSpeed_(spindleSpeed) {}
+    Shares(const std::vector<CuttingConditions>& conditions, const CuttingConditions& one)
+        : conditions_(conditions), one_(one) {}
 
-    /// Infinite where nothing is met.
-    double of(const MetStretch& met, MoveKind kind) const {
+    /// 1/min, the most that what is met allows; infinite where nothing is met.
+    double fastest(const MetStretch& met) const {
+        double least = std::numeric_limits<double>::infinity();
+        forEachMaterial(met, [&](PropertyIndex material) {
+            if (conditions_[material].spindleSpeed > 0.0) least = std::min(least, conditions_[material].spindleSpeed);
+        });
+        return least;
+    }
+
+    /// At a spindle speed, 1/min. Infinite where nothing is met.
+    double of(const MetStretch& met, MoveKind kind, double spindleSpeed) const {
         double least = std::numeric_limits<double>::infinity();
         forEachMaterial(met, [&](PropertyIndex material) {
             const CuttingConditions& here = conditions_[material];
             if (!(here.spindleSpeed > 0.0)) return;
-            const double turns = spindleSpeed_ / here.spindleSpeed;
+            const double turns = spindleSpeed / here.spindleSpeed;
             least = std::min(least, kind == MoveKind::plunge ? turns * here.plungeFeed / one_.plungeFeed
                                                              : turns * here.feed / one_.feed);
         });
@@ -56,8 +58,27 @@ public:
 private:
     const std::vector<CuttingConditions>& conditions_;
     const CuttingConditions& one_;
-    double spindleSpeed_;
 };
+
+/// The least that any material on the path allows, everywhere; infinite where it meets none.
+SpindleSpeeds oneSpeed(const std::vector<MetStretch>& record, const Shares& shares) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const MetStretch& met : record) least = std::min(least, shares.fastest(met));
+    return {{}, std::vector<double>(record.size(), least)};
+}
+
+SpindleSpeeds speedsByMaterial(const std::vector<MetStretch>& record, const std::vector<PathPoint>& points,
+                               const Shares& shares) {
+    std::vector<SpindleStretch> stretches;
+    for (std::size_t i = 0; i < record.size(); ++i) {
+        const PathPoint& move = points[record[i].move];
+        const double fastest = shares.fastest(record[i]);
+        const double share = std::isinf(fastest) ? 1.0 : shares.of(record[i], move.kind, fastest);
+        stretches.push_back({fastest, record[i].length / (share * move.feed) * secondsPerMinute,
+                             i > 0 && record[i].from == record[i - 1].to});
+    }
+    return spindleSchedule(stretches, spindleStartTime);
+}
 
 /// Air takes what comes next, or at the end what came last.
 void fillAir(std::vector<double>& shares) {
@@ -79,7 +100,7 @@ void fillAir(std::vector<double>& shares) {
 
 Result<void> feedByMaterial(PathUnderEdit& state, const PathContext& context,
                             const std::vector<CuttingConditions>& conditions, const CuttingConditions& feeds,
-                            Progress& progress) {
+                            SetFeed::Spindle spindle, Progress& progress) {
     std::vector<MetStretch> record;
     const auto cutAgain = [&](RunVolume& stock) -> Result<void> {
         auto met = recordEngagement(state.points, context.tool, stock, sampling, progress, RecordGrain::coarse);
@@ -88,18 +109,22 @@ Result<void> feedByMaterial(PathUnderEdit& state, const PathContext& context,
         return {};
     };
     if (Result<void> cut = context.lendStock(cutAgain, progress); !cut) return cut;
-    const double spindleSpeed = spindleFor(record, conditions);
-    if (!(spindleSpeed < std::numeric_limits<double>::infinity())) return {}; // it meets nothing
-    const Shares shares(conditions, feeds, spindleSpeed);
+    const Shares shares(conditions, feeds);
+    const SpindleSpeeds speeds =
+        spindle == SetFeed::Spindle::one ? oneSpeed(record, shares) : speedsByMaterial(record, state.points, shares);
+    const double first = speeds.sureOf.empty() ? std::numeric_limits<double>::infinity() : speeds.sureOf.front();
+    if (std::isinf(first)) return {}; // it meets nothing
     std::vector<double> share;
-    for (const MetStretch& met : record) share.push_back(shares.of(met, state.points[met.move].kind));
+    for (std::size_t i = 0; i < record.size(); ++i)
+        share.push_back(shares.of(record[i], state.points[record[i].move].kind, speeds.sureOf[i]));
     fillAir(share);
     const double most = context.machine.maximumFeed > 0.0 ? context.machine.maximumFeed : feeds.feed;
     std::vector<double> asked;
     for (std::size_t i = 0; i < record.size(); ++i)
         asked.push_back(std::min(most, share[i] * state.points[record[i].move].feed));
-    state.points = withFeeds(state.points, record, leastOfNeighbours(record, state.points, asked), leastChange);
-    state.spindleSpeed = spindleSpeed;
+    state.points =
+        withFeeds(state.points, record, leastOfNeighbours(record, state.points, asked), leastChange, speeds.told);
+    state.spindleSpeed = first; // with which the first cut begins
     return {};
 }
 

@@ -38,6 +38,7 @@ struct PathPoint {
     std::int64_t source = 0;       ///< PathSource::id of the moment behind it; 0: made by an edit
     std::int64_t sample = -1;      ///< Moment::tick within the source; -1: made by an edit
     std::optional<PathArc> arc{};  ///< nothing: straight; never a rapid
+    double spindleSpeed = 0.0;     ///< 1/min, of a move that is no rapid; 0: the path's
 };
 
 /// mm, of the move to a point.
@@ -47,7 +48,7 @@ double lengthOf(const glm::dvec3& from, const PathPoint& to) noexcept;
 struct Path {
     std::string name;
     std::string toolId;
-    double spindleSpeed = 0.0; ///< 1/min
+    double spindleSpeed = 0.0; ///< 1/min, where its points state none of their own
     Coolant coolant = Coolant::off;
     /// mm/min, down to which feeds may come where the check of a program finds more load than spindle and tool bear; 0:
     /// they stay as they are.

@@ -94,7 +94,7 @@ Result<Deviation> apply(const SetFeed& edit, PathUnderEdit& state, const PathCon
     CuttingConditions given = conditions;
     given.feed = cutting;
     given.plungeFeed = plunging;
-    if (Result<void> done = feedByMaterial(state, context, each, given, progress); !done)
+    if (Result<void> done = feedByMaterial(state, context, each, given, edit.spindle, progress); !done)
         return std::move(done).error();
     return Deviation{};
 }

@@ -421,6 +421,35 @@ private slots:
         QVERIFY((cut - 2)->rapid() && (cut - 2)->to[Axis::z] == 2.0);
     }
 
+    /// Where the spindle changes its speed in the cut the tool stays in it, and every move has the speed it had.
+    void aSpeedThatChangesInTheCutDoesSoAgain() {
+        const MillingContext block = milling(flat(1));
+        std::string changing = program;
+        changing.insert(changing.find("G1 X-6\n"), "S6000 M3\n");
+        const auto cutsFrom = [](const ParsedProgram& parsed, std::uint32_t line) {
+            std::vector<std::pair<AxisValues, double>> cuts;
+            for (const NcMotion& one : parsed.motions)
+                if (one.line >= line && !one.rapid() && one.kind != NcMotionKind::dwell)
+                    cuts.emplace_back(one.to, one.spindleSpeed);
+            return cuts;
+        };
+        const auto whole = parseProgram(changing, "whole", *findControl("linuxcnc"));
+        QVERIFY(whole);
+        for (const std::uint32_t line : {14U, 18U, 20U}) {
+            Progress progress;
+            const Result<RestartedProgram> rest =
+                makeRestart(block, changing, line, request({flat(1), flat(2)}), progress);
+            QVERIFY(rest);
+            const auto wanted = cutsFrom(*whole, line), made = cutsFrom(rest->program.parsed, 0);
+            QVERIFY(made.size() >= wanted.size());
+            QVERIFY(std::equal(wanted.rbegin(), wanted.rend(), made.rbegin(), [](const auto& one, const auto& other) {
+                return one.second == other.second && glm::distance(one.first.linear(), other.first.linear()) < 0.002;
+            }));
+            const std::string& text = rest->program.text;
+            QCOMPARE(QString::fromStdString(text).count("T1 M6"), 1);
+        }
+    }
+
     /// What is cut is the rest alone: on a fresh workpiece the same text would cut through full stock.
     void itIsJudgedOnTheStockThatIsLeft() {
         const MillingContext block = milling(flat(1));

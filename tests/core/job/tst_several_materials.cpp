@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 using namespace burin;
 using namespace burin::test;
@@ -169,6 +170,43 @@ Result<EmbeddedSetup> tabled() {
     return embed(bodies(), setup, tabledMaterials(), progress);
 }
 
+/// One move through all four, without feeds of its own.
+struct SlotPath {
+    SlotPath() : made(tabled()) {
+        if (!made) return;
+        context.tool = endMill();
+        context.machine.maximumFeed = 5000.0;
+        context.machine.maximumSpindleSpeed = 24'000.0;
+        const PropertyList& list = made->workpiece.properties();
+        conditions.resize(static_cast<std::size_t>(list.size()));
+        for (int i = 1; i < list.size(); ++i)
+            if (const auto property = static_cast<PropertyIndex>(i); !list.isProtected(property))
+                conditions[property] = *cuttingConditions(context.tool, list[property], 24'000.0, 5000.0);
+        context.lendStock = [this, before = made->workpiece.snapshot()](const StockUse& use, Progress&) {
+            made->workpiece.restore(before);
+            return use(made->workpiece);
+        };
+        context.conditions = conditions[made->stockProperty];
+        context.materialConditions = conditions;
+        add({-10.0, 10.0, top - depth}, MoveKind::rapid);
+        add({length + 10.0, 10.0, top - depth}, MoveKind::cut);
+        state.linked = true;
+    }
+
+    void add(const glm::dvec3& tip, MoveKind kind) {
+        PathPoint point;
+        point.pose.tip = tip;
+        point.kind = kind;
+        point.feed = kind == MoveKind::rapid ? 0.0 : context.conditions.feed;
+        state.points.push_back(point);
+    }
+
+    Result<EmbeddedSetup> made;
+    std::vector<CuttingConditions> conditions; ///< by property
+    PathContext context;
+    PathUnderEdit state;
+};
+
 } // namespace
 
 class TestSeveralMaterials : public QObject {
@@ -208,39 +246,14 @@ private slots:
         }
     }
 
-    /// Chip and speed of each material; a path has one spindle speed, the metal's.
+    /// Chip and speed of each material, at one spindle speed, the metal's.
     void aPathIsFedByItsMaterials() {
-        auto made = tabled();
-        QVERIFY(made);
-        PathContext context;
-        context.tool = endMill();
-        context.machine.maximumFeed = 5000.0;
-        context.machine.maximumSpindleSpeed = 24'000.0;
-        const PropertyList& list = made->workpiece.properties();
-        std::vector<CuttingConditions> conditions(static_cast<std::size_t>(list.size()));
-        for (int i = 1; i < list.size(); ++i)
-            if (const auto property = static_cast<PropertyIndex>(i); !list.isProtected(property))
-                conditions[property] = *cuttingConditions(context.tool, list[property], 24'000.0, 5000.0);
-        const VolumeSnapshot before = made->workpiece.snapshot();
-        context.lendStock = [&](const StockUse& use, Progress&) {
-            made->workpiece.restore(before);
-            return use(made->workpiece);
-        };
-        context.conditions = conditions[made->stockProperty];
-        context.materialConditions = conditions;
-        PathUnderEdit state;
-        const auto add = [&](const glm::dvec3& tip, MoveKind kind) {
-            PathPoint point;
-            point.pose.tip = tip;
-            point.kind = kind;
-            point.feed = kind == MoveKind::rapid ? 0.0 : context.conditions.feed;
-            state.points.push_back(point);
-        };
-        add({-10.0, 10.0, top - depth}, MoveKind::rapid);
-        add({length + 10.0, 10.0, top - depth}, MoveKind::cut);
-        state.linked = true;
+        SlotPath slot;
+        QVERIFY(slot.made);
         Progress progress;
-        QVERIFY(feedByMaterial(state, context, conditions, context.conditions, progress));
+        PathUnderEdit& state = slot.state;
+        QVERIFY(feedByMaterial(state, slot.context, slot.conditions, slot.context.conditions, SetFeed::Spindle::one,
+                               progress));
 
         const double turns = 100'000.0 / (pi * diameter); // 1/min, of the metal
         QVERIFY(std::abs(state.spindleSpeed - turns) < 1e-6);
@@ -261,6 +274,41 @@ private slots:
         QVERIFY(equal(feedAt(thirdBorder - 0.5 * diameter + 0.1), feedOf(0.006)));
         QVERIFY(equal(feedAt(thirdBorder - 0.5 * diameter - 1.1), std::min(5000.0, feedOf(0.015))));
         QVERIFY(equal(feedAt(length - 1.0), feedOf(0.006)));
+    }
+
+    /// The spindle turns as each material allows; where feeds are so low that a spindle has its time.
+    void aSpindleTurnsByTheMaterials() {
+        SlotPath slot;
+        QVERIFY(slot.made);
+        constexpr double slow = 0.01;
+        for (CuttingConditions& each : slot.conditions) each.feed *= slow;
+        slot.context.conditions.feed *= slow;
+        for (PathPoint& point : slot.state.points) point.feed *= slow;
+        Progress progress;
+        QVERIFY(feedByMaterial(slot.state, slot.context, slot.conditions, slot.context.conditions,
+                               SetFeed::Spindle::byMaterial, progress));
+        const auto turnsOf = [](double speed) { return std::min(24'000.0, speed * 1000.0 / (pi * diameter)); };
+        // The material that allows least of those under the tool, up to its front.
+        const auto allowed = [&](double from, double to) {
+            double least = turnsOf(to > thirdBorder ? 150.0 : 400.0);
+            if (from < secondBorder && to > firstBorder) least = std::min(least, turnsOf(300.0));
+            return from < firstBorder ? turnsOf(100.0) : least;
+        };
+        double before = 0.0, reached = 0.0;
+        std::set<double> speeds;
+        for (const PathPoint& point : slot.state.points) {
+            const double to = point.pose.tip.x, crumb = 0.6; // mm: a stretch, and of what is thinner than a voxel
+            if (point.kind == MoveKind::cut) {
+                QVERIFY2(point.spindleSpeed <= allowed(before + crumb, to + 0.5 * diameter - crumb) + 1e-6,
+                         qPrintable(QStringLiteral("%1/min up to %2 mm").arg(point.spindleSpeed).arg(to)));
+                speeds.insert(std::round(point.spindleSpeed));
+                reached = std::max(reached, to);
+            }
+            before = to;
+        }
+        QVERIFY(reached > length - diameter);
+        for (const double speed : {100.0, 150.0, 300.0, 400.0}) QVERIFY(speeds.contains(std::round(turnsOf(speed))));
+        QCOMPARE(slot.state.spindleSpeed, slot.state.points[1].spindleSpeed);
     }
 
     /// The check's loads, along the slot, and of a layer that is half of the depth.

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const QByteArray goodMetadata = R"({"id": "trace", "kind": "dialect", "name": "Trace", "version": "1.0",
-    "interface_version": 3, "library": "trace.so", "file_suffix": "nc"})";
+    "interface_version": 4, "library": "trace.so", "file_suffix": "nc"})";
 
 void write(const QString& file, const QByteArray& content) {
     QFile out(file);
@@ -49,7 +49,7 @@ private slots:
         QCOMPARE(QString::fromStdString(found.front().id), "trace");
         QCOMPARE(QString::fromStdString(found.front().name), "Trace");
         QCOMPARE(QString::fromStdString(found.front().fileSuffix), "nc");
-        QCOMPARE(found.front().interfaceVersion, 3);
+        QCOMPARE(found.front().interfaceVersion, 4);
         QVERIFY(!QFile::exists(traceFile()));
     }
 
@@ -68,13 +68,13 @@ private slots:
 
     void anotherInterfaceVersionIsRefusedBeforeAnyCodeRuns() {
         QByteArray metadata = goodMetadata;
-        metadata.replace("\"interface_version\": 3", "\"interface_version\": 4");
+        metadata.replace("\"interface_version\": 4", "\"interface_version\": 5");
         install("trace", metadata, "libburin_test_dialect.so");
         const auto post = loadDialect("trace", root());
         QVERIFY(!post);
         QCOMPARE(post.error().code, ErrorCode::pluginIncompatible);
-        QCOMPARE(QString::fromStdString(post.error().place), "4");
-        QCOMPARE(QString::fromStdString(post.error().detail), "3");
+        QCOMPARE(QString::fromStdString(post.error().place), "5");
+        QCOMPARE(QString::fromStdString(post.error().detail), "4");
         QVERIFY(!QFile::exists(traceFile()));
     }
 
@@ -86,11 +86,11 @@ private slots:
         QTest::newRow("empty id") << QByteArray("\"id\": \"trace\"") << QByteArray("\"id\": \"\"");
         QTest::newRow("another kind") << QByteArray("\"dialect\"") << QByteArray("\"device\"");
         QTest::newRow("version is a text")
-            << QByteArray("\"interface_version\": 3") << QByteArray("\"interface_version\": \"1\"");
+            << QByteArray("\"interface_version\": 4") << QByteArray("\"interface_version\": \"1\"");
         QTest::newRow("version is a fraction")
-            << QByteArray("\"interface_version\": 3") << QByteArray("\"interface_version\": 1.5");
+            << QByteArray("\"interface_version\": 4") << QByteArray("\"interface_version\": 1.5");
         QTest::newRow("version is ours in its lower 32 bits")
-            << QByteArray("\"interface_version\": 3") << QByteArray("\"interface_version\": 4294967298");
+            << QByteArray("\"interface_version\": 4") << QByteArray("\"interface_version\": 4294967300");
         QTest::newRow("library outside its folder") << QByteArray("trace.so") << QByteArray("../trace.so");
         QTest::newRow("unknown key") << QByteArray("\"name\"") << QByteArray("\"nmae\": \"\", \"name\"");
     }

@@ -169,6 +169,35 @@ private slots:
             QFAIL((std::to_string(mark.line) + ": " + mark.text).c_str());
     }
 
+    void speedsChangeInTheCut_data() { addDialects(); }
+    /// Its own control reads the speed that each move shall have; a change in the air waits for the spindle.
+    void speedsChangeInTheCut() {
+        QFETCH(QString, dialect);
+        QFETCH(bool, inch);
+        NcProgram job = referenceJob(unitsOf(inch), 1);
+        NcSection& section = job.sections.front();
+        section.moves = {rapidTo(0, 0, 10),  lineTo(0, 0, -1, 300),  lineTo(10, 0, -1, 900), lineTo(20, 0, -1, 500),
+                         rapidTo(20, 0, 10), lineTo(20, 0, -2, 300), rapidTo(20, 0, 10)};
+        section.moves[3].spindleSpeed = 6000;
+        section.moves[4].spindleSpeed = 9000;
+        const auto text = posted(dialect.toStdString(), job);
+        QVERIFY(text);
+        const Control* control = findControl(dialect.toStdString());
+        const auto program = parseProgram(*text, "job", *control);
+        QVERIFY2(program, program ? "" : (program.error().place + ": " + program.error().detail).c_str());
+        std::vector<double> speeds;
+        double waited = 0.0;
+        for (const NcMotion& motion : program->motions) {
+            if (motion.kind == NcMotionKind::dwell && motion.spindleSpeed == 9000.0) waited += motion.seconds;
+            if (motion.kind == NcMotionKind::line) speeds.push_back(motion.spindleSpeed);
+        }
+        QVERIFY((speeds == std::vector<double>{12000, 12000, 6000, 9000}));
+        QCOMPARE(waited, 3.0);
+        const MachineProfile machine = roomyMachine();
+        for (const LintMark& mark : lint(*text, {control, &machine}))
+            QFAIL((std::to_string(mark.line) + ": " + mark.text).c_str());
+    }
+
     void theSpindleParksWhereItsMachineSays_data() { addDialects(); }
     /// Two blocks in the machine's frame behind each tool, Z first; all others stay as they are.
     void theSpindleParksWhereItsMachineSays() {

@@ -164,6 +164,28 @@ private slots:
         QCOMPARE(program->sections[1].spindleSpeed, 12000.0);
     }
 
+    /// In a cut before the move that wants it; between cuts before the first rapid, where nothing is touched.
+    void aSpeedChangesWithinASection() {
+        Path changing = path();
+        changing.points.insert(changing.points.begin() + 3, {{{18, 20, 30}}, MoveKind::cut, 500, 7, 130});
+        changing.points[3].spindleSpeed = 6000;
+        changing.points[4].spindleSpeed = 6000; // the retract
+        const auto program = toProgram({changing, path()}, request(), machine());
+        QVERIFY(program);
+        QCOMPARE(program->sections.size(), std::size_t{2}); // the second begins at another speed than the first ends
+        const std::vector<NcMove>& moves = program->sections[0].moves;
+        QCOMPARE(program->sections[0].spindleSpeed, 10000.0);
+        for (std::size_t i = 0; i < moves.size(); ++i) QCOMPARE(moves[i].spindleSpeed, i == 3 ? 6000.0 : 0.0);
+        for (PathPoint& point : changing.points) point.spindleSpeed = 6000;
+        const auto slower = toProgram({changing}, request(), machine());
+        QVERIFY(slower);
+        QCOMPARE(slower->sections[0].spindleSpeed, 6000.0);
+        changing.points[3].spindleSpeed = 30000;
+        const auto refused = toProgram({changing}, request(), machine());
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::programLimit);
+    }
+
     void arcsArriveWhole() {
         Path turning = path();
         turning.points[2].arc = PathArc{{12.5, 20, 0}, 2, true};

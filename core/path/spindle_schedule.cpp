@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/spindle_schedule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+namespace {
+
+using Speeds = std::span<double>;
+using Stretches = std::span<const SpindleStretch>;
+
+/// What meets nothing takes what comes next in its cut, or at the end what came last.
+void fillAir(Speeds speeds, double otherwise) {
+    for (std::size_t i = speeds.size() - 1; i-- > 0;)
+        if (std::isinf(speeds[i])) speeds[i] = speeds[i + 1];
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+        if (std::isinf(speeds[i])) speeds[i] = i > 0 ? speeds[i - 1] : otherwise;
+}
+
+/// As slow as whatever comes within a time.
+void slowDownInTime(Stretches cut, Speeds told, double time) {
+    const std::vector<double> wanted(told.begin(), told.end());
+    for (std::size_t i = 0; i < told.size(); ++i) {
+        double passed = 0.0;
+        for (std::size_t k = i + 1; k < told.size() && passed < time; passed += cut[k++].seconds)
+            told[i] = std::min(told[i], wanted[k]);
+    }
+}
+
+/// A speed that is raised for less than a time is not raised. One pass; false: nothing was left to do.
+bool dropShortRaises(Stretches cut, Speeds told, double time) {
+    bool changed = false;
+    for (std::size_t begin = 0, end = 0; begin < told.size(); begin = end) {
+        double seconds = 0.0;
+        for (end = begin; end < told.size() && told[end] == told[begin]; ++end) seconds += cut[end].seconds;
+        if (begin == 0 || told[begin - 1] >= told[begin] || seconds >= time) continue;
+        double lower = told[begin - 1];
+        if (end < told.size() && told[end] < told[begin]) lower = std::max(lower, told[end]);
+        std::fill(told.begin() + static_cast<std::ptrdiff_t>(begin), told.begin() + static_cast<std::ptrdiff_t>(end),
+                  lower);
+        changed = true;
+    }
+    return changed;
+}
+
+/// Calls `use(first, end)` for every cut: stretches that go on from each other.
+template <class Use>
+void forEachCut(Stretches stretches, const Use& use) {
+    for (std::size_t begin = 0, end = 0; begin < stretches.size(); begin = end) {
+        for (end = begin + 1; end < stretches.size() && stretches[end].joined;) ++end;
+        use(begin, end);
+    }
+}
+
+} // namespace
+
+SpindleSpeeds spindleSchedule(Stretches stretches, double startTime) {
+    SpindleSpeeds speeds;
+    double slowest = std::numeric_limits<double>::infinity();
+    for (const SpindleStretch& stretch : stretches) {
+        speeds.told.push_back(stretch.fastest);
+        slowest = std::min(slowest, stretch.fastest);
+    }
+    forEachCut(stretches, [&](std::size_t begin, std::size_t end) {
+        const Stretches cut = stretches.subspan(begin, end - begin);
+        const Speeds told = Speeds(speeds.told).subspan(begin, end - begin);
+        fillAir(told, slowest);
+        slowDownInTime(cut, told, startTime);
+        while (dropShortRaises(cut, told, startTime)) {
+        }
+    });
+    speeds.sureOf = sureSpeeds(stretches, speeds.told, startTime);
+    return speeds;
+}
+
+std::vector<double> sureSpeeds(Stretches stretches, std::span<const double> told, double startTime) {
+    std::vector<double> sure(told.begin(), told.end());
+    forEachCut(stretches, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            double passed = 0.0;
+            for (std::size_t k = i; k-- > begin && passed < startTime; passed += stretches[k].seconds)
+                sure[i] = std::min(sure[i], told[k]);
+        }
+    });
+    return sure;
+}
+
+} // namespace burin

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/spindle_schedule.h"
+
+#include <QtTest>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace burin;
+
+namespace {
+
+constexpr double startTime = 3.0; // s
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+std::vector<SpindleStretch> randomStretches() {
+    std::vector<SpindleStretch> stretches;
+    const int count = *rc::gen::inRange(1, 60);
+    double fastest = 12000.0;
+    for (int i = 0; i < count; ++i) {
+        if (*rc::gen::inRange(0, 4) == 0) fastest = *rc::gen::element(3000.0, 6000.0, 12000.0, 18000.0, inf);
+        stretches.push_back({fastest, *rc::gen::inRange(1, 3000) * 1e-3, i > 0 && *rc::gen::inRange(0, 12) != 0});
+    }
+    return stretches;
+}
+
+/// The oracle: a spindle that comes to what it is told evenly, in `time` seconds from when it is told. Calls
+/// `look(stretch, speed)` a hundred times a stretch. Between cuts it has its time.
+template <class Look>
+void turn(const std::vector<SpindleStretch>& stretches, const std::vector<double>& told, double time, Look look) {
+    double speed = 0.0, from = 0.0, to = 0.0, since = 0.0;
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+        if (!stretches[i].joined) speed = from = to = told[i];
+        if (told[i] != to) {
+            from = speed;
+            to = told[i];
+            since = 0.0;
+        }
+        for (int k = 0; k < 100; ++k) {
+            speed = time > 0.0 ? from + (to - from) * std::min(1.0, since / time) : to;
+            look(i, speed);
+            since += stretches[i].seconds / 100.0;
+        }
+        speed = time > 0.0 ? from + (to - from) * std::min(1.0, since / time) : to;
+    }
+}
+
+} // namespace
+
+/// When a spindle is told to change its speed in a cut.
+class TestSpindleSchedule : public QObject {
+    Q_OBJECT
+private slots:
+    /// However quick the spindle is, it is never faster than what is cut allows, and never slower than the feed counts
+    /// on: chips are no thicker than wanted.
+    void noMaterialIsCutTooFastAndNoChipIsTooThick() {
+        QVERIFY(rc::check([] {
+            const std::vector<SpindleStretch> stretches = randomStretches();
+            RC_PRE(
+                std::ranges::any_of(stretches, [](const SpindleStretch& one) { return std::isfinite(one.fastest); }));
+            const SpindleSpeeds speeds = spindleSchedule(stretches, startTime);
+            RC_ASSERT(speeds.told.size() == stretches.size() && speeds.sureOf.size() == stretches.size());
+            for (const double time : {0.0, 0.4 * startTime, startTime})
+                turn(stretches, speeds.told, time, [&](std::size_t i, double speed) {
+                    RC_ASSERT(speed <= stretches[i].fastest + 1e-6);
+                    RC_ASSERT(speed >= speeds.sureOf[i] - 1e-6);
+                });
+        }));
+    }
+
+    void aSpeedThatIsRaisedLasts() {
+        QVERIFY(rc::check([] {
+            const std::vector<SpindleStretch> stretches = randomStretches();
+            const std::vector<double> told = spindleSchedule(stretches, startTime).told;
+            for (std::size_t i = 1; i < told.size(); ++i) {
+                if (!stretches[i].joined || told[i] <= told[i - 1]) continue;
+                double seconds = 0.0;
+                std::size_t end = i;
+                for (; end < told.size() && (end == i || stretches[end].joined) && told[end] >= told[i]; ++end)
+                    seconds += stretches[end].seconds;
+                RC_ASSERT(seconds >= startTime - 1e-9);
+            }
+        }));
+    }
+
+    /// 10 s in wood, 10 s in steel, 10 s in wood, half a second a stretch.
+    void theSpeedIsThatOfTheMaterial() {
+        std::vector<SpindleStretch> stretches;
+        for (int i = 0; i < 60; ++i) stretches.push_back({i / 20 == 1 ? 3000.0 : 18000.0, 0.5, i > 0});
+        const SpindleSpeeds speeds = spindleSchedule(stretches, startTime);
+        for (int i = 0; i < 60; ++i) {
+            // Told down 3 s before the steel; the feed goes up 3 s behind it.
+            QCOMPARE(speeds.told[static_cast<std::size_t>(i)], i >= 14 && i < 40 ? 3000.0 : 18000.0);
+            QCOMPARE(speeds.sureOf[static_cast<std::size_t>(i)], i >= 14 && i < 46 ? 3000.0 : 18000.0);
+        }
+        // A rib of wood of 2 s in the steel is not worth it.
+        for (int i = 28; i < 32; ++i) stretches[static_cast<std::size_t>(i)].fastest = 18000.0;
+        QVERIFY(spindleSchedule(stretches, startTime).told == speeds.told);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSpindleSchedule)
+#include "tst_spindle_schedule.moc"
