@@ -1430,10 +1430,6 @@
         <translation>ein bekannter Werkstoff oder --like WERKSTOFF</translation>
     </message>
     <message>
-        <source>%1 gives no unit of length; it was read in mm.</source>
-        <translation>%1 nennt keine Längeneinheit; es wurde in mm gelesen.</translation>
-    </message>
-    <message>
         <source>shipped  T%1  %2 mm  %3</source>
         <translation>mitgeliefert  T%1  %2 mm  %3</translation>
     </message>
@@ -1448,6 +1444,10 @@
     <message>
         <source>moved along Z by %1 mm, so that the tip is at 0</source>
         <translation>um %1 mm längs Z verschoben, sodass die Spitze bei 0 liegt</translation>
+    </message>
+    <message>
+        <source>%1 gives no unit of length; it was read in mm.</source>
+        <translation>%1 nennt keine Längeneinheit; es wurde in mm gelesen.</translation>
     </message>
 </context>
 <context>
@@ -5444,6 +5444,42 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>Spindle rotates anticlockwise; the tool is right-handed</source>
         <translation>Die Spindel dreht linksherum; das Werkzeug ist rechtsschneidend</translation>
     </message>
+    <message>
+        <source>%1, ball end mills</source>
+        <translation>%1, Kugelfräser</translation>
+    </message>
+    <message>
+        <source>%1, flat end mills</source>
+        <translation>%1, Schaftfräser</translation>
+    </message>
+    <message>
+        <source>%1, bull-nose end mills</source>
+        <translation>%1, Torusfräser</translation>
+    </message>
+    <message>
+        <source>%1, tapered end mills</source>
+        <translation>%1, Kegelfräser</translation>
+    </message>
+    <message>
+        <source>%1, tapered ball end mills</source>
+        <translation>%1, konische Kugelfräser</translation>
+    </message>
+    <message>
+        <source>%1, drills</source>
+        <translation>%1, Bohrer</translation>
+    </message>
+    <message>
+        <source>%1, chamfer mills</source>
+        <translation>%1, Fasenfräser</translation>
+    </message>
+    <message>
+        <source>%1, lollipop mills</source>
+        <translation>%1, Lollipop-Fräser</translation>
+    </message>
+    <message>
+        <source>%1, form tools</source>
+        <translation>%1, Formwerkzeuge</translation>
+    </message>
 </context>
 <context>
     <name>ProgramProblem</name>
@@ -8284,6 +8320,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Add a property of your own</source>
         <translation>Eine eigene Eigenschaft hinzufügen</translation>
     </message>
+    <message>
+        <source>%1 instead of the value for all cutters</source>
+        <translation>%1 statt des Werts für alle Fräser</translation>
+    </message>
 </context>
 <context>
     <name>burin::MaterialPanel</name>
@@ -10532,14 +10572,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Dasselbe für den Schaft; ohne hat das neue Werkzeug den Schaft des anderen</translation>
     </message>
     <message>
-        <source>Unit of the files</source>
-        <translation>Einheit der Dateien</translation>
-    </message>
-    <message>
-        <source>An STL file states no unit</source>
-        <translation>Eine STL-Datei nennt keine Einheit</translation>
-    </message>
-    <message>
         <source>Name</source>
         <translation>Name</translation>
     </message>
@@ -10586,6 +10618,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Add the tool to your own and take it into the spindle; Undo takes it back</source>
         <translation>Das Werkzeug zu Ihren eigenen nehmen und in die Spindel einsetzen; Rückgängig nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Unit of the files</source>
+        <translation>Einheit der Dateien</translation>
+    </message>
+    <message>
+        <source>An STL file states no unit</source>
+        <translation>Eine STL-Datei nennt keine Einheit</translation>
     </message>
 </context>
 <context>

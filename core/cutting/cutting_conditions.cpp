@@ -11,8 +11,9 @@ namespace burin {
 
 namespace {
 
-Result<double> positiveValue(const Property& material, std::string_view name) {
-    const double value = material.valueOr(name, 0.0);
+/// The one for this kind of cutter, where the material has it.
+Result<double> positiveValue(const Property& material, std::string_view name, CutterType cutter) {
+    const double value = material.valueOr(valueForCutter(name, cutter), material.valueOr(name, 0.0));
     if (std::isfinite(value) && value > 0.0) return value;
     return Error{ErrorCode::resourceInvalid, material.id, std::string(name), "the material needs a value above 0"};
 }
@@ -33,15 +34,19 @@ double rampAngleFor(const Tool& tool, const Property& material) {
 
 } // namespace
 
+std::string valueForCutter(std::string_view name, CutterType cutter) {
+    return std::string(name) + '_' + std::string(cutterTypeName(cutter));
+}
+
 Result<CuttingConditions> cuttingConditions(const Tool& tool, const Property& material, double maximumSpindleSpeed,
                                             double maximumFeed) {
     if (Result<void> valid = checkLimit("maximum spindle speed", maximumSpindleSpeed); !valid) return valid.error();
     if (Result<void> valid = checkLimit("maximum feed", maximumFeed); !valid) return valid.error();
-    const Result<double> speed = positiveValue(material, surfaceSpeed);
+    const Result<double> speed = positiveValue(material, surfaceSpeed, tool.cutter.type);
     if (!speed) return speed.error();
-    const Result<double> chipLoad = positiveValue(material, chipLoadPerDiameter);
+    const Result<double> chipLoad = positiveValue(material, chipLoadPerDiameter, tool.cutter.type);
     if (!chipLoad) return chipLoad.error();
-    const Result<double> plungeRatio = positiveValue(material, plungeFeedRatio);
+    const Result<double> plungeRatio = positiveValue(material, plungeFeedRatio, tool.cutter.type);
     if (!plungeRatio) return plungeRatio.error();
 
     const double diameter = tool.cutter.diameter;

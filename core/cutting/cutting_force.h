@@ -87,8 +87,13 @@ struct CuttingConditions {
     bool limitedByMachine = false; ///< the table asked for more than tool or machine can do
     double rampAngle = 0.0;        ///< rad, at which ramps and helices go down into material at most
 };
+/// Name of the value of a material that stands before `name` for one kind of cutter: "surface_speed_drill".
+std::string valueForCutter(std::string_view name, CutterType cutter);
+/// Those that a material may have for a kind of cutter besides the one for all.
+inline constexpr std::array valuesByCutter{surfaceSpeed, chipLoadPerDiameter, plungeFeedRatio};
+
 /// n = vc / (pi D), feed = n z fz, both within the limits given; where the spindle is too slow, the feed follows the
-/// speed that it reaches.
+/// speed that it reaches. Values for the tool's kind of cutter (`valueForCutter`) stand before those for all.
 /// @param maximumSpindleSpeed of the machine, 1/min; the tool's own limit counts too
 /// @param maximumFeed         of the machine, mm/min
 /// Errors: resourceInvalid (subject: material, place: the value that it lacks), argumentInvalid (a limit not above 0).

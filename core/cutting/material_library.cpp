@@ -5,6 +5,7 @@
 #include "core/base/resource_folder.h"
 #include "core/cutting/cutting_force.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -37,6 +38,19 @@ bool has(const Property& material, std::string_view name) {
     return material.values.find(name) != material.values.end();
 }
 
+/// One that the material may have.
+Result<void> checkValue(const Property& material, const KnownValue& known, std::string_view name,
+                        const std::string& origin) {
+    const auto found = material.values.find(name);
+    if (found == material.values.end()) return {};
+    const NamedValue& value = found->second;
+    if (value.unit != known.unit)
+        return wrong(origin, name, "has to be in " + std::string(known.unit) + ", not in " + value.unit);
+    if (!(value.value > known.above && value.value < known.below))
+        return wrong(origin, name, "is out of what can be milled");
+    return {};
+}
+
 } // namespace
 
 Result<void> checkMaterial(const Property& material, const std::string& origin) {
@@ -44,21 +58,22 @@ Result<void> checkMaterial(const Property& material, const std::string& origin) 
     if (material.name.empty()) return wrong(origin, "name", "has to be there");
     for (const auto& [name, value] : material.values)
         if (!std::isfinite(value.value)) return wrong(origin, name, "has to be a finite number");
+    for (const KnownValue& known : knownValues)
+        if (Result<void> sound = checkValue(material, known, known.name, origin); !sound) return sound;
     for (const KnownValue& known : knownValues) {
-        const auto found = material.values.find(known.name);
-        if (found == material.values.end()) continue;
-        const NamedValue& value = found->second;
-        if (value.unit != known.unit)
-            return wrong(origin, known.name, "has to be in " + std::string(known.unit) + ", not in " + value.unit);
-        if (!(value.value > known.above && value.value < known.below))
-            return wrong(origin, known.name, "is out of what can be milled");
+        if (std::ranges::find(valuesByCutter, known.name) == valuesByCutter.end()) continue;
+        for (int type = 0; type <= static_cast<int>(CutterType::profile); ++type)
+            if (Result<void> sound =
+                    checkValue(material, known, valueForCutter(known.name, static_cast<CutterType>(type)), origin);
+                !sound)
+                return sound;
     }
     if (has(material, kienzleForce) != has(material, kienzleExponent))
         return wrong(origin, has(material, kienzleForce) ? kienzleExponent : kienzleForce,
                      "has to be there, as the other half of Kienzle's law is");
     if (!has(material, specificCuttingEnergy) && !has(material, kienzleForce))
         return wrong(origin, specificCuttingEnergy, "has to be there, or Kienzle's law: without it nothing is felt");
-    for (const std::string_view needed : {surfaceSpeed, chipLoadPerDiameter, plungeFeedRatio})
+    for (const std::string_view needed : valuesByCutter)
         if (!has(material, needed)) return wrong(origin, needed, "has to be there: feeds and speeds come from it");
     const Result<Property> again = propertyFromJson(toJson(material), origin); // else its file could not be read
     return again ? Result<void>() : again.error();

@@ -12,6 +12,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <set>
+
 using namespace burin;
 using namespace burin::testing;
 
@@ -172,6 +174,61 @@ private slots:
         QVERIFY(recordLine(driver, {-5, 0}, {5, 0}));
         QVERIFY(driver.settle());
         QVERIFY(removedSoFar(*workbench.workpiece.milling()) > 1.0);
+    }
+
+    /// Aluminium, a brass insert, oak and a graded foam under one drag of the mouse; then the path and its program.
+    void oneDragMillsAllFourMaterials() {
+        WindowDriver driver(QSize(1280, 800));
+        Workbench& workbench = driver.window().workbench();
+        QVERIFY(open(driver));
+        QVERIFY(driver.step(JobStep::part));
+        QVERIFY(clickRow(driver, "bodyList", cylinderRow) && choose(driver, "bodyRole", QStringLiteral("Insert")));
+        QVERIFY(clickRow(driver, "bodyList", cubeRow) && choose(driver, "bodyRole", QStringLiteral("Ignored")));
+        QVERIFY(driver.step(JobStep::stock));
+        QVERIFY(driver.clickOn("freeCarvingSwitch") && driver.settle());
+        QVERIFY(driver.clickOn("stockStatedSwitch") && driver.settle());
+        QVERIFY(type(driver, "stockHighZ", QStringLiteral("10"))); // where the insert ends
+        QVERIFY(driver.step(JobStep::material));
+        QVERIFY(choose(driver, "stockMaterial", QStringLiteral("Aluminium 6061-T6")));
+        QVERIFY(choose(driver, "body", QStringLiteral("blue_cylinder")));
+        QVERIFY(choose(driver, "bodyMaterial", QStringLiteral("Brass CuZn39Pb3")));
+        for (const auto& [material, from, to] :
+             {std::tuple{"Oak", "2", "8"}, std::tuple{"Polyurethane foam", "8", "20"}}) {
+            QVERIFY(driver.clickOn("addLayer") && driver.settle());
+            QVERIFY(choose(driver, "layerMaterial", QString::fromLatin1(material)));
+            QVERIFY(choose(driver, "layerAxis", QStringLiteral("X")));
+            QVERIFY(type(driver, "layerFrom", QString::fromLatin1(from)));
+            QVERIFY(type(driver, "layerTo", QString::fromLatin1(to)));
+        }
+        QVERIFY(choose(driver, "layerGrade", QStringLiteral("By a formula")));
+        QVERIFY(choose(driver, "gradeValue", QStringLiteral("Specific cutting energy")));
+        QVERIFY(type(driver, "gradeFormula", QStringLiteral("0.01 + 0.001 * X")));
+        QVERIFY2(!workbench.setup.problem(), workbench.setup.problem()->subject.c_str());
+        QVERIFY(embed(driver));
+        QVERIFY(driver.step(JobStep::material) && driver.settle());
+        driver.shoot("materials-07-four");
+        QVERIFY(recordLine(driver, {-17, 0}, {17, 0}));
+        QVERIFY(driver.settle());
+        driver.shoot("materials-08-one-drag");
+        const EmbeddedSetup& embedded = workbench.workpiece.milling()->embedded;
+        const RunAmounts left = embedded.workpiece.amounts();
+        std::set<std::string> cut;
+        for (int i = 1; i < embedded.workpiece.properties().size(); ++i)
+            if (const auto property = static_cast<PropertyIndex>(i);
+                left.units[property] < embedded.untouched.units[property])
+                cut.insert(embedded.workpiece.properties()[property].name);
+        for (const char* name : {"Aluminium 6061-T6", "Brass CuZn39Pb3", "Oak"}) QVERIFY2(cut.contains(name), name);
+        QVERIFY(cut.size() >= 5); // and several of the foam's bands
+        QVERIFY(newPath(driver));
+        driver.shoot("materials-09-path");
+        QVERIFY(postProgram(driver));
+        driver.shoot("materials-10-program");
+        std::set<double> feeds;
+        for (const PathPoint& point : workbench.path.evaluated()->path.points)
+            if (point.kind == MoveKind::cut) feeds.insert(std::round(point.feed));
+        QVERIFY2(feeds.size() >= 3, qPrintable(QString::number(feeds.size())));
+        for (const VisibleText& text : clippedTexts(driver.window()))
+            QFAIL(qPrintable(QStringLiteral("cut: %1: %2").arg(text.where, text.text)));
     }
 
     void theWorkpieceIsExported() {

@@ -3,8 +3,10 @@
 #include "ui/panels/material_form.h"
 
 #include "core/base/numbers.h"
+#include "core/cutting/cutting_force.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/field_row.h"
+#include "ui/panels/texts.h"
 
 #include <QColorDialog>
 #include <QHeaderView>
@@ -35,6 +37,9 @@ QString purposeOf(std::string_view key) {
     if (key == chipLoadPerDiameter)
         return MaterialForm::tr("Chip load per tooth, as a share of the diameter; the feed follows from it");
     if (key == plungeFeedRatio) return MaterialForm::tr("Plunge feed over feed");
+    for (const std::string_view each : valuesByCutter)
+        if (key.starts_with(std::string(each) + '_'))
+            return MaterialForm::tr("%1 instead of the value for all cutters").arg(valueNameText(std::string(key)));
     return MaterialForm::tr("A property of your own, kept with the material");
 }
 

@@ -5,6 +5,7 @@
 #include "ui/messages/messages.h"
 
 #include "core/base/units.h"
+#include "core/cutting/cutting_force.h"
 #include "ui/panels/quantity.h"
 
 #include <QCoreApplication>
@@ -116,7 +117,36 @@ QString toolSummary(const Tool& tool, LengthUnit unit) {
     return parts.join(QStringLiteral(", "));
 }
 
+/// Behind the name of a value that holds for one kind of cutter.
+QString cutterText(CutterType type) {
+    switch (type) {
+    case CutterType::ball:
+        return PanelTexts::tr("%1, ball end mills");
+    case CutterType::flat:
+        return PanelTexts::tr("%1, flat end mills");
+    case CutterType::bullNose:
+        return PanelTexts::tr("%1, bull-nose end mills");
+    case CutterType::taper:
+        return PanelTexts::tr("%1, tapered end mills");
+    case CutterType::taperBall:
+        return PanelTexts::tr("%1, tapered ball end mills");
+    case CutterType::drill:
+        return PanelTexts::tr("%1, drills");
+    case CutterType::chamfer:
+        return PanelTexts::tr("%1, chamfer mills");
+    case CutterType::lollipop:
+        return PanelTexts::tr("%1, lollipop mills");
+    case CutterType::profile:
+        return PanelTexts::tr("%1, form tools");
+    }
+    return {};
+}
+
 QString valueNameText(const std::string& name) {
+    for (const std::string_view value : valuesByCutter)
+        for (int i = 0; i <= static_cast<int>(CutterType::profile); ++i)
+            if (const auto type = static_cast<CutterType>(i); name == valueForCutter(value, type))
+                return cutterText(type).arg(valueNameText(std::string(value)));
     if (name == specificCuttingEnergy) return PanelTexts::tr("Specific cutting energy");
     if (name == radialForceRatio) return PanelTexts::tr("Radial force ratio");
     if (name == kienzleForce) return PanelTexts::tr("Specific cutting force kc1.1");

@@ -240,6 +240,26 @@ private slots:
         QCOMPARE(found.error().place, std::string(chipLoadPerDiameter));
     }
 
+    /// A drill at 120 m/min and 0.01 of its diameter a tooth, whatever end mills do; all its feed is plunging.
+    void valuesOfACutterStandBeforeThoseForAll() {
+        Property material = withValues(300.0, 0.008, 0.3);
+        material.values["surface_speed_drill"] = {120.0, "m/min", "test", false};
+        material.values["chip_load_per_diameter_drill"] = {0.01, "1", "test", false};
+        material.values["plunge_feed_ratio_drill"] = {1.0, "1", "test", false};
+        Tool drill = *loadTool("drill-5");
+        drill.maximumSpindleSpeed = 0.0;
+        const Result<CuttingConditions> found = cuttingConditions(drill, material, 24000.0, 4000.0);
+        QVERIFY(found);
+        const double turns = 120'000.0 / (std::acos(-1.0) * 5.0);
+        QVERIFY(std::abs(found->spindleSpeed - turns) < 1e-6);
+        QVERIFY(std::abs(found->feed - turns * drill.fluteCount * 0.05) < 1e-6);
+        QCOMPARE(found->plungeFeed, found->feed);
+        const Result<CuttingConditions> milled = cuttingConditions(sixMillimetres(), material, 24000.0, 4000.0);
+        const Result<CuttingConditions> before =
+            cuttingConditions(sixMillimetres(), withValues(300.0, 0.008, 0.3), 24000.0, 4000.0);
+        QCOMPARE(milled->feed, before->feed);
+    }
+
     void everyShippedToolCutsEveryShippedMaterial() {
         QVERIFY(materialIds().size() >= 3);
         for (const std::string& id : materialIds()) {
