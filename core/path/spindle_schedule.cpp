@@ -30,6 +30,20 @@ void slowDownInTime(Stretches cut, Speeds told, double time) {
     }
 }
 
+/// A spindle on its way down is told no other speed: it goes to the lowest that comes within a time at once, as who is
+/// told anew may get there later.
+void fallAtOnce(Stretches cut, Speeds told, double time) {
+    for (std::size_t i = 1; i < told.size(); ++i) {
+        if (told[i] >= told[i - 1]) continue;
+        std::size_t lowest = i;
+        double passed = cut[i].seconds;
+        for (std::size_t k = i + 1; k < told.size() && passed < time; passed += cut[k++].seconds)
+            if (told[k] < told[lowest]) lowest = k;
+        std::fill(told.begin() + static_cast<std::ptrdiff_t>(i), told.begin() + static_cast<std::ptrdiff_t>(lowest),
+                  told[lowest]);
+    }
+}
+
 /// A speed that is raised for less than a time is not raised. One pass; false: nothing was left to do.
 bool dropShortRaises(Stretches cut, Speeds told, double time) {
     bool changed = false;
@@ -69,6 +83,7 @@ SpindleSpeeds spindleSchedule(Stretches stretches, double startTime) {
         const Speeds told = Speeds(speeds.told).subspan(begin, end - begin);
         fillAir(told, slowest);
         slowDownInTime(cut, told, startTime);
+        fallAtOnce(cut, told, startTime);
         while (dropShortRaises(cut, told, startTime)) {
         }
     });

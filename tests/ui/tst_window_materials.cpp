@@ -226,7 +226,8 @@ private slots:
         std::set<double> feeds;
         for (const PathPoint& point : workbench.path.evaluated()->path.points)
             if (point.kind == MoveKind::cut) feeds.insert(std::round(point.feed));
-        QVERIFY2(feeds.size() >= 3, qPrintable(QString::number(feeds.size())));
+        // Foam is fed as fast as the machine can, brass is not.
+        QVERIFY(*feeds.rbegin() > 1.5 * *feeds.begin());
         for (const VisibleText& text : clippedTexts(driver.window()))
             QFAIL(qPrintable(QStringLiteral("cut: %1: %2").arg(text.where, text.text)));
     }
