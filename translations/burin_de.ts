@@ -7721,14 +7721,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::MachineForm</name>
     <message>
-        <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
-    </message>
-    <message>
-        <source>%1, or 0: not stated</source>
-        <translation>%1, oder 0: nicht angegeben</translation>
-    </message>
-    <message>
         <source>Name</source>
         <translation>Name</translation>
     </message>
@@ -7947,14 +7939,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Torque over speed</source>
         <translation>Drehmoment über Drehzahl</translation>
-    </message>
-    <message>
-        <source>Where this value comes from, e.g. the nameplate or a measurement</source>
-        <translation>Woher dieser Wert stammt, z. B. vom Typenschild oder einer Messung</translation>
-    </message>
-    <message>
-        <source>entered by the user</source>
-        <translation>vom Benutzer eingegeben</translation>
     </message>
     <message>
         <source>Home</source>
@@ -10669,6 +10653,29 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Add this point to the curve (Enter in the torque field)</source>
         <translation>Diesen Punkt zur Kurve hinzufügen (Eingabetaste im Feld des Drehmoments)</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ValueForm</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1, or 0: not stated</source>
+        <translation>%1, oder 0: nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Where this value comes from, e.g. the nameplate or a measurement</source>
+        <translation>Woher dieser Wert stammt, z. B. vom Typenschild oder einer Messung</translation>
+    </message>
+    <message>
+        <source>entered by the user</source>
+        <translation>vom Benutzer eingegeben</translation>
     </message>
 </context>
 <context>

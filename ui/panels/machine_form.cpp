@@ -4,10 +4,8 @@
 
 #include "core/machine/machine_ranges.h"
 #include "ui/panels/choice_box.h"
-#include "ui/panels/panel_layout.h"
 #include "ui/panels/torque_table.h"
 
-#include <QGridLayout>
 #include <QLineEdit>
 
 #include <cmath>
@@ -16,28 +14,14 @@ namespace burin {
 
 namespace {
 
-constexpr int machineFieldWidth = 116, sourceFieldWidth = 200, formColumns = 5; // pixels
-enum Column { labelColumn, firstField, sourceColumn = 4 };
-
 double valueOf(const MachineProfile& machine, double MachineProfile::*member) {
     return machine.*member;
 }
 
-QString rangeText(Quantity quantity, NumberRange range, bool optional, LengthUnit unit) {
-    const QString both = MachineForm::tr("%1 to %2")
-                             .arg(quantityText(range.low, quantity, unit), quantityText(range.high, quantity, unit));
-    return optional ? MachineForm::tr("%1, or 0: not stated").arg(both) : both;
-}
-
 } // namespace
 
-MachineForm::MachineForm(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
+MachineForm::MachineForm(QWidget* parent) : RecordForm(tr("as stated in the machine's source"), parent) {
     setObjectName(QStringLiteral("machineForm"));
-    grid_->setContentsMargins(16, 8, 16, 16);
-    grid_->setHorizontalSpacing(8);
-    grid_->setVerticalSpacing(6);
-    grid_->setColumnStretch(labelColumn, 1);
-    grid_->setColumnStretch(sourceColumn, 1);
     addGeneral();
     addTravel();
     addFeeds();
@@ -46,8 +30,7 @@ MachineForm::MachineForm(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
     addCoolant();
     addControl();
     addArcs();
-    grid_->setRowStretch(grid_->rowCount(), 1);
-    refresh();
+    closeRows();
 }
 
 void MachineForm::addGeneral() {
@@ -56,13 +39,12 @@ void MachineForm::addGeneral() {
     dialect_->setObjectName(QStringLiteral("dialect"));
     const QString tip = tr("NC dialect that the machine's control reads");
     const int row = beginRow(tr("Dialect"), dialect_, tip);
-    grid_->addWidget(dialect_, row, firstField, 1, 3);
+    placeWide(dialect_, row);
     connect(dialect_, &QComboBox::activated, this, [this](int index) {
-        machine_.dialect = dialectIds_[index].toStdString();
+        record_.dialect = dialectIds_[index].toStdString();
         emit edited();
     });
-    refreshers_.emplace_back(
-        [this] { dialect_->offer(dialectNames_, dialectIds_, QString::fromStdString(machine_.dialect)); });
+    onRefresh([this] { dialect_->offer(dialectNames_, dialectIds_, QString::fromStdString(record_.dialect)); });
     addText("source", tr("Source"), tr("Source of the values that have none of their own"), &MachineProfile::source);
 }
 
@@ -238,146 +220,19 @@ void MachineForm::addArcs() {
                {rule(Quantity::length, tolerance, &ArcRules::radiusMismatch)}, false);
 }
 
-void MachineForm::addTitle(const QString& text) {
-    const int row = grid_->rowCount();
-    grid_->addWidget(makeSectionTitle(text, this), row, labelColumn, 1, formColumns - 1);
-    grid_->addWidget(makeSectionTitle(tr("Source"), this), row, sourceColumn);
-}
-
-int MachineForm::beginRow(const QString& label, QWidget* buddy, const QString& toolTip) {
-    const int row = grid_->rowCount();
-    auto* name = new QLabel(label, this);
-    name->setProperty("look", "quiet");
-    name->setBuddy(buddy);
-    name->setToolTip(toolTip);
-    buddy->setAccessibleName(label);
-    buddy->setToolTip(toolTip);
-    grid_->addWidget(name, row, labelColumn);
-    fields_.push_back(buddy);
-    return row;
-}
-
-void MachineForm::addNumbers(const char* key, const QString& label, const QString& toolTip, std::vector<Number> numbers,
-                             bool withSource) {
-    const std::string name(key);
-    int row = 0;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const Number& number = numbers[i];
-        auto* field = new QuantityField(number.quantity, this);
-        field->setObjectName(QString::fromLatin1(key) + (numbers.size() > 1 ? QString::number(i) : QString()));
-        field->limit(number.optional ? 0.0 : number.range.low, number.range.high);
-        field->setFixedWidth(machineFieldWidth);
-        if (i == 0)
-            row = beginRow(label, field, toolTip);
-        else
-            fields_.push_back(field);
-        grid_->addWidget(field, row, firstField + static_cast<int>(i));
-        numbers_.push_back(field);
-        connect(field, &QuantityField::valueEdited, this, [this, name, set = number.set](double value) {
-            set(machine_, value);
-            changed(name.substr(0, name.find('.')));
-        });
-        refreshers_.emplace_back([this, field, label, toolTip, number] {
-            field->showValue(number.get(machine_));
-            field->setToolTip(toolTip + QStringLiteral(" (") +
-                              rangeText(number.quantity, number.range, number.optional, unit_) + QLatin1Char(')'));
-            field->setAccessibleName(label);
-            if (number.stated) field->setReadOnly(locked_ || !number.stated(machine_));
-        });
-    }
-    if (withSource) addSource(key, row);
-}
-
-void MachineForm::addChoice(const char* key, const QString& label, const QString& toolTip, Choice choice,
-                            bool withSource) {
-    auto* box = new ChoiceBox(this);
-    box->setObjectName(QString::fromLatin1(key));
-    box->addItems(choice.texts);
-    const int row = beginRow(label, box, toolTip);
-    grid_->addWidget(box, row, firstField, 1, 3);
-    connect(box, &QComboBox::activated, this, [this, key = std::string(key), set = choice.set](int index) {
-        set(machine_, index);
-        changed(key);
-    });
-    refreshers_.emplace_back([this, box, get = choice.get] { box->setCurrentIndex(get(machine_)); });
-    if (withSource) addSource(key, row);
-}
-
-QLineEdit* MachineForm::addText(const char* name, const QString& label, const QString& toolTip,
-                                std::string MachineProfile::*text) {
-    auto* field = new QLineEdit(this);
-    field->setObjectName(QString::fromLatin1(name));
-    const int row = beginRow(label, field, toolTip);
-    grid_->addWidget(field, row, firstField, 1, formColumns - 1);
-    connect(field, &QLineEdit::textEdited, this, [this, text](const QString& typed) {
-        machine_.*text = typed.trimmed().toStdString();
-        emit edited();
-    });
-    refreshers_.emplace_back([this, field, text] {
-        const QString said = QString::fromStdString(machine_.*text);
-        if (field->text().trimmed() != said) field->setText(said);
-        field->setCursorPosition(0);
-    });
-    return field;
-}
-
 void MachineForm::addTorque() {
     torque_ = new TorqueTable(this);
     const int row =
         beginRow(tr("Torque over speed"), torque_,
                  tr("Continuous torque of the spindle. Between two points the power follows a straight line; without "
                     "points: not stated"));
-    grid_->addWidget(torque_, row, firstField, 1, 3);
+    placeWide(torque_, row);
     connect(torque_, &TorqueTable::edited, this, [this](const std::vector<SpindlePoint>& points) {
-        machine_.spindleTorque = points;
+        record_.spindleTorque = points;
         changed("spindle_torque");
     });
-    refreshers_.emplace_back([this] { torque_->showPoints(machine_.spindleTorque); });
+    onRefresh([this] { torque_->showPoints(record_.spindleTorque); });
     addSource("spindle_torque", row);
-}
-
-/// Where the values of a key come from.
-void MachineForm::addSource(const char* key, int row) {
-    auto* field = new QLineEdit(this);
-    field->setObjectName(QString::fromLatin1(key) + QStringLiteral("Source"));
-    field->setPlaceholderText(tr("as stated in the machine's source"));
-    field->setAccessibleName(tr("Source"));
-    field->setMinimumWidth(sourceFieldWidth);
-    field->setProperty("look", "quiet");
-    grid_->addWidget(field, row, sourceColumn);
-    fields_.push_back(field);
-    connect(field, &QLineEdit::textEdited, this, [this, key = std::string(key)](const QString& typed) {
-        if (typed.trimmed().isEmpty())
-            machine_.sources.erase(key);
-        else
-            machine_.sources[key] = typed.trimmed().toStdString();
-        emit edited();
-    });
-    refreshers_.emplace_back([this, field, key = std::string(key)] {
-        const auto found = machine_.sources.find(key);
-        const QString said = found == machine_.sources.end() ? QString() : QString::fromStdString(found->second);
-        if (field->text().trimmed() != said) field->setText(said);
-        field->setCursorPosition(0);
-        field->setToolTip(said.isEmpty() ? tr("Where this value comes from, e.g. the nameplate or a measurement")
-                                         : said);
-    });
-}
-
-/// The user stands for what they changed.
-void MachineForm::changed(const std::string& key) {
-    machine_.sources[key] = tr("entered by the user").toStdString();
-    refresh();
-    emit edited();
-}
-
-void MachineForm::refresh() {
-    for (const auto& show : refreshers_) show();
-}
-
-void MachineForm::setUnit(LengthUnit unit) {
-    unit_ = unit;
-    for (QuantityField* field : numbers_) field->setLengthUnit(unit);
-    refresh();
 }
 
 void MachineForm::setDialects(const QStringList& names, const QStringList& ids) {
@@ -387,18 +242,10 @@ void MachineForm::setDialects(const QStringList& names, const QStringList& ids) 
 }
 
 void MachineForm::showMachine(const MachineProfile& machine, bool locked) {
-    machine_ = machine;
-    locked_ = locked;
+    record_ = machine;
+    lock(locked);
+    torque_->setEnabled(true); // to look at
     torque_->setReadOnly(locked);
-    for (QWidget* field : fields_) {
-        if (field == torque_) continue;
-        if (auto* text = qobject_cast<QLineEdit*>(field))
-            text->setReadOnly(locked);
-        else if (auto* number = qobject_cast<QuantityField*>(field))
-            number->setReadOnly(locked);
-        else
-            field->setEnabled(!locked);
-    }
     refresh();
 }
 
