@@ -5988,6 +5988,254 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Titanium Ti-6Al-4V</source>
         <translation>Titan Ti-6Al-4V</translation>
     </message>
+    <message>
+        <source>ER11 collet in a 52 mm spindle</source>
+        <translation>ER11-Spannzange in einer 52-mm-Spindel</translation>
+    </message>
+    <message>
+        <source>ER16 collet chuck</source>
+        <translation>ER16-Spannzangenfutter</translation>
+    </message>
+    <message>
+        <source>ER20 collet chuck</source>
+        <translation>ER20-Spannzangenfutter</translation>
+    </message>
+    <message>
+        <source>ER20 collet in an 80 mm spindle</source>
+        <translation>ER20-Spannzange in einer 80-mm-Spindel</translation>
+    </message>
+    <message>
+        <source>ER25 collet chuck, BT30</source>
+        <translation>ER25-Spannzangenfutter, BT30</translation>
+    </message>
+    <message>
+        <source>ER32 collet chuck, BT40</source>
+        <translation>ER32-Spannzangenfutter, BT40</translation>
+    </message>
+    <message>
+        <source>Hydraulic chuck 12 mm, BT40</source>
+        <translation>Hydrodehnspannfutter 12 mm, BT40</translation>
+    </message>
+    <message>
+        <source>Shrink chuck 6 mm, HSK-A63</source>
+        <translation>Schrumpffutter 6 mm, HSK-A63</translation>
+    </message>
+    <message>
+        <source>End mill 1 mm</source>
+        <translation>Schaftfräser 6 mm {1 ?}</translation>
+    </message>
+    <message>
+        <source>End mill 1.5 mm</source>
+        <translation>Schaftfräser 6 mm {1.5 ?}</translation>
+    </message>
+    <message>
+        <source>End mill 2 mm</source>
+        <translation>Schaftfräser 6 mm {2 ?}</translation>
+    </message>
+    <message>
+        <source>End mill 2.5 mm</source>
+        <translation>Schaftfräser 6 mm {2.5 ?}</translation>
+    </message>
+    <message>
+        <source>End mill 4 mm</source>
+        <translation>Schaftfräser 6 mm {4 ?}</translation>
+    </message>
+    <message>
+        <source>End mill 5 mm</source>
+        <translation>Schaftfräser 6 mm {5 ?}</translation>
+    </message>
+    <message>
+        <source>End mill 8 mm</source>
+        <translation>Schaftfräser 6 mm {8 ?}</translation>
+    </message>
+    <message>
+        <source>End mill 12 mm</source>
+        <translation>Schaftfräser 6 mm {12 ?}</translation>
+    </message>
+    <message>
+        <source>End mill 16 mm</source>
+        <translation>Schaftfräser 6 mm {16 ?}</translation>
+    </message>
+    <message>
+        <source>End mill 20 mm</source>
+        <translation>Schaftfräser 6 mm {20 ?}</translation>
+    </message>
+    <message>
+        <source>Ball-end mill 1.5 mm</source>
+        <translation>Kugelfräser 6 mm {1.5 ?}</translation>
+    </message>
+    <message>
+        <source>Ball-end mill 2 mm</source>
+        <translation>Kugelfräser 6 mm {2 ?}</translation>
+    </message>
+    <message>
+        <source>Ball-end mill 4 mm</source>
+        <translation>Kugelfräser 6 mm {4 ?}</translation>
+    </message>
+    <message>
+        <source>Ball-end mill 5 mm</source>
+        <translation>Kugelfräser 6 mm {5 ?}</translation>
+    </message>
+    <message>
+        <source>Ball-end mill 8 mm</source>
+        <translation>Kugelfräser 6 mm {8 ?}</translation>
+    </message>
+    <message>
+        <source>Ball-end mill 12 mm</source>
+        <translation>Kugelfräser 6 mm {12 ?}</translation>
+    </message>
+    <message>
+        <source>Ball-end mill 16 mm</source>
+        <translation>Kugelfräser 6 mm {16 ?}</translation>
+    </message>
+    <message>
+        <source>Bull-nose end mill 3 mm, corner radius 0.5 mm</source>
+        <translation>Torusfräser 6 mm, Eckenradius 1 mm {3 ?} {0.5 ?}</translation>
+    </message>
+    <message>
+        <source>Bull-nose end mill 4 mm, corner radius 0.5 mm</source>
+        <translation>Torusfräser 6 mm, Eckenradius 1 mm {4 ?} {0.5 ?}</translation>
+    </message>
+    <message>
+        <source>Bull-nose end mill 6 mm, corner radius 0.5 mm</source>
+        <translation>Torusfräser 6 mm, Eckenradius 1 mm {6 ?} {0.5 ?}</translation>
+    </message>
+    <message>
+        <source>Bull-nose end mill 8 mm, corner radius 1 mm</source>
+        <translation>Torusfräser 6 mm, Eckenradius 1 mm {8 ?} {1 ?}</translation>
+    </message>
+    <message>
+        <source>Bull-nose end mill 8 mm, corner radius 2 mm</source>
+        <translation>Torusfräser 6 mm, Eckenradius 1 mm {8 ?} {2 ?}</translation>
+    </message>
+    <message>
+        <source>Bull-nose end mill 10 mm, corner radius 1 mm</source>
+        <translation>Torusfräser 6 mm, Eckenradius 1 mm {10 ?} {1 ?}</translation>
+    </message>
+    <message>
+        <source>Bull-nose end mill 12 mm, corner radius 1 mm</source>
+        <translation>Torusfräser 6 mm, Eckenradius 1 mm {12 ?} {1 ?}</translation>
+    </message>
+    <message>
+        <source>Bull-nose end mill 12 mm, corner radius 3 mm</source>
+        <translation>Torusfräser 6 mm, Eckenradius 1 mm {12 ?} {3 ?}</translation>
+    </message>
+    <message>
+        <source>Bull-nose end mill 16 mm, corner radius 2 mm</source>
+        <translation>Torusfräser 6 mm, Eckenradius 1 mm {16 ?} {2 ?}</translation>
+    </message>
+    <message>
+        <source>Bull-nose end mill 20 mm, corner radius 3 mm</source>
+        <translation>Torusfräser 6 mm, Eckenradius 1 mm {20 ?} {3 ?}</translation>
+    </message>
+    <message>
+        <source>Drill 1 mm</source>
+        <translation>Bohrer 5 mm {1 ?}</translation>
+    </message>
+    <message>
+        <source>Drill 1.5 mm</source>
+        <translation>Bohrer 5 mm {1.5 ?}</translation>
+    </message>
+    <message>
+        <source>Drill 2 mm</source>
+        <translation>Bohrer 5 mm {2 ?}</translation>
+    </message>
+    <message>
+        <source>Drill 2.5 mm</source>
+        <translation>Bohrer 5 mm {2.5 ?}</translation>
+    </message>
+    <message>
+        <source>Drill 3 mm</source>
+        <translation>Bohrer 5 mm {3 ?}</translation>
+    </message>
+    <message>
+        <source>Drill 3.3 mm</source>
+        <translation>Bohrer 5 mm {3.3 ?}</translation>
+    </message>
+    <message>
+        <source>Drill 4 mm</source>
+        <translation>Bohrer 5 mm {4 ?}</translation>
+    </message>
+    <message>
+        <source>Drill 4.2 mm</source>
+        <translation>Bohrer 5 mm {4.2 ?}</translation>
+    </message>
+    <message>
+        <source>Drill 6 mm</source>
+        <translation>Bohrer 5 mm {6 ?}</translation>
+    </message>
+    <message>
+        <source>Drill 6.8 mm</source>
+        <translation>Bohrer 5 mm {6.8 ?}</translation>
+    </message>
+    <message>
+        <source>Drill 8 mm</source>
+        <translation>Bohrer 5 mm {8 ?}</translation>
+    </message>
+    <message>
+        <source>Drill 8.5 mm</source>
+        <translation>Bohrer 5 mm {8.5 ?}</translation>
+    </message>
+    <message>
+        <source>Drill 10 mm</source>
+        <translation>Bohrer 5 mm {10 ?}</translation>
+    </message>
+    <message>
+        <source>Drill 10.2 mm</source>
+        <translation>Bohrer 5 mm {10.2 ?}</translation>
+    </message>
+    <message>
+        <source>Drill 12 mm</source>
+        <translation>Bohrer 5 mm {12 ?}</translation>
+    </message>
+    <message>
+        <source>Chamfer mill 8 mm, 90°</source>
+        <translation>Fasenfräser 6 mm, 90° {8 ?} {90°?}</translation>
+    </message>
+    <message>
+        <source>Chamfer mill 10 mm, 90°</source>
+        <translation>Fasenfräser 6 mm, 90° {10 ?} {90°?}</translation>
+    </message>
+    <message>
+        <source>Chamfer mill 12 mm, 90°</source>
+        <translation>Fasenfräser 6 mm, 90° {12 ?} {90°?}</translation>
+    </message>
+    <message>
+        <source>Chamfer mill 10 mm, 60°</source>
+        <translation>Fasenfräser 6 mm, 90° {10 ?} {60°?}</translation>
+    </message>
+    <message>
+        <source>Engraving cutter 6 mm, 30°, tip 0.2 mm</source>
+        <translation>Gravierstichel 6 mm, 30°, Spitze 0,2 mm</translation>
+    </message>
+    <message>
+        <source>Taper ball mill 2 mm, 3° a side</source>
+        <translation>Kegelkugelfräser 1 mm, 5° je Seite {2 ?} {3°?}</translation>
+    </message>
+    <message>
+        <source>Taper ball mill 0.5 mm, 10° a side</source>
+        <translation>Kegelkugelfräser 1 mm, 5° je Seite {0.5 ?} {10°?}</translation>
+    </message>
+    <message>
+        <source>Tapered end mill 2 mm, 3° a side</source>
+        <translation>Kegelfräser 2 mm, 3° je Seite</translation>
+    </message>
+    <message>
+        <source>Tapered end mill 2 mm, 5° a side</source>
+        <translation>Kegelfräser 2 mm, 5° je Seite</translation>
+    </message>
+    <message>
+        <source>Lollipop mill 4 mm</source>
+        <translation>Kugelkopffräser 6 mm {4 ?}</translation>
+    </message>
+    <message>
+        <source>Lollipop mill 8 mm</source>
+        <translation>Kugelkopffräser 6 mm {8 ?}</translation>
+    </message>
+    <message>
+        <source>Lollipop mill 10 mm</source>
+        <translation>Kugelkopffräser 6 mm {10 ?}</translation>
+    </message>
 </context>
 <context>
     <name>RestartDialog</name>

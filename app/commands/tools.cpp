@@ -7,6 +7,7 @@
 #include "core/base/numbers.h"
 #include "core/job/tool_shape.h"
 #include "core/tool/tool_library.h"
+#include "core/tool/tool_ranges.h"
 
 #include <nlohmann/json.hpp>
 
@@ -139,7 +140,8 @@ void registerShape(CommandParser tools, CommandContext& context, int& status) {
                 BURIN_TEXT("Help", "Tool from which the new one takes number, teeth, limits and holder"))
         .required();
     shape.option("--name", arguments->name, BURIN_TEXT("Help", "Name of the tool (default: its ID)"));
-    shape.option("--number", arguments->number, BURIN_TEXT("Help", "T word (default: that of --like)")).range(1, 99999);
+    shape.option("--number", arguments->number, BURIN_TEXT("Help", "T word (default: that of --like)"))
+        .range(1, tool_range::highestNumber);
     shape
         .option("--tolerance", arguments->tolerance,
                 BURIN_TEXT("Help", "Distance of the profile from what the flutes sweep, mm, at most; more where 48 "

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <numeric>
 #include <set>
 #include <system_error>
+#include <utility>
 
 namespace burin {
 
@@ -43,6 +45,31 @@ bool isIn(const fs::path& folder, std::string_view id) {
     return isResourceId(id) && !folder.empty() && fs::exists(folder / fileName(id), ignored);
 }
 
+/// Letters to put in, take out or change to make one text of another (Levenshtein).
+std::size_t editsBetween(std::string_view one, std::string_view other) {
+    std::vector<std::size_t> row(other.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i + 1);
+        for (std::size_t k = 0; k < other.size(); ++k) {
+            const std::size_t changed = diagonal + (one[i] == other[k] ? 0 : 1);
+            diagonal = std::exchange(row[k + 1], std::min({changed, row[k] + 1, row[k + 1] + 1}));
+        }
+    }
+    return row.back();
+}
+
+/// All of a few ids; of many those that may have been meant, the most alike first.
+std::vector<std::string> mostAlike(std::vector<std::string> ids, std::string_view wanted) {
+    constexpr std::size_t readable = 20, named = 8, longest = 64;
+    if (ids.size() <= readable) return ids;
+    std::ranges::stable_sort(
+        ids, {}, [wanted = wanted.substr(0, longest)](const std::string& id) { return editsBetween(id, wanted); });
+    ids.resize(named);
+    ids.emplace_back("…");
+    return ids;
+}
+
 } // namespace
 
 bool isResourceId(std::string_view id) {
@@ -75,7 +102,8 @@ Result<ResourceText> findResource(ResourceKind kind, std::string_view id) {
             return ResourceText{*std::move(text), file.string()};
         }
     }
-    return Error{ErrorCode::nameUnknown, std::string(kind.name), std::string(id), joined(resourceIds(kind))};
+    return Error{ErrorCode::nameUnknown, std::string(kind.name), std::string(id),
+                 joined(mostAlike(resourceIds(kind), id))};
 }
 
 std::vector<std::string> resourceIds(ResourceKind kind) {

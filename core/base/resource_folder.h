@@ -18,6 +18,7 @@ struct ResourceKind {
 };
 inline constexpr ResourceKind materialResource{"material", "materials"};
 inline constexpr ResourceKind toolResource{"tool", "tools"};
+inline constexpr ResourceKind holderResource{"holder", "holders"};
 inline constexpr ResourceKind machineResource{"machine", "machines"};
 inline constexpr ResourceKind dialectResource{"dialect", "dialects"};
 
@@ -38,7 +39,7 @@ std::vector<std::filesystem::path> resourceSearchPath(ResourceKind kind);
 bool isResourceId(std::string_view id);
 
 /// The file of `id` from the first folder that has it.
-/// Errors: nameUnknown (detail: ids that exist), those of readFile.
+/// Errors: nameUnknown (detail: ids that exist; of many, the most alike), those of readFile.
 Result<ResourceText> findResource(ResourceKind kind, std::string_view id);
 
 /// Ids of all files of a kind, sorted, each once.

@@ -5,6 +5,7 @@
 #include "core/base/json_object.h"
 #include "core/base/resource_folder.h"
 #include "core/base/units.h"
+#include "core/tool/segment_json.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -13,13 +14,7 @@ namespace burin {
 
 namespace {
 
-// Far beyond any tool: catches a slip of the unit or of a digit.
-constexpr NumberRange length{0.0, 1000.0};
-constexpr NumberRange taper{0.0, 90.0};
-constexpr NumberRange spindleSpeed{0.0, 1e6};
-constexpr NumberRange stiffness{0.0, 2e6}; // N/mm², diamond has 1.2e6
-constexpr NumberRange breakage{0.0, 2e4};  // N/mm²
-constexpr int highestNumber = 99999;       // LinuxCNC's highest tool number
+using namespace tool_range;
 
 const std::vector<std::string_view>& typeNames() { // in the order of CutterType
     static const std::vector<std::string_view> names{"ball",  "flat",    "bull_nose", "taper",  "taper_ball",
@@ -53,10 +48,7 @@ void readCutter(JsonObject& from, Cutter& cutter) {
     cutter.fluteLength = from.number("flute_length_mm", length);
     cutter.shankDiameter = from.number("shank_diameter_mm", length);
     cutter.stickOut = from.number("stick_out_mm", length);
-    from.objects("holder", [&](JsonObject& segment) {
-        cutter.holder.push_back({segment.number("lower_diameter_mm", length),
-                                 segment.number("upper_diameter_mm", length), segment.number("length_mm", length)});
-    });
+    readSegments(from, "holder", cutter.holder);
 }
 
 /// What may be missing: files of older tools have none of it. A source that names no key is a slip of the pen.
@@ -127,7 +119,7 @@ Result<Tool> toolFromJson(std::string_view text, const std::string& origin) {
     tool.id = file->text("id");
     tool.name = file->text("name");
     tool.number = file->integer("number", 1, highestNumber);
-    tool.fluteCount = file->integer("flute_count", 1, 100);
+    tool.fluteCount = file->integer("flute_count", 1, mostFlutes);
     tool.centreCutting = file->boolean("centre_cutting");
     tool.maximumDepthOfCut = file->number("maximum_depth_of_cut_mm", length);
     tool.maximumSpindleSpeed = file->number("maximum_spindle_speed_rpm", spindleSpeed);

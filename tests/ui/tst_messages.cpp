@@ -193,7 +193,7 @@ private slots:
         int names = 0;
         for (const QString& translation : translationFiles()) {
             const QSet<QString> texts = read(translation).texts;
-            for (const char* kind : {"materials", "tools", "machines"}) {
+            for (const char* kind : {"materials", "tools", "holders", "machines"}) {
                 const QDir folder(QStringLiteral(BURIN_SOURCE_DIRECTORY "/resources/") + QLatin1String(kind));
                 for (const QFileInfo& info : folder.entryInfoList({QStringLiteral("*.json")})) {
                     QFile file(info.filePath());

@@ -306,13 +306,15 @@ private slots:
         }
     }
 
-    /// All tools in a high window; in a low one some, and the rest of the panel.
+    /// A dozen tools in a high window; in a low one some, and the rest of the panel.
     void theToolListTakesTheRoomThatThereIs() {
         QScrollArea page;
         auto* panel = new ToolPanel;
         page.setWidget(panel);
         page.setWidgetResizable(true);
-        panel->setState(examples::tool());
+        ToolState dozen = examples::tool();
+        dozen.tools.resize(12);
+        panel->setState(dozen);
         auto& list = child<RowList>(*panel, "toolList");
         const auto rowsSeen = [&] {
             int seen = 0;

@@ -24,48 +24,6 @@ class PanelTexts {
     Q_DECLARE_TR_FUNCTIONS(PanelTexts)
 };
 
-// What Burin is shipped with; names that the user gave stay as they are.
-[[maybe_unused]] constexpr std::array shippedNames{
-    QT_TRANSLATE_NOOP("Resource", "Aluminium 6061-T6"),
-    QT_TRANSLATE_NOOP("Resource", "Machinable wax"),
-    QT_TRANSLATE_NOOP("Resource", "ABS"),
-    QT_TRANSLATE_NOOP("Resource", "Acrylic (PMMA)"),
-    QT_TRANSLATE_NOOP("Resource", "Aluminium 2007 (free-cutting)"),
-    QT_TRANSLATE_NOOP("Resource", "Aluminium 7075-T6"),
-    QT_TRANSLATE_NOOP("Resource", "Beech"),
-    QT_TRANSLATE_NOOP("Resource", "Brass CuZn39Pb3"),
-    QT_TRANSLATE_NOOP("Resource", "MDF"),
-    QT_TRANSLATE_NOOP("Resource", "Oak"),
-    QT_TRANSLATE_NOOP("Resource", "POM (acetal)"),
-    QT_TRANSLATE_NOOP("Resource", "Polyurethane foam"),
-    QT_TRANSLATE_NOOP("Resource", "Stainless steel 304 (1.4301)"),
-    QT_TRANSLATE_NOOP("Resource", "Steel 1045 (C45)"),
-    QT_TRANSLATE_NOOP("Resource", "Steel S235JR"),
-    QT_TRANSLATE_NOOP("Resource", "Titanium Ti-6Al-4V"),
-    QT_TRANSLATE_NOOP("Resource", "Tooling board (polyurethane)"),
-    QT_TRANSLATE_NOOP("Resource", "Ball-end mill 1 mm"),
-    QT_TRANSLATE_NOOP("Resource", "Ball-end mill 10 mm"),
-    QT_TRANSLATE_NOOP("Resource", "Ball-end mill 3 mm"),
-    QT_TRANSLATE_NOOP("Resource", "Ball-end mill 6 mm"),
-    QT_TRANSLATE_NOOP("Resource", "Bull-nose end mill 10 mm, corner radius 2 mm"),
-    QT_TRANSLATE_NOOP("Resource", "Bull-nose end mill 16 mm, corner radius 3 mm"),
-    QT_TRANSLATE_NOOP("Resource", "Bull-nose end mill 6 mm, corner radius 1 mm"),
-    QT_TRANSLATE_NOOP("Resource", "Chamfer mill 6 mm, 90°"),
-    QT_TRANSLATE_NOOP("Resource", "Drill 5 mm"),
-    QT_TRANSLATE_NOOP("Resource", "End mill 10 mm"),
-    QT_TRANSLATE_NOOP("Resource", "End mill 3 mm"),
-    QT_TRANSLATE_NOOP("Resource", "End mill 6 mm"),
-    QT_TRANSLATE_NOOP("Resource", "Lollipop mill 6 mm"),
-    QT_TRANSLATE_NOOP("Resource", "Taper ball mill 1 mm, 5° a side"),
-    QT_TRANSLATE_NOOP("Resource", "Ball-screw router with grblHAL (typical)"),
-    QT_TRANSLATE_NOOP("Resource", "Desktop router with GRBL 1.1 (Shapeoko 3 settings)"),
-    QT_TRANSLATE_NOOP("Resource", "Haas mill"),
-    QT_TRANSLATE_NOOP("Resource", "Hobby mill with Mach3 (typical)"),
-    QT_TRANSLATE_NOOP("Resource", "Three-axis mill with LinuxCNC (example)"),
-    QT_TRANSLATE_NOOP("Resource", "Vertical machining centre with a Fanuc control (typical)"),
-    QT_TRANSLATE_NOOP("Resource", "Vertical machining centre with a Haas control (typical)"),
-};
-
 /// So many digits that three or four count.
 QString fewDigits(double value) {
     const double size = std::abs(value);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/tool_shape_dialog.h"
 
+#include "core/tool/tool_ranges.h"
 #include "ui/dialogs/file_dialogs.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
@@ -21,7 +22,6 @@ namespace burin {
 namespace {
 
 constexpr int dialogWidth = 520; // pixels
-constexpr int highestNumber = 99999;
 
 } // namespace
 
@@ -61,7 +61,7 @@ void ToolShapeDialog::layOut(LengthUnit unit) {
     column->addWidget(new FieldRow(tr("Name"), name_, tr("What the tool is called"), this, FieldRow::choiceWidth));
     number_ = new QSpinBox(this);
     number_->setObjectName(QStringLiteral("toolNumber"));
-    number_->setRange(1, highestNumber);
+    number_->setRange(1, tool_range::highestNumber);
     number_->setValue(like_.number);
     column->addWidget(new FieldRow(tr("Number"), number_, tr("T in programs"), this));
     tolerance_ = new LengthField(this);
