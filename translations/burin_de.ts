@@ -547,6 +547,14 @@
         <source>Make a tool of models of its flutes and its shank: a form tool, a worn cutter.</source>
         <translation>Macht ein Werkzeug aus Modellen seiner Schneiden und seines Schafts: ein Formwerkzeug, einen abgenutzten Fräser.</translation>
     </message>
+    <message>
+        <source>&amp;Tools…</source>
+        <translation>&amp;Werkzeuge …</translation>
+    </message>
+    <message>
+        <source>Look at the tools; copy, change, add and delete your own.</source>
+        <translation>Werkzeuge ansehen; eigene kopieren, ändern, hinzufügen und löschen.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -3552,6 +3560,14 @@
     <message>
         <source>Models (%1);;All files (*)</source>
         <translation>Modelle (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Add a tool</source>
+        <translation>Werkzeug hinzufügen</translation>
+    </message>
+    <message>
+        <source>Tools (*.json);;All files (*)</source>
+        <translation>Werkzeuge (*.json);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -7891,6 +7907,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>“%1” was deleted; Undo brings it back.</source>
         <translation>„%1“ wurde gelöscht; „Rückgängig“ bringt es zurück.</translation>
     </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Show those that contain all of these words (Ctrl+F)</source>
+        <translation>Zeigt die, die alle diese Wörter enthalten (Strg+F)</translation>
+    </message>
 </context>
 <context>
     <name>burin::LoadChart</name>
@@ -9998,6 +10022,33 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::SegmentTable</name>
+    <message>
+        <source>Add a segment</source>
+        <translation>Abschnitt hinzufügen</translation>
+    </message>
+    <message>
+        <source>On top, as wide as the one below</source>
+        <translation>Oben darauf, so weit wie der darunter</translation>
+    </message>
+    <message>
+        <source>Segment %1, diameter below</source>
+        <translation>Abschnitt %1, Durchmesser unten</translation>
+    </message>
+    <message>
+        <source>Segment %1, diameter above</source>
+        <translation>Abschnitt %1, Durchmesser oben</translation>
+    </message>
+    <message>
+        <source>Segment %1, length</source>
+        <translation>Abschnitt %1, Länge</translation>
+    </message>
+    <message>
+        <source>Delete segment %1</source>
+        <translation>Abschnitt %1 löschen</translation>
+    </message>
+</context>
+<context>
     <name>burin::SelectionCard</name>
     <message>
         <source>Clear the selection (Esc in the view)</source>
@@ -10663,6 +10714,81 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>new tool</source>
         <translation>neues Werkzeug</translation>
     </message>
+    <message>
+        <source>copy of a tool</source>
+        <translation>Kopie eines Werkzeugs</translation>
+    </message>
+    <message>
+        <source>values of a tool</source>
+        <translation>Werte eines Werkzeugs</translation>
+    </message>
+    <message>
+        <source>deleting a tool</source>
+        <translation>Löschen eines Werkzeugs</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ToolDialog</name>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>shipped</source>
+        <translation>mitgeliefert</translation>
+    </message>
+    <message>
+        <source>Copy this tool to one of your own and change that</source>
+        <translation>Dieses Werkzeug in ein eigenes kopieren und das ändern</translation>
+    </message>
+    <message>
+        <source>Add a tool file to your own tools</source>
+        <translation>Eine Werkzeugdatei zu Ihren eigenen Werkzeugen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Delete this tool; Undo brings it back (Del in the list)</source>
+        <translation>Dieses Werkzeug löschen; Rückgängig bringt es zurück (Entf in der Liste)</translation>
+    </message>
+    <message>
+        <source>The tools that Burin is shipped with can&apos;t be deleted.</source>
+        <translation>Die mitgelieferten Werkzeuge können nicht gelöscht werden.</translation>
+    </message>
+    <message>
+        <source>There is a tool with the ID “%1” already; give the one in the file another ID.</source>
+        <translation>Es gibt schon ein Werkzeug mit der ID „%1“; geben Sie dem in der Datei eine andere ID.</translation>
+    </message>
+    <message>
+        <source>Take into the spindle</source>
+        <translation>In die Spindel einsetzen</translation>
+    </message>
+    <message>
+        <source>The open project has recordings with this tool and keeps the values that they were made with.</source>
+        <translation>Das offene Projekt hat Aufzeichnungen mit diesem Werkzeug und behält die Werte, mit denen sie gemacht wurden.</translation>
+    </message>
+    <message>
+        <source>Burin is shipped with this tool, which can&apos;t be changed. Copy it and enter the values of your own.</source>
+        <translation>Dieses Werkzeug wird mit Burin geliefert und kann nicht geändert werden. Kopieren Sie es und geben Sie die Werte Ihres eigenen ein.</translation>
+    </message>
+    <message>
+        <source>Your own tool.</source>
+        <translation>Ihr eigenes Werkzeug.</translation>
+    </message>
+    <message>
+        <source>A recording runs; end it first.</source>
+        <translation>Eine Aufzeichnung läuft; beenden Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>It is in the spindle.</source>
+        <translation>Es ist in der Spindel.</translation>
+    </message>
+    <message>
+        <source>Mill with this tool (Ctrl+Return)</source>
+        <translation>Mit diesem Werkzeug fräsen (Strg+Eingabe)</translation>
+    </message>
+    <message>
+        <source>%1 (copy)</source>
+        <translation>%1 (Kopie)</translation>
+    </message>
 </context>
 <context>
     <name>burin::ToolDrawing</name>
@@ -10685,6 +10811,245 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Overall %1</source>
         <translation>Gesamt %1</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ToolForm</name>
+    <message>
+        <source>as stated in the tool&apos;s source</source>
+        <translation>wie in der Quelle des Werkzeugs angegeben</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name in the list of tools</source>
+        <translation>Name in der Liste der Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>T in programs</source>
+        <translation>T in Programmen</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Source of the values that have none of their own</source>
+        <translation>Quelle der Werte, die keine eigene haben</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>What the flutes sweep</source>
+        <translation>Was die Schneiden überstreichen</translation>
+    </message>
+    <message>
+        <source>Ball end</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Flat end</source>
+        <translation>Flach</translation>
+    </message>
+    <message>
+        <source>Bull nose</source>
+        <translation>Torus</translation>
+    </message>
+    <message>
+        <source>Tapered</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>Tapered ball</source>
+        <translation>Kegel mit Kugel</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation>Bohrer</translation>
+    </message>
+    <message>
+        <source>Chamfer</source>
+        <translation>Fase</translation>
+    </message>
+    <message>
+        <source>Lollipop</source>
+        <translation>Lollipop</translation>
+    </message>
+    <message>
+        <source>Profile of lines and arcs</source>
+        <translation>Profil aus Linien und Bögen</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Of the flutes where they are widest</source>
+        <translation>Der Schneiden, wo sie am weitesten sind</translation>
+    </message>
+    <message>
+        <source>Corner radius</source>
+        <translation>Eckenradius</translation>
+    </message>
+    <message>
+        <source>Of the rounded edge, or of the ball at the tip</source>
+        <translation>Der gerundeten Kante oder der Kugel an der Spitze</translation>
+    </message>
+    <message>
+        <source>Tip diameter</source>
+        <translation>Durchmesser der Spitze</translation>
+    </message>
+    <message>
+        <source>Of the flat at the tip, before its edge is rounded</source>
+        <translation>Der Fläche an der Spitze, bevor ihre Kante gerundet wird</translation>
+    </message>
+    <message>
+        <source>Angle a side</source>
+        <translation>Winkel je Seite</translation>
+    </message>
+    <message>
+        <source>Between axis and cone: half of a point angle</source>
+        <translation>Zwischen Achse und Kegel: die Hälfte eines Spitzenwinkels</translation>
+    </message>
+    <message>
+        <source>Length of the flutes</source>
+        <translation>Länge der Schneiden</translation>
+    </message>
+    <message>
+        <source>From the tip</source>
+        <translation>Von der Spitze an</translation>
+    </message>
+    <message>
+        <source>Number of flutes</source>
+        <translation>Zahl der Schneiden</translation>
+    </message>
+    <message>
+        <source>Teeth that cut in a turn</source>
+        <translation>Zähne, die in einer Umdrehung schneiden</translation>
+    </message>
+    <message>
+        <source>Cuts at its centre</source>
+        <translation>Schneidet in der Mitte</translation>
+    </message>
+    <message>
+        <source>May plunge straight down</source>
+        <translation>Darf senkrecht eintauchen</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nein</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>Shank</source>
+        <translation>Schaft</translation>
+    </message>
+    <message>
+        <source>Shank diameter</source>
+        <translation>Schaftdurchmesser</translation>
+    </message>
+    <message>
+        <source>Between flutes and holder</source>
+        <translation>Zwischen Schneiden und Halter</translation>
+    </message>
+    <message>
+        <source>Stick-out</source>
+        <translation>Auskragung</translation>
+    </message>
+    <message>
+        <source>From the tip to the face of the holder</source>
+        <translation>Von der Spitze bis zur Stirn des Halters</translation>
+    </message>
+    <message>
+        <source>As entered below</source>
+        <translation>Wie unten eingegeben</translation>
+    </message>
+    <message>
+        <source>Holder</source>
+        <translation>Halter</translation>
+    </message>
+    <message>
+        <source>Take over the segments of a holder of the library</source>
+        <translation>Die Abschnitte eines Halters aus der Bibliothek übernehmen</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Abschnitte</translation>
+    </message>
+    <message>
+        <source>From the face upwards: diameter below, diameter above, length</source>
+        <translation>Von der Stirn nach oben: Durchmesser unten, Durchmesser oben, Länge</translation>
+    </message>
+    <message>
+        <source>What it bears</source>
+        <translation>Was es aushält</translation>
+    </message>
+    <message>
+        <source>Deepest cut</source>
+        <translation>Größte Zustellung</translation>
+    </message>
+    <message>
+        <source>Along the axis; at most the length of the flutes</source>
+        <translation>Längs der Achse; höchstens die Länge der Schneiden</translation>
+    </message>
+    <message>
+        <source>Widest cut</source>
+        <translation>Breitester Schnitt</translation>
+    </message>
+    <message>
+        <source>Across the axis</source>
+        <translation>Quer zur Achse</translation>
+    </message>
+    <message>
+        <source>Thickest chip</source>
+        <translation>Dickster Span</translation>
+    </message>
+    <message>
+        <source>Of one tooth</source>
+        <translation>Eines Zahns</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>Größte Drehzahl</translation>
+    </message>
+    <message>
+        <source>Of the spindle, by the tool&apos;s maker</source>
+        <translation>Der Spindel, nach dem Hersteller des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Modulus of elasticity</source>
+        <translation>Elastizitätsmodul</translation>
+    </message>
+    <message>
+        <source>Of what shank and flutes are made of</source>
+        <translation>Dessen, woraus Schaft und Schneiden sind</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Festigkeit</translation>
+    </message>
+    <message>
+        <source>Stress at which it breaks when it is bent</source>
+        <translation>Spannung, bei der es bricht, wenn es gebogen wird</translation>
+    </message>
+    <message>
+        <source>entered by the user</source>
+        <translation>vom Benutzer eingegeben</translation>
     </message>
 </context>
 <context>

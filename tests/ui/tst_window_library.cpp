@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/tool/holder_library.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/places.h"
 #include "tests/stl_text.h"
@@ -221,6 +222,57 @@ private slots:
         clickAt(bodies[1].box.centre());
         QVERIFY(driver.step(JobStep::part));
         QCOMPARE(driver.visible<RowList>("bodyList")->currentRow(), 0);
+    }
+
+    /// Found, copied, its form changed, drawn, saved, taken into the spindle; undo takes it all back.
+    void aToolIsCopiedChangedAndUsed() {
+        WindowDriver driver(QSize(1280, 800));
+        Workbench& workbench = driver.window().workbench();
+        QVERIFY(open(driver));
+        const std::string before = workbench.tool.current().id;
+        driver.whenDialogStands([&](QWidget& dialog) {
+            const Closing closing(dialog);
+            driver.shoot("library-12-tools");
+            QTest::keyClick(&dialog, Qt::Key_F, Qt::ControlModifier);
+            auto* const search = dialog.findChild<QLineEdit*>("toolSearch");
+            QVERIFY(search->hasFocus());
+            QTest::keyClicks(search, "drill 6.8");
+            auto* const list = dialog.findChild<RowList*>("toolList");
+            QCOMPARE(list->count(), 1);
+            QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
+            QVERIFY(!button(dialog, "deleteToolButton").isEnabled()); // a shipped one
+            driver.shoot("library-13-found");
+            click(dialog, "copyToolButton");
+            auto* const name = dialog.findChild<QLineEdit*>("toolName");
+            QVERIFY(name->hasFocus());
+            QTest::keyClicks(name, "Countersink");
+            auto* const form = dialog.findChild<QComboBox*>("cutter");
+            form->setFocus();
+            QTest::keyClick(form, Qt::Key_Down); // chamfer, behind drill
+            auto* const holder = dialog.findChild<QComboBox*>("holder");
+            holder->setFocus();
+            QTest::keyClick(holder, Qt::Key_End);
+            driver.shoot("library-14-changed");
+            QTest::keyClick(&dialog, Qt::Key_S, Qt::ControlModifier); // a button that is pressed by key takes its time
+            QTRY_VERIFY2(!button(dialog, "saveToolButton").isEnabled(),
+                         qPrintable(dialog.findChild<Notice*>("toolNotice")->sentence()));
+            QTest::keyClick(&dialog, Qt::Key_Return, Qt::ControlModifier);
+            QTRY_VERIFY(!button(dialog, "useToolButton").isEnabled());
+            driver.shoot("library-15-in-the-spindle");
+            click(dialog, "closeToolsButton");
+        });
+        driver.window().setFocus();
+        driver.key(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
+        const Tool& own = workbench.tool.current();
+        QCOMPARE(own.id, std::string("drill-6.8-copy"));
+        QCOMPARE(own.name, std::string("Countersink"));
+        QCOMPARE(own.cutter.type, CutterType::chamfer);
+        QCOMPARE(own.cutter.diameter, 6.8);
+        const Result<Holder> last = loadHolder("shrink-6-hsk63");
+        QVERIFY(last && own.cutter.holder.size() == last->segments.size());
+        for (int i = 0; i < 3; ++i) driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(workbench.tool.current().id, before);
+        QVERIFY(!loadTool("drill-6.8-copy"));
     }
 
     /// Pythagoras is the oracle: a bar of 6 × 8 mm sweeps a cylinder of 10 mm.

@@ -160,6 +160,8 @@ constexpr std::array rows{
         "F8"},
     Row{ActionId::materials, "materialsAction", QT_TRANSLATE_NOOP("Actions", "Mate&rials…"),
         QT_TRANSLATE_NOOP("Actions", "Look at, copy, change, add and calibrate materials."), "Ctrl+Shift+T"},
+    Row{ActionId::tools, "toolsAction", QT_TRANSLATE_NOOP("Actions", "&Tools…"),
+        QT_TRANSLATE_NOOP("Actions", "Look at the tools; copy, change, add and delete your own."), "Ctrl+Shift+K"},
     Row{ActionId::machines, "machinesAction", QT_TRANSLATE_NOOP("Actions", "&Machines…"),
         QT_TRANSLATE_NOOP("Actions", "Look at the machines; copy, change and delete your own."), "Ctrl+Shift+M"},
     Row{ActionId::welcome, "welcomeAction", QT_TRANSLATE_NOOP("Actions", "&Welcome page"),

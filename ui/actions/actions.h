@@ -76,6 +76,7 @@ enum class ActionId : std::size_t {
     overrideCheck,
     restart,
     machines,
+    tools,
     materials,
     welcome,
     keyList,

@@ -80,6 +80,10 @@ QString askStockToRead(QWidget* parent, const QString& folder) {
                          .arg((volumes + modelGlobs()).join(QLatin1Char(' '))));
 }
 
+QString askToolToAdd(QWidget* parent, const QString& folder) {
+    return askToOpen(parent, FileDialogs::tr("Add a tool"), folder, FileDialogs::tr("Tools (*.json);;All files (*)"));
+}
+
 QString askToolModel(QWidget* parent, const QString& folder, const QString& title) {
     return askToOpen(parent, title, folder,
                      FileDialogs::tr("Models (%1);;All files (*)").arg(modelGlobs().join(QLatin1Char(' '))));

@@ -15,6 +15,8 @@ QString askPartToImport(QWidget* parent, const QString& folder);
 QString askFixtureToImport(QWidget* parent, const QString& folder);
 /// A volume file, a voxel array or a model.
 QString askStockToRead(QWidget* parent, const QString& folder);
+/// Burin's own form.
+QString askToolToAdd(QWidget* parent, const QString& folder);
 /// A model of flutes or shank. @param title of the dialog
 QString askToolModel(QWidget* parent, const QString& folder, const QString& title);
 /// What the values of a voxel array mean. @param array name of its file

@@ -65,6 +65,9 @@ constexpr std::array namedUnits{
     NamedUnit{Quantity::torque, "nm", 1.0},
     NamedUnit{Quantity::torque, "n·m", 1.0},
     NamedUnit{Quantity::torque, "ncm", 0.01},
+    NamedUnit{Quantity::stress, "n/mm²", 1.0},
+    NamedUnit{Quantity::stress, "mpa", 1.0},
+    NamedUnit{Quantity::stress, "gpa", 1000.0},
     NamedUnit{Quantity::rate, "1/s", 1.0},
 };
 
@@ -110,6 +113,8 @@ DisplayUnit displayUnit(Quantity quantity, LengthUnit unit) {
         return {QStringLiteral("W"), 1.0, 1, false};
     case Quantity::torque:
         return {QStringLiteral("N·m"), 1.0, 4, false};
+    case Quantity::stress:
+        return {QStringLiteral("N/mm²"), 1.0, 1, false};
     case Quantity::rate:
         return {QStringLiteral("1/s"), 1.0, 1, false};
     case Quantity::count:

@@ -25,6 +25,7 @@ enum class Quantity {
     rotation,
     power,
     torque,
+    stress,
     rate, ///< of blocks
     count
 };

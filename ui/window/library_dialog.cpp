@@ -70,6 +70,16 @@ QWidget* LibraryDialog::makeList() {
     auto* column = new QVBoxLayout(side);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
+    search_ = new QLineEdit(side);
+    search_->setObjectName(named("", "Search"));
+    search_->setPlaceholderText(tr("Search"));
+    search_->setToolTip(tr("Show those that contain all of these words (Ctrl+F)"));
+    search_->setAccessibleName(tr("Search"));
+    search_->setClearButtonEnabled(true);
+    column->addWidget(search_);
+    connect(search_, &QLineEdit::textChanged, this, &LibraryDialog::refreshList);
+    auto* finds = new QShortcut(QKeySequence::Find, this);
+    connect(finds, &QShortcut::activated, search_, qOverload<>(&QWidget::setFocus));
     list_ = new RowList(side);
     list_->setObjectName(named("", "List"));
     list_->setAccessibleName(texts_.title);
@@ -103,6 +113,10 @@ QPushButton* LibraryDialog::addListButton(const QString& text, const QString& ic
     addKey(button, key, toolTip);
     listButtons_->addWidget(button);
     return button;
+}
+
+void LibraryDialog::addBelowList(QWidget* widget) {
+    listButtons_->insertWidget(listButtons_->indexOf(list_) + 1, widget);
 }
 
 QWidget* LibraryDialog::makeFoot() {
@@ -146,14 +160,26 @@ bool LibraryDialog::shownIsShipped() const {
     return found != all.end() && found->shipped;
 }
 
+std::vector<LibraryDialog::Entry> LibraryDialog::foundEntries() const {
+    std::vector<Entry> found = entries();
+    const QStringList words = search_->text().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    std::erase_if(found, [&](const Entry& entry) {
+        const QString text =
+            entry.name + QLatin1Char(' ') + QString::fromStdString(entry.id) + QLatin1Char(' ') + entry.detail;
+        return !std::ranges::all_of(words,
+                                    [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+    });
+    return found;
+}
+
 void LibraryDialog::refreshList() {
     std::vector<ListRow> rows;
     int chosen = -1;
-    for (const Entry& entry : entries()) {
+    for (const Entry& entry : foundEntries()) {
         ListRow row;
         row.title = row.toolTip = entry.name;
         row.badge = entry.shipped ? texts_.shippedBadge : tr("own");
-        row.detail = QString::fromStdString(entry.id);
+        row.detail = entry.detail.isEmpty() ? QString::fromStdString(entry.id) : entry.detail;
         if (entry.inUse) row.detail += QStringLiteral(" · ") + tr("in use");
         if (entry.id == id_) chosen = static_cast<int>(rows.size());
         rows.push_back(row);
@@ -215,7 +241,7 @@ bool LibraryDialog::leaveChanges() {
 }
 
 void LibraryDialog::choose(int row) {
-    const std::vector<Entry> all = entries();
+    const std::vector<Entry> all = foundEntries();
     if (row < 0 || row >= static_cast<int>(all.size())) return;
     const std::string id = all[static_cast<std::size_t>(row)].id;
     if (id == id_) return;
@@ -227,6 +253,7 @@ void LibraryDialog::choose(int row) {
 
 void LibraryDialog::copyShown() {
     if (id_.empty() || !leaveChanges()) return;
+    search_->clear(); // or the copy may not be among what is found
     showEntry(copy(std::string(id_)));
     auto* name = page_->findChild<QLineEdit*>(nameField_);
     name->setFocus();
@@ -254,6 +281,7 @@ void LibraryDialog::addFromFile() {
         notice_->tell(Notice::Kind::error, texts_.known.arg(QString::fromStdString(incoming->id)));
         return;
     }
+    search_->clear();
     incoming->keep();
     showEntry(incoming->id);
     if (!incoming->notes.isEmpty()) warn(incoming->notes);

@@ -12,6 +12,7 @@
 
 class QBoxLayout;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 
 namespace burin {
@@ -19,9 +20,9 @@ namespace burin {
 class Notice;
 class RowList;
 
-/// Lets the user look through a library of small files, those that Burin is shipped with and the user's own, and copy,
-/// change, delete and add one. What is changed counts when it is saved. What a library holds, and the form that shows
-/// one of it, is up to the class of its kind.
+/// Lets the user look through a library of small files, those that Burin is shipped with and the user's own, search,
+/// copy, change, delete and add one. What is changed counts when it is saved. What a library holds, and the form that
+/// shows one of it, is up to the class of its kind.
 class LibraryDialog : public QDialog {
     Q_OBJECT
 public:
@@ -33,6 +34,7 @@ protected:
         QString name;
         bool shipped = false;
         bool inUse = false;
+        QString detail{}; ///< below the name; empty: the id
     };
     struct Texts {
         QString kind; ///< in object names: "Machine" gives machineList, copyMachineButton, …
@@ -47,6 +49,7 @@ protected:
     // In the constructor of a kind: the buttons of its own, then the rest.
     QPushButton* addListButton(const QString& text, const QString& icon, const QString& name, const QKeySequence& key,
                                const QString& toolTip);
+    void addBelowList(QWidget* widget);
     QPushButton* addFootButton(const QString& text, const QString& icon, const QString& name);
     /// @param page the form, or the area that it scrolls in; the dialog takes it. @param nameField object name of the
     /// field that a copy is renamed in
@@ -85,6 +88,7 @@ private:
     QWidget* makeFoot();
     QString named(const char* before, const char* after) const;
     void refreshList();
+    std::vector<Entry> foundEntries() const; ///< those that the user searches for
     void choose(int row);
     void copyShown();
     void removeShown();
@@ -95,6 +99,7 @@ private:
     std::string id_;
     QString nameField_;
     QWidget* page_ = nullptr;
+    QLineEdit* search_ = nullptr;
     RowList* list_ = nullptr;
     QBoxLayout *listButtons_ = nullptr, *footButtons_ = nullptr, *pageColumn_ = nullptr;
     QLabel* title_ = nullptr;

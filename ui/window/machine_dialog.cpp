@@ -19,7 +19,7 @@ namespace burin {
 
 namespace {
 
-constexpr QSize firstSize(1090, 760);
+constexpr QSize firstMachineSize(1090, 760);
 
 QString nameOf(const MachineProfile& machine) {
     return QCoreApplication::translate("Resource", machine.name.c_str());
@@ -42,7 +42,7 @@ MachineDialog::MachineDialog(TargetController& target, LengthUnit unit, QWidget*
                      tr("Delete this machine; Undo brings it back (Del in the list)"),
                      tr("The machines that Burin is shipped with can't be deleted."),
                      tr("There is a machine with the ID “%1” already; give the one in the file another ID.")},
-                    firstSize, parent)
+                    firstMachineSize, parent)
     , target_(target)
     , form_(makeForm(unit)) {
     use_ = addFootButton(tr("Use for this project"), QStringLiteral("check"), QStringLiteral("useMachineButton"));

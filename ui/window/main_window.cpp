@@ -11,6 +11,7 @@
 #include "ui/window/machine_dialog.h"
 #include "ui/window/material_dialog.h"
 #include "ui/window/program_dock.h"
+#include "ui/window/tool_dialog.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -337,6 +338,11 @@ void MainWindow::removeTake(qint64 take) {
 
 void MainWindow::showMachines() {
     MachineDialog dialog(workbench_.target, settings_.preferences().unit, this);
+    dialog.exec();
+}
+
+void MainWindow::showTools() {
+    ToolDialog dialog(workbench_.tool, settings_.preferences().unit, this);
     dialog.exec();
 }
 

@@ -67,6 +67,7 @@ private:
     void removeTake(qint64 take);
     void overrideCheck();
     void showMachines();
+    void showTools();
     void showMaterials();
     void tellAboutOpened();
     LeftAt leftAt() const;

@@ -57,6 +57,7 @@ void MainWindow::connectActions() {
         flow_.restartProgram(panels_->program->line());
     });
     on(ActionId::machines, [this] { showMachines(); });
+    on(ActionId::tools, [this] { showTools(); });
     on(ActionId::materials, [this] { showMaterials(); });
     on(ActionId::welcome, [this] {
         if (pages_->currentWidget() != welcome_) {

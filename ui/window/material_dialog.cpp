@@ -20,7 +20,7 @@ namespace burin {
 
 namespace {
 
-constexpr QSize firstSize(1110, 720);
+constexpr QSize firstMaterialSize(1110, 720);
 
 QString nameOf(const Property& material) {
     return QCoreApplication::translate("Resource", material.name.c_str());
@@ -35,7 +35,7 @@ MaterialDialog::MaterialDialog(MaterialController& library, const std::string& i
                      tr("Delete this material; Undo brings it back (Del in the list)"),
                      tr("The materials that Burin is shipped with can't be deleted."),
                      tr("There is a material with the ID “%1” already; give the one in the file another ID.")},
-                    firstSize, parent)
+                    firstMaterialSize, parent)
     , library_(library)
     , locked_(locked)
     , form_(new MaterialForm(this)) {

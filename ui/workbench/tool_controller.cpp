@@ -29,7 +29,7 @@ std::vector<Tool> toolLibrary() {
 
 } // namespace
 
-ToolController::ToolController(const Desk& desk, QObject* parent) : Controller(desk, parent), tools_(toolLibrary()) {
+ToolController::ToolController(const Desk& desk, QObject* parent) : Controller(desk, parent) {
     load({}, {});
 }
 
@@ -98,10 +98,7 @@ void ToolController::shape(const ToolShapeRequest& request) {
             if (!made) {
                 if (made.error().code != ErrorCode::cancelled) emit failed(made.error());
             } else if (!locked_) { // a recording may have begun meanwhile
-                const OwnTool before{{made->tool.id, std::nullopt}, current().id};
-                const OwnTool after{{made->tool.id, made->tool}, made->tool.id};
-                desk_.undo.push(new ValueCommand<OwnTool>(tr("new tool"), -1, before, after,
-                                                          [this](const OwnTool& value) { keep(value); }));
+                push(tr("new tool"), {made->tool.id, made->tool}, made->tool.id);
                 emit shaped(*made);
             }
             emit changed();
@@ -109,22 +106,62 @@ void ToolController::shape(const ToolShapeRequest& request) {
     emit changed();
 }
 
+std::vector<Holder> ToolController::holders() {
+    std::vector<Holder> holders;
+    for (const std::string& id : holderIds())
+        if (Result<Holder> holder = loadHolder(id)) holders.push_back(std::move(*holder));
+    return holders;
+}
+
+bool ToolController::milledWith(const std::string& id) const {
+    return std::ranges::find(milledWith_, id) != milledWith_.end();
+}
+
+std::string ToolController::copyTool(const Tool& tool, const QString& name) {
+    const std::string id = burin::freeId(tools_, tool.id + "-copy");
+    push(tr("copy of a tool"), {id, copyOf(tool, id, name.toStdString())}, current().id);
+    return id;
+}
+
+void ToolController::keepTool(const Tool& tool) {
+    push(tr("values of a tool"), {tool.id, tool}, current().id);
+}
+
+void ToolController::deleteTool(const std::string& id) {
+    push(tr("deleting a tool"), {id, std::nullopt}, id == current().id ? std::string(defaultTool) : current().id);
+}
+
+void ToolController::push(const QString& text, const OwnFile<Tool>& wanted, const std::string& inSpindle) {
+    const OwnTool before{{wanted.id, itemOf(library_, wanted.id)}, current().id};
+    desk_.undo.push(
+        new ValueCommand<OwnTool>(text, -1, before, {wanted, inSpindle}, [this](const OwnTool& own) { keep(own); }));
+}
+
+/// What takes were milled with stays in the project as it was then.
 void ToolController::keep(const OwnTool& own) {
     if (const Result<void> done = write(own.file, saveTool, removeTool); !done) {
         emit failed(done.error());
         return;
     }
-    const std::string inSpindle = current().id;
-    std::erase_if(tools_, [&](const Tool& tool) { return tool.id == own.file.id; });
-    if (own.file.item) tools_.push_back(*own.file.item);
-    sortTools(tools_);
-    const auto found = std::ranges::find(tools_, inSpindle, &Tool::id);
+    const std::string before = current().id;
+    const bool changes = !milledWith(own.file.id);
+    library_ = toolLibrary();
+    if (changes) {
+        std::erase_if(tools_, [&](const Tool& tool) { return tool.id == own.file.id; });
+        if (own.file.item) tools_.push_back(*own.file.item);
+        sortTools(tools_);
+    }
+    const auto found = std::ranges::find(tools_, before, &Tool::id);
     current_ = found == tools_.end() ? 0 : static_cast<std::size_t>(found - tools_.begin());
-    apply(own.inSpindle);
+    if (own.inSpindle != before || (changes && own.file.id == before))
+        apply(own.inSpindle);
+    else
+        emit changed();
 }
 
 void ToolController::load(const std::vector<Tool>& own, const std::string& last) {
-    tools_ = toolLibrary();
+    library_ = toolLibrary();
+    tools_ = library_;
     for (const Tool& tool : own) { // as they were when they were used, whatever the library says now
         const auto same = std::ranges::find(tools_, tool.id, &Tool::id);
         if (same == tools_.end())

@@ -5,6 +5,7 @@
 #include "core/cutting/cutting_force.h"
 #include "core/job/tool_shape.h"
 #include "core/machine/machine_profile.h"
+#include "core/tool/holder_library.h"
 #include "core/tool/tool.h"
 #include "core/volume/runs/property_list.h"
 #include "ui/workbench/controller.h"
@@ -32,6 +33,18 @@ public:
     /// What a project holds. @param last the tool of its newest recording; empty: none
     void load(const std::vector<Tool>& own, const std::string& last);
 
+    /// The tools that Burin is shipped with and the user's own, which are the user's, not the project's.
+    const std::vector<Tool>& library() const noexcept { return library_; }
+    static std::vector<Holder> holders(); ///< that there are; those whose files are damaged are not among them
+    // Entries of the undo stack.
+    /// @return its id: that of the original with "-copy" and, where needed, a number
+    std::string copyTool(const Tool& tool, const QString& name);
+    void keepTool(const Tool& tool);        ///< one of the user's own, new or changed
+    void deleteTool(const std::string& id); ///< one of the user's own
+    /// Takes were milled with them: the project keeps them as they were. @param ids may have one several times
+    void setMilledWith(std::vector<std::string> ids) { milledWith_ = std::move(ids); }
+    bool milledWith(const std::string& id) const;
+
     bool shaping() const { return desk_.tasks.running(TaskKind::tool); }
     /// Makes a tool of models beside the window's work, adds it to the user's own and takes it into the spindle: an
     /// entry of the undo stack.
@@ -49,9 +62,12 @@ private:
         std::string inSpindle; ///< then, by id
     };
     void apply(const std::string& id);
+    void push(const QString& text, const OwnFile<Tool>& wanted, const std::string& inSpindle);
     void keep(const OwnTool& own);
 
-    std::vector<Tool> tools_;
+    std::vector<Tool> library_;
+    std::vector<Tool> tools_; ///< the library and, before its tools, the project's own
+    std::vector<std::string> milledWith_;
     std::size_t current_ = 0;
     bool locked_ = false;
 };

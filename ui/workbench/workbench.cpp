@@ -81,6 +81,11 @@ void Workbench::wire() {
     connect(&program, &ProgramController::textWanted, this, &Workbench::textWanted);
     connect(&workpiece, &Controller::failed, this, [this] { showWhenReady_ = false; });
     connect(&session, &SessionRunner::changed, this, [this] { tool.setLocked(mill.recording() || showMe.showing()); });
+    connect(&mill, &MillController::changed, this, [this] {
+        std::vector<std::string> ids;
+        for (const TakeInfo& take : mill.takes()) ids.push_back(take.toolId);
+        tool.setMilledWith(std::move(ids));
+    });
     connect(&workpiece, &WorkpieceController::changed, this, &Workbench::continueShow);
     connect(&workpiece, &WorkpieceController::replayed, &mill, &MillController::setStrokes);
     connect(&workpiece, &WorkpieceController::replayed, this, [this] { // a project that was opened shows its paths

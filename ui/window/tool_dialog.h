@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/theme/length_unit.h"
+#include "ui/window/library_dialog.h"
+#include "ui/workbench/tool_controller.h"
+
+namespace burin {
+
+class ToolDrawing;
+class ToolForm;
+
+/// The tools that Burin is shipped with and the user's own: to look at, with a drawing to scale, copy, change, delete,
+/// add from a file and take into the spindle. Each step is an entry of the undo stack. `tools` outlives it.
+class ToolDialog final : public LibraryDialog {
+    Q_OBJECT
+public:
+    ToolDialog(ToolController& tools, LengthUnit unit, QWidget* parent);
+
+private:
+    std::vector<Entry> entries() const override;
+    void fill(const std::string& id, bool shipped) override;
+    bool edited() const override;
+    QString about(bool shipped) const override;
+    std::string copy(const std::string& id) override;
+    void erase(const std::string& id) override;
+    Result<void> keep() override;
+    QString askFile() override;
+    Result<Incoming> read(const std::string& file) override;
+    void followFoot() override;
+
+    QWidget* makePage();
+    const Tool* tool(const std::string& id) const;
+
+    ToolController& tools_;
+    LengthUnit unit_;
+    ToolForm* form_ = nullptr;
+    ToolDrawing* drawing_ = nullptr;
+    QPushButton* use_ = nullptr;
+};
+
+} // namespace burin
