@@ -162,6 +162,7 @@ Argument CommandParser::positional(TextId name, T& value, TextId help) const {
 
 template Argument CommandParser::positional(TextId, std::string&, TextId) const;
 template Argument CommandParser::positional(TextId, std::int64_t&, TextId) const;
+template Argument CommandParser::positional(TextId, std::vector<std::string>&, TextId) const;
 
 Argument CommandParser::option(const char* names, const std::function<void(const std::string&)>& take,
                                TextId help) const {

@@ -2548,6 +2548,74 @@
         <source>a known material, or one that a new material is like</source>
         <translation>ein bekannter Werkstoff, oder einer, dem ein neuer gleicht</translation>
     </message>
+    <message>
+        <source>FlatRadius was read as the radius of the flat: a corner radius of %1 mm.</source>
+        <translation>FlatRadius wurde als Radius der Fläche gelesen: ein Eckenradius von %1 mm.</translation>
+    </message>
+    <message>
+        <source>The bit has no TipAngle: 118° were taken.</source>
+        <translation>Das Bit hat keinen TipAngle: 118° wurden genommen.</translation>
+    </message>
+    <message>
+        <source>The bit has no length of the flutes: %1 mm of %2 were taken.</source>
+        <translation>Das Bit hat keine Länge der Schneiden: %1 mm von %2 wurden genommen.</translation>
+    </message>
+    <message>
+        <source>Stick-out, holder, number and limits are those of %1: enter your own.</source>
+        <translation>Auskragung, Halter, Nummer und Grenzen sind die von %1: Geben Sie Ihre eigenen ein.</translation>
+    </message>
+    <message>
+        <source>The bit has no number of flutes: %1 were taken.</source>
+        <translation>Das Bit hat keine Zahl der Schneiden: %1 wurden genommen.</translation>
+    </message>
+    <message>
+        <source>Length is the stick-out, as far as Burin knows the tool.</source>
+        <translation>Length ist die Auskragung, so weit Burin das Werkzeug kennt.</translation>
+    </message>
+    <message>
+        <source>Holder, number and limits have no place in a bit and were left out.</source>
+        <translation>Halter, Nummer und Grenzen haben in einem Bit keinen Platz und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Lengths are 0: measure them on the machine.</source>
+        <translation>Die Längen sind 0: Messen Sie sie an der Maschine.</translation>
+    </message>
+    <message>
+        <source>a number that no other tool has (%1 has it)</source>
+        <translation>eine Nummer, die kein anderes Werkzeug hat (%1 hat sie)</translation>
+    </message>
+    <message>
+        <source>1 to 1000, to be a pocket too</source>
+        <translation>1 bis 1000, um auch ein Magazinplatz zu sein</translation>
+    </message>
+    <message>
+        <source>is no number with a unit that is known: &quot;%1&quot;</source>
+        <translation>ist keine Zahl mit einer bekannten Einheit: „%1“</translation>
+    </message>
+    <message>
+        <source>has to be a count from 1 to 100</source>
+        <translation>muss eine Anzahl von 1 bis 100 sein</translation>
+    </message>
+    <message>
+        <source>has to have a letter or a digit</source>
+        <translation>muss einen Buchstaben oder eine Ziffer haben</translation>
+    </message>
+    <message>
+        <source>has to be there, above 0</source>
+        <translation>muss da sein, über 0</translation>
+    </message>
+    <message>
+        <source>has to be there, above 0 and below half the diameter</source>
+        <translation>muss da sein, über 0 und unter dem halben Durchmesser</translation>
+    </message>
+    <message>
+        <source>*.fctb, *.tbl or *.json</source>
+        <translation>*.fctb, *.tbl oder *.json</translation>
+    </message>
+    <message>
+        <source>one; several go into a table (*.tbl)</source>
+        <translation>eines; mehrere kommen in eine Tabelle (*.tbl)</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -3566,8 +3634,16 @@
         <translation>Werkzeug hinzufügen</translation>
     </message>
     <message>
-        <source>Tools (*.json);;All files (*)</source>
-        <translation>Werkzeuge (*.json);;Alle Dateien (*)</translation>
+        <source>Tools (*.json *.fctb);;All files (*)</source>
+        <translation>Werkzeuge (*.json *.fctb);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export tools</source>
+        <translation>Werkzeuge exportieren</translation>
+    </message>
+    <message>
+        <source>FreeCAD tool bits, LinuxCNC tool tables, tools (*.fctb *.tbl *.json)</source>
+        <translation>Werkzeug-Bits von FreeCAD, Werkzeugtabellen von LinuxCNC, Werkzeuge (*.fctb *.tbl *.json)</translation>
     </message>
 </context>
 <context>
@@ -4712,10 +4788,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Fügt ein Werkzeug Ihren eigenen hinzu; jeder Wert wird geprüft</translation>
     </message>
     <message>
-        <source>Tool file (JSON)</source>
-        <translation>Werkzeugdatei (JSON)</translation>
-    </message>
-    <message>
         <source>Copy a tool to one of your own</source>
         <translation>Kopiert ein Werkzeug in ein eigenes</translation>
     </message>
@@ -4726,6 +4798,22 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Delete one of your own tools</source>
         <translation>Löscht eines Ihrer eigenen Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Write tools for other programs: a LinuxCNC tool table (*.tbl), a FreeCAD tool bit (*.fctb), or Burin&apos;s own form (*.json)</source>
+        <translation>Werkzeuge für andere Programme schreiben: eine Werkzeugtabelle für LinuxCNC (*.tbl), ein Werkzeug-Bit für FreeCAD (*.fctb) oder Burins eigene Form (*.json)</translation>
+    </message>
+    <message>
+        <source>Tools (default: all)</source>
+        <translation>Werkzeuge (ohne: alle)</translation>
+    </message>
+    <message>
+        <source>Unit of the machine that reads the table</source>
+        <translation>Einheit der Maschine, die die Tabelle liest</translation>
+    </message>
+    <message>
+        <source>Tool file (JSON), or a FreeCAD tool bit (*.fctb)</source>
+        <translation>Werkzeugdatei (JSON) oder ein Werkzeug-Bit von FreeCAD (*.fctb)</translation>
     </message>
 </context>
 <context>
@@ -10742,10 +10830,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Dieses Werkzeug in ein eigenes kopieren und das ändern</translation>
     </message>
     <message>
-        <source>Add a tool file to your own tools</source>
-        <translation>Eine Werkzeugdatei zu Ihren eigenen Werkzeugen hinzufügen</translation>
-    </message>
-    <message>
         <source>Delete this tool; Undo brings it back (Del in the list)</source>
         <translation>Dieses Werkzeug löschen; Rückgängig bringt es zurück (Entf in der Liste)</translation>
     </message>
@@ -10788,6 +10872,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>%1 (copy)</source>
         <translation>%1 (Kopie)</translation>
+    </message>
+    <message>
+        <source>Add a tool file, or a tool bit of FreeCAD (.fctb)</source>
+        <translation>Eine Werkzeugdatei oder ein Werkzeug-Bit von FreeCAD (.fctb) hinzufügen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Write this tool for FreeCAD (.fctb), or all for LinuxCNC (.tbl)</source>
+        <translation>Dieses Werkzeug für FreeCAD (.fctb) schreiben, oder alle für LinuxCNC (.tbl)</translation>
+    </message>
+    <message>
+        <source>Written to “%1”.</source>
+        <translation>Nach „%1“ geschrieben.</translation>
     </message>
 </context>
 <context>

@@ -5,7 +5,9 @@
 #include "app/wording.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
+#include "core/base/units.h"
 #include "core/job/tool_shape.h"
+#include "core/tool/tool_exchange.h"
 #include "core/tool/tool_library.h"
 #include "core/tool/tool_ranges.h"
 
@@ -66,11 +68,22 @@ int keepTool(const Tool& tool, bool replace, CommandContext& context, json more 
     return 0;
 }
 
+constexpr const char* usualTool = "flat-6"; ///< that lends what a file of another program lacks
+
+std::string linesOf(const std::vector<std::string>& notes) {
+    std::string lines;
+    for (const std::string& note : notes) lines += "\n  " + note;
+    return lines;
+}
+
 int addTool(const LibraryArguments& arguments, CommandContext& context) {
     const Result<std::string> text = readFile(arguments.file);
     if (!text) return context.fail(text.error());
-    const Result<Tool> tool = toolFromJson(*text, arguments.file);
-    return tool ? keepTool(*tool, arguments.replace, context) : context.fail(tool.error());
+    const Result<Tool> like = loadTool(usualTool);
+    if (!like) return context.fail(like.error());
+    const Result<ReadTool> read = toolFromText(*text, arguments.file, *like);
+    return read ? keepTool(read->tool, arguments.replace, context, {{"notes", read->notes}}, linesOf(read->notes))
+                : context.fail(read.error());
 }
 
 int copyTool(const LibraryArguments& arguments, CommandContext& context) {
@@ -84,6 +97,42 @@ int deleteTool(const LibraryArguments& arguments, CommandContext& context) {
     if (const Result<void> removed = removeTool(arguments.id); !removed) return context.fail(removed.error());
     context.answer({{"removed", arguments.id}}, worded(BURIN_TEXT("Command", "%1: removed"), {arguments.id}));
     return 0;
+}
+
+struct ExportArguments {
+    std::vector<std::string> ids;
+    std::string file;
+    std::string units = "mm";
+};
+
+int exportTools(const ExportArguments& arguments, CommandContext& context) {
+    std::vector<Tool> tools;
+    for (const std::string& id : arguments.ids.empty() ? toolIds() : arguments.ids) {
+        Result<Tool> tool = loadTool(id);
+        if (!tool) return context.fail(tool.error());
+        tools.push_back(std::move(*tool));
+    }
+    const Result<WrittenTools> written = toolsFor(arguments.file, tools.size() == 1 ? tools.front().id : std::string(),
+                                                  tools, arguments.units == "inch" ? millimetresPerInch : 1.0);
+    if (!written) return context.fail(written.error());
+    if (const Result<void> done = writeFileAtomically(arguments.file, written->text); !done)
+        return context.fail(done.error());
+    context.answer({{"file", arguments.file}, {"tools", tools.size()}, {"notes", written->notes}},
+                   arguments.file + linesOf(written->notes));
+    return 0;
+}
+
+void registerExport(CommandParser tools, CommandContext& context, int& status) {
+    auto arguments = std::make_shared<ExportArguments>();
+    const CommandParser exports = tools.command(
+        "export", BURIN_TEXT("Help", "Write tools for other programs: a LinuxCNC tool table (*.tbl), a FreeCAD tool "
+                                     "bit (*.fctb), or Burin's own form (*.json)"));
+    exports.passOn();
+    exports.positional(BURIN_TEXT("Argument", "ID"), arguments->ids, BURIN_TEXT("Help", "Tools (default: all)"));
+    exports.option("-o,--output", arguments->file, BURIN_TEXT("Help", "File to write")).required();
+    exports.option("--units", arguments->units, BURIN_TEXT("Help", "Unit of the machine that reads the table"))
+        .choices({"mm", "inch"});
+    exports.run([arguments, &context, &status] { status = exportTools(*arguments, context); });
 }
 
 struct ShapeArguments {
@@ -158,19 +207,20 @@ void registerShape(CommandParser tools, CommandContext& context, int& status) {
 } // namespace
 
 void registerTools(CommandParser program, CommandContext& context, int& status) {
-    registerShape(
-        registerLibrary(program, context, status,
-                        {"tools",
-                         BURIN_TEXT("Help", "List and show tools; copy, add and delete your own, and make them of "
-                                            "models. Every tool states the source of its values"),
-                         BURIN_TEXT("Help", "List all tools with their numbers and diameters"),
-                         BURIN_TEXT("Help", "Print the file of a tool (JSON), in the form that add reads"),
-                         BURIN_TEXT("Help", "Add a tool to your own; every value is checked"),
-                         BURIN_TEXT("Help", "Tool file (JSON)"), BURIN_TEXT("Help", "Copy a tool to one of your own"),
-                         BURIN_TEXT("Help", "Tool to copy"), BURIN_TEXT("Help", "Delete one of your own tools"),
-                         BURIN_TEXT("Help", "Replace your tool of this ID"), BURIN_TEXT("Help", "Tool"), &listTools,
-                         &showTool, &addTool, &copyTool, &deleteTool}),
-        context, status);
+    const CommandParser tools = registerLibrary(
+        program, context, status,
+        {"tools",
+         BURIN_TEXT("Help", "List and show tools; copy, add and delete your own, and make them of "
+                            "models. Every tool states the source of its values"),
+         BURIN_TEXT("Help", "List all tools with their numbers and diameters"),
+         BURIN_TEXT("Help", "Print the file of a tool (JSON), in the form that add reads"),
+         BURIN_TEXT("Help", "Add a tool to your own; every value is checked"),
+         BURIN_TEXT("Help", "Tool file (JSON), or a FreeCAD tool bit (*.fctb)"),
+         BURIN_TEXT("Help", "Copy a tool to one of your own"), BURIN_TEXT("Help", "Tool to copy"),
+         BURIN_TEXT("Help", "Delete one of your own tools"), BURIN_TEXT("Help", "Replace your tool of this ID"),
+         BURIN_TEXT("Help", "Tool"), &listTools, &showTool, &addTool, &copyTool, &deleteTool});
+    registerShape(tools, context, status);
+    registerExport(tools, context, status);
 }
 
 } // namespace burin

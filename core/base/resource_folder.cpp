@@ -5,6 +5,7 @@
 #include "core/base/file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <numeric>
 #include <set>
@@ -89,6 +90,19 @@ std::vector<fs::path> resourceSearchPath(ResourceKind kind) {
     if (fs::path user = userResourceDirectory(kind); !user.empty()) folders.push_back(std::move(user));
     folders.push_back(resourceDirectory() / kind.folder);
     return folders;
+}
+
+std::string resourceIdFrom(std::string_view name) {
+    std::string id;
+    for (const char character : name) {
+        const auto byte = static_cast<unsigned char>(character);
+        if (byte < 0x80 && std::isalnum(byte) != 0)
+            id += static_cast<char>(std::tolower(byte));
+        else if (!id.empty() && id.back() != '-')
+            id += '-';
+    }
+    while (!id.empty() && id.back() == '-') id.pop_back();
+    return id;
 }
 
 Result<ResourceText> findResource(ResourceKind kind, std::string_view id) {

@@ -38,6 +38,10 @@ std::vector<std::filesystem::path> resourceSearchPath(ResourceKind kind);
 /// Made of letters, digits, '-', '_' and '.', a letter or digit first, so that it can't lead out of a folder.
 bool isResourceId(std::string_view id);
 
+/// An id made of a name: "Aluminum (Soft Wrought Alloy)" becomes "aluminum-soft-wrought-alloy"; empty where it has
+/// neither letters nor digits of ASCII.
+std::string resourceIdFrom(std::string_view name);
+
 /// The file of `id` from the first folder that has it.
 /// Errors: nameUnknown (detail: ids that exist; of many, the most alike), those of readFile.
 Result<ResourceText> findResource(ResourceKind kind, std::string_view id);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/material_file.h"
 
+#include "core/base/resource_folder.h"
 #include "core/cutting/material_card.h"
 #include "core/cutting/material_library.h"
 
@@ -64,23 +65,9 @@ private:
         const std::string* name = text("Name");
         if (name == nullptr || name->empty()) return wrong("Name", "has to be there");
         result_.material.name = *name;
-        result_.material.id = id.empty() ? idFrom(*name) : id;
+        result_.material.id = id.empty() ? resourceIdFrom(*name) : id;
         result_.material.colour = {150, 150, 150};
         return {};
-    }
-
-    /// "Aluminum (Soft Wrought Alloy)" becomes "aluminum-soft-wrought-alloy".
-    static std::string idFrom(const std::string& name) {
-        std::string id;
-        for (const char character : name) {
-            const auto byte = static_cast<unsigned char>(character);
-            if (std::isalnum(byte) != 0 && byte < 0x80)
-                id += static_cast<char>(std::tolower(byte));
-            else if (!id.empty() && id.back() != '-')
-                id += '-';
-        }
-        while (!id.empty() && id.back() == '-') id.pop_back();
-        return id;
     }
 
     /// A number with a unit behind it. A bare one is in the first.

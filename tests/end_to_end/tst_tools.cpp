@@ -11,6 +11,9 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -77,6 +80,82 @@ private slots:
         QCOMPARE(runBurin({"tools", "remove", "my-ball"}).status, 0);
     }
 
+    /// LinuxCNC's own interpreter knows every tool of the table, with its diameter, in the machine's unit.
+    void linuxcncReadsTheTable_data() {
+        QTest::addColumn<QString>("units");
+        QTest::newRow("mm") << "mm";
+        QTest::newRow("inch") << "inch";
+    }
+    void linuxcncReadsTheTable() {
+        if (QStandardPaths::findExecutable("rs274").isEmpty())
+            QSKIP("rs274 (package linuxcnc-uspace) is not installed");
+        QFETCH(QString, units);
+        const QString table = folder_.filePath("tools.tbl");
+        QStringList ids;
+        QByteArray program = units == "inch" ? "G20\n" : "G21\n";
+        QStringList wanted;
+        const QJsonObject list = answer({"tools", "list"});
+        for (const QJsonValue& each : list["tools"].toArray()) {
+            const QJsonObject tool = each.toObject();
+            if (tool["own"].toBool()) continue;
+            ids << tool["id"].toString();
+            const QString number = QString::number(tool["number"].toInt());
+            program += "T" + number.toLatin1() + " M6\n(DEBUG,#5400 #5410)\n";
+            wanted << QString("%1.000000 %2")
+                          .arg(number)
+                          .arg(tool["diameter_mm"].toDouble() / (units == "inch" ? 25.4 : 1.0), 0, 'f', 6);
+        }
+        QVERIFY(ids.size() >= 60);
+        (void)answer(QStringList{"tools", "export"} + ids + QStringList{"-o", table, "--units", units});
+        QProcess interpreter;
+        interpreter.setStandardInputFile(QProcess::nullDevice());
+        interpreter.start("rs274", {"-g", "-t", table, write("all.ngc", program + "M2\n")});
+        QVERIFY(interpreter.waitForFinished() && interpreter.exitCode() == 0);
+        QStringList told;
+        static const QRegularExpression message("MESSAGE\\(\"([^\"]*)\"\\)");
+        auto found = message.globalMatch(QString::fromLocal8Bit(interpreter.readAllStandardOutput()));
+        while (found.hasNext()) told << found.next().captured(1);
+        QCOMPARE(told, wanted);
+    }
+
+    /// A bit as FreeCAD 1.0 writes it, and what is not in it.
+    void aToolBitOfFreecadIsRead() {
+        const QString file = write("bit.fctb", R"({"version": 2, "name": "Bull 8", "shape": "bullnose.fcstd",
+            "shape-type": "Bullnose", "attribute": {"Flutes": "4", "Units": "Imperial"},
+            "parameter": {"CuttingEdgeHeight": "0.5 in", "Diameter": "8.0000 mm", "Length": "50.00 mm",
+            "ShankDiameter": "10 mm", "CornerRadius": "1.5 mm"}})");
+        const QJsonObject added = answer({"tools", "add", file});
+        QCOMPARE(added["id"].toString(), QString("bull-8"));
+        QVERIFY(!added["notes"].toArray().isEmpty());
+        const QJsonObject tool = answer({"tools", "show", "bull-8"}), cutter = tool["cutter"].toObject();
+        QCOMPARE(tool["source"].toString(), QString("FreeCAD tool bit bit.fctb")); // whatever folder it came from
+        QCOMPARE(tool["flute_count"].toInt(), 4);
+        QCOMPARE(cutter["type"].toString(), QString("bull_nose"));
+        QCOMPARE(cutter["corner_radius_mm"].toDouble(), 1.5);
+        QCOMPARE(cutter["flute_length_mm"].toDouble(), 12.7);
+        QCOMPARE(cutter["shank_diameter_mm"].toDouble(), 10.0);
+        QVERIFY(cutter["stick_out_mm"].toDouble() <= 50.0);
+    }
+
+    /// What a bit can hold comes back.
+    void aToolBitComesBack_data() {
+        QTest::addColumn<QString>("id");
+        for (const char* id : {"flat-6", "ball-6", "bull-10-r2", "drill-6.8", "chamfer-6"}) QTest::newRow(id) << id;
+    }
+    void aToolBitComesBack() {
+        QFETCH(QString, id);
+        const QString file = folder_.filePath("back.fctb");
+        (void)answer({"tools", "export", id, "-o", file});
+        const QJsonObject added = answer({"tools", "add", file, "--replace"});
+        const QJsonObject before = answer({"tools", "show", id}),
+                          after = answer({"tools", "show", added["id"].toString()});
+        QCOMPARE(after["flute_count"], before["flute_count"]);
+        QCOMPARE(after["name"], before["name"]);
+        for (const char* key : {"type", "diameter_mm", "corner_radius_mm", "tip_diameter_mm", "taper_angle_deg",
+                                "flute_length_mm", "shank_diameter_mm"})
+            QCOMPARE(after["cutter"].toObject()[key], before["cutter"].toObject()[key]);
+    }
+
     void badInputIsRefusedInOneSentence_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("words");
@@ -95,6 +174,22 @@ private slots:
         QTest::newRow("a wide shank") << shape("x", flutes_) + QStringList{"--shank", wide} << "shank";
         QTest::newRow("a short shank") << shape("x", flutes_) + QStringList{"--shank", low} << "shank";
         QTest::newRow("no such tool") << QStringList{"tools", "show", "wand"} << "wand";
+        const auto bit = [&](const char* name, const QByteArray& form, const QByteArray& parameters) {
+            return QStringList{
+                "tools", "add",
+                write(name, R"({"name": "x", "shape": ")" + form + R"(", "parameter": {)" + parameters + "}}")};
+        };
+        QTest::newRow("a bit of another form") << bit("dovetail.fctb", "dovetail.fcstd", "") << "dovetail";
+        QTest::newRow("a bit without diameter") << bit("none.fctb", "endmill.fcstd", "") << "Diameter";
+        QTest::newRow("a unit that is none")
+            << bit("unit.fctb", "endmill.fcstd", R"("Diameter": "5 furlong")") << "furlong";
+        QTest::newRow("a form that no bit has")
+            << QStringList{"tools", "export", "lollipop-6", "-o", folder_.filePath("x.fctb")} << "lollipop-6";
+        QTest::newRow("two in one bit") << QStringList{"tools",  "export", "flat-6",
+                                                       "ball-6", "-o",     folder_.filePath("x.fctb")}
+                                        << "*.tbl";
+        QTest::newRow("another ending") << QStringList{"tools", "export", "flat-6", "-o", folder_.filePath("x.txt")}
+                                        << "x.txt";
         QTest::newRow("a shipped one stays") << QStringList{"tools", "remove", "ball-6"} << "ball-6";
     }
     void badInputIsRefusedInOneSentence() {
@@ -105,6 +200,7 @@ private slots:
         QVERIFY2(QString::fromUtf8(run.messages).contains(words), run.messages);
         QCOMPARE(run.messages.count('\n'), 1);
         QVERIFY(!QFile::exists(folder_.filePath("burin/tools/x.json")));
+        QVERIFY(!QFile::exists(folder_.filePath("x.fctb")));
     }
 
 private:

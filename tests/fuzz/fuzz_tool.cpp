@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/tool/tool.h"
+#include "core/tool/tool_exchange.h"
 
 #include <cmath>
 #include <cstddef>
@@ -9,11 +9,27 @@
 #include <string>
 #include <string_view>
 
-/// A tool that was read has a sound outline, is written and read again: the same text both times.
+namespace {
+
+burin::Tool lender() {
+    burin::Tool tool;
+    tool.id = "lender";
+    tool.name = "Lender";
+    tool.source = "fuzz";
+    tool.cutter = {burin::CutterType::flat, 6.0, 0.0, 13.0, 6.0, 30.0, {{28.0, 28.0, 18.0}}};
+    tool.maximumDepthOfCut = 9.0;
+    return tool;
+}
+
+} // namespace
+
+/// A tool that was read, from Burin's own form or a bit of FreeCAD, has a sound outline, is written and read again: the
+/// same text both times.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const std::string_view text(reinterpret_cast<const char*>(bytes), count);
-    const auto tool = burin::toolFromJson(text, "fuzz");
-    if (!tool) return 0;
+    const auto read = burin::toolFromText(text, "fuzz", lender());
+    if (!read) return 0;
+    const burin::Tool* const tool = &read->tool;
     for (const burin::RevolvedPiece& piece : burin::pieces(tool->cutter))
         if (!(piece.bottom < piece.top && piece.bottomRadius >= 0.0 && piece.topRadius >= 0.0) ||
             !std::isfinite(piece.top + piece.widestRadius()))

@@ -97,6 +97,11 @@ const Property* materialIn(const std::vector<Property>& materials, const std::st
     return found == materials.end() ? nullptr : &*found;
 }
 
+const Tool* toolIn(const std::vector<Tool>& tools, const std::string& id) {
+    const auto found = std::ranges::find(tools, id, &Tool::id);
+    return found == tools.end() ? nullptr : &*found;
+}
+
 } // namespace
 
 /// What a user brings to a job beside the part: materials, a stock from a file, the roles of bodies.
@@ -273,6 +278,40 @@ private slots:
         for (int i = 0; i < 3; ++i) driver.key(Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(workbench.tool.current().id, before);
         QVERIFY(!loadTool("drill-6.8-copy"));
+    }
+
+    void aToolGoesToFreecadAndComesBack() {
+        WindowDriver driver(QSize(1280, 800));
+        Workbench& workbench = driver.window().workbench();
+        QVERIFY(open(driver));
+        const QString bit = driver.folder().filePath("own.fctb"), table = driver.folder().filePath("all.tbl");
+        driver.whenDialogStands([&](QWidget& dialog) {
+            const Closing closing(dialog);
+            for (const QString& file : {bit, table}) {
+                driver.whenDialogStands([&](QWidget& asking) {
+                    auto* const field = asking.findChild<QLineEdit*>("fileNameEdit");
+                    field->setText(file);
+                    QTest::keyClick(field, Qt::Key_Return);
+                });
+                click(dialog, "exportToolButton");
+                QVERIFY2(QFile::exists(file), qPrintable(dialog.findChild<Notice*>("toolNotice")->sentence()));
+            }
+            driver.shoot("library-16-exported");
+            chooseFile(driver, bit);
+            click(dialog, "addToolButton");
+            driver.shoot("library-17-added");
+            QVERIFY(dialog.findChild<Notice*>("toolNotice")->sentence().contains("Stick-out"));
+            click(dialog, "closeToolsButton");
+        });
+        driver.window().setFocus();
+        driver.key(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
+        const Tool* const before = toolIn(workbench.tool.library(), "ball-6");
+        const Tool* const added = toolIn(workbench.tool.library(), "ball-end-mill-6-mm");
+        QVERIFY(before && added);
+        QCOMPARE(added->cutter.type, CutterType::ball);
+        QCOMPARE(added->cutter.fluteLength, before->cutter.fluteLength);
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(!toolIn(workbench.tool.library(), "ball-end-mill-6-mm"));
     }
 
     /// Pythagoras is the oracle: a bar of 6 × 8 mm sweeps a cylinder of 10 mm.

@@ -29,6 +29,7 @@ void ActionStates::update() {
     enable(ActionId::embed, workbench.setup.usable() && !workbench.setup.locked() && !workbench.workpiece.embedding());
     enable(ActionId::stockFile,
            workbench.setup.hasPart() && !workbench.setup.locked() && !workbench.setup.readingStock());
+    enable(ActionId::tools, !workbench.tool.locked()); // what is in the spindle stays as it is
     enable(ActionId::toolShape, !workbench.tool.locked() && !workbench.tool.shaping());
     enable(ActionId::addFixtureFile,
            workbench.setup.hasPart() && !workbench.surroundings.locked() && !workbench.surroundings.importing());

@@ -81,7 +81,8 @@ QString askStockToRead(QWidget* parent, const QString& folder) {
 }
 
 QString askToolToAdd(QWidget* parent, const QString& folder) {
-    return askToOpen(parent, FileDialogs::tr("Add a tool"), folder, FileDialogs::tr("Tools (*.json);;All files (*)"));
+    return askToOpen(parent, FileDialogs::tr("Add a tool"), folder,
+                     FileDialogs::tr("Tools (*.json *.fctb);;All files (*)"));
 }
 
 QString askToolModel(QWidget* parent, const QString& folder, const QString& title) {
@@ -116,6 +117,11 @@ QString askProjectToSave(QWidget* parent, const QString& folder, const QString& 
 QString askProgramToExport(QWidget* parent, const QString& folder, const QString& name) {
     return askToSave(parent, FileDialogs::tr("Export the program"), folder, name, QFileInfo(name).suffix(),
                      FileDialogs::tr("Programs (*.ngc *.nc *.tap);;All files (*)"));
+}
+
+QString askToolExport(QWidget* parent, const QString& folder, const QString& name) {
+    return askToSave(parent, FileDialogs::tr("Export tools"), folder, name, QStringLiteral("fctb"),
+                     FileDialogs::tr("FreeCAD tool bits, LinuxCNC tool tables, tools (*.fctb *.tbl *.json)"));
 }
 
 QString askWorkpieceToExport(QWidget* parent, const QString& folder, const QString& name) {

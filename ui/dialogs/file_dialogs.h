@@ -17,6 +17,8 @@ QString askFixtureToImport(QWidget* parent, const QString& folder);
 QString askStockToRead(QWidget* parent, const QString& folder);
 /// Burin's own form.
 QString askToolToAdd(QWidget* parent, const QString& folder);
+/// Where a tool is written to, or the table of all. @param name that is proposed for it
+QString askToolExport(QWidget* parent, const QString& folder, const QString& name);
 /// A model of flutes or shank. @param title of the dialog
 QString askToolModel(QWidget* parent, const QString& folder, const QString& title);
 /// What the values of a voxel array mean. @param array name of its file

@@ -3,8 +3,10 @@
 #include "ui/window/tool_dialog.h"
 
 #include "core/base/file.h"
+#include "core/tool/tool_exchange.h"
 #include "core/tool/tool_library.h"
 #include "ui/dialogs/file_dialogs.h"
+#include "ui/messages/details.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/texts.h"
 #include "ui/panels/tool_drawing.h"
@@ -12,6 +14,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFileInfo>
 #include <QPushButton>
 #include <QScrollArea>
 
@@ -27,13 +30,18 @@ constexpr QSize firstToolSize(1180, 780);
 
 ToolDialog::ToolDialog(ToolController& tools, LengthUnit unit, QWidget* parent)
     : LibraryDialog({QStringLiteral("Tool"), tr("Tools"), tr("shipped"),
-                     tr("Copy this tool to one of your own and change that"), tr("Add a tool file to your own tools"),
+                     tr("Copy this tool to one of your own and change that"),
+                     tr("Add a tool file, or a tool bit of FreeCAD (.fctb)"),
                      tr("Delete this tool; Undo brings it back (Del in the list)"),
                      tr("The tools that Burin is shipped with can't be deleted."),
                      tr("There is a tool with the ID “%1” already; give the one in the file another ID.")},
                     firstToolSize, parent)
     , tools_(tools)
     , unit_(unit) {
+    auto* exports = addListButton(tr("Export…"), QStringLiteral("export"), QStringLiteral("exportToolButton"),
+                                  QKeySequence(Qt::CTRL | Qt::Key_E),
+                                  tr("Write this tool for FreeCAD (.fctb), or all for LinuxCNC (.tbl)"));
+    connect(exports, &QPushButton::clicked, this, &ToolDialog::exportTools);
     use_ = addFootButton(tr("Take into the spindle"), QStringLiteral("check"), QStringLiteral("useToolButton"));
     connect(use_, &QPushButton::clicked, this, [this] { tools_.choose(shownId()); });
     connect(&tools, &Controller::changed, this, &ToolDialog::refresh);
@@ -119,9 +127,31 @@ QString ToolDialog::askFile() {
 Result<LibraryDialog::Incoming> ToolDialog::read(const std::string& file) {
     const Result<std::string> text = readFile(file);
     if (!text) return text.error();
-    const Result<Tool> read = toolFromJson(*text, file);
+    const Tool* like = tool(shownId());
+    const Result<ReadTool> read = toolFromText(*text, file, like == nullptr ? Tool{} : *like);
     if (!read) return read.error();
-    return Incoming{read->id, [this, tool = *read] { tools_.keepTool(tool); }, {}};
+    QStringList notes;
+    for (const std::string& note : read->notes) notes << detailText(note);
+    return Incoming{read->tool.id, [this, tool = read->tool] { tools_.keepTool(tool); }, notes.join(QLatin1Char(' '))};
+}
+
+void ToolDialog::exportTools() {
+    const Tool* shown = tool(shownId());
+    if (shown == nullptr || !leaveChanges()) return;
+    const QString file = askToolExport(this, QDir::homePath(), QString::fromStdString(shown->id));
+    if (file.isEmpty()) return;
+    const Result<WrittenTools> written = toolsFor(file.toStdString(), shown->id, tools_.library(), 1.0);
+    if (!written) {
+        fail(written.error());
+        return;
+    }
+    if (const Result<void> done = writeFileAtomically(file.toStdString(), written->text); !done) {
+        fail(done.error());
+        return;
+    }
+    QStringList notes{tr("Written to “%1”.").arg(QFileInfo(file).fileName())};
+    for (const std::string& note : written->notes) notes << detailText(note);
+    warn(notes.join(QLatin1Char(' ')));
 }
 
 /// As a file of it would be read.

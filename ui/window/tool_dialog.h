@@ -12,7 +12,7 @@ class ToolDrawing;
 class ToolForm;
 
 /// The tools that Burin is shipped with and the user's own: to look at, with a drawing to scale, copy, change, delete,
-/// add from a file and take into the spindle. Each step is an entry of the undo stack. `tools` outlives it.
+/// add from a file, export and take into the spindle. Each step is an entry of the undo stack. `tools` outlives it.
 class ToolDialog final : public LibraryDialog {
     Q_OBJECT
 public:
@@ -30,6 +30,7 @@ private:
     Result<Incoming> read(const std::string& file) override;
     void followFoot() override;
 
+    void exportTools();
     QWidget* makePage();
     const Tool* tool(const std::string& id) const;
 
