@@ -1457,6 +1457,10 @@
         <source>%1 gives no unit of length; it was read in mm.</source>
         <translation>%1 nennt keine Längeneinheit; es wurde in mm gelesen.</translation>
     </message>
+    <message>
+        <source>coarser than --tolerance asks for: a finer profile has more lines than a tool can have</source>
+        <translation>gröber, als --tolerance verlangt: Ein feineres Profil hat mehr Linien, als ein Werkzeug haben kann</translation>
+    </message>
 </context>
 <context>
     <name>Detail</name>
@@ -2553,10 +2557,6 @@
         <translation>FlatRadius wurde als Radius der Fläche gelesen: ein Eckenradius von %1 mm.</translation>
     </message>
     <message>
-        <source>The bit has no TipAngle: 118° were taken.</source>
-        <translation>Das Bit hat keinen TipAngle: 118° wurden genommen.</translation>
-    </message>
-    <message>
         <source>The bit has no length of the flutes: %1 mm of %2 were taken.</source>
         <translation>Das Bit hat keine Länge der Schneiden: %1 mm von %2 wurden genommen.</translation>
     </message>
@@ -2585,10 +2585,6 @@
         <translation>eine Nummer, die kein anderes Werkzeug hat (%1 hat sie)</translation>
     </message>
     <message>
-        <source>1 to 1000, to be a pocket too</source>
-        <translation>1 bis 1000, um auch ein Magazinplatz zu sein</translation>
-    </message>
-    <message>
         <source>is no number with a unit that is known: &quot;%1&quot;</source>
         <translation>ist keine Zahl mit einer bekannten Einheit: „%1“</translation>
     </message>
@@ -2615,6 +2611,14 @@
     <message>
         <source>one; several go into a table (*.tbl)</source>
         <translation>eines; mehrere kommen in eine Tabelle (*.tbl)</translation>
+    </message>
+    <message>
+        <source>The bit has no TipAngle; 118° is used.</source>
+        <translation>Das Bit hat keinen TipAngle; es gilt 118°.</translation>
+    </message>
+    <message>
+        <source>1 to 1000: it is the pocket, too</source>
+        <translation>1 bis 1000: sie ist auch der Magazinplatz</translation>
     </message>
 </context>
 <context>
@@ -8665,8 +8669,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Eine eigene Eigenschaft hinzufügen</translation>
     </message>
     <message>
-        <source>%1 instead of the value for all cutters</source>
-        <translation>%1 statt des Werts für alle Fräser</translation>
+        <source>%1; used instead of the value for all cutters</source>
+        <translation>%1; gilt statt des Werts für alle Fräser</translation>
     </message>
 </context>
 <context>
@@ -10842,10 +10846,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Es gibt schon ein Werkzeug mit der ID „%1“; geben Sie dem in der Datei eine andere ID.</translation>
     </message>
     <message>
-        <source>Take into the spindle</source>
-        <translation>In die Spindel einsetzen</translation>
-    </message>
-    <message>
         <source>The open project has recordings with this tool and keeps the values that they were made with.</source>
         <translation>Das offene Projekt hat Aufzeichnungen mit diesem Werkzeug und behält die Werte, mit denen sie gemacht wurden.</translation>
     </message>
@@ -10856,10 +10856,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Your own tool.</source>
         <translation>Ihr eigenes Werkzeug.</translation>
-    </message>
-    <message>
-        <source>A recording runs; end it first.</source>
-        <translation>Eine Aufzeichnung läuft; beenden Sie sie zuerst.</translation>
     </message>
     <message>
         <source>It is in the spindle.</source>
@@ -10888,6 +10884,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Written to “%1”.</source>
         <translation>Nach „%1“ geschrieben.</translation>
+    </message>
+    <message>
+        <source>Load into the spindle</source>
+        <translation>In die Spindel einsetzen</translation>
+    </message>
+    <message>
+        <source>A recording is running; end it first.</source>
+        <translation>Eine Aufzeichnung läuft; beenden Sie sie zuerst.</translation>
     </message>
 </context>
 <context>
@@ -11016,10 +11020,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Der Fläche an der Spitze, bevor ihre Kante gerundet wird</translation>
     </message>
     <message>
-        <source>Angle a side</source>
-        <translation>Winkel je Seite</translation>
-    </message>
-    <message>
         <source>Between axis and cone: half of a point angle</source>
         <translation>Zwischen Achse und Kegel: die Hälfte eines Spitzenwinkels</translation>
     </message>
@@ -11034,10 +11034,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Number of flutes</source>
         <translation>Zahl der Schneiden</translation>
-    </message>
-    <message>
-        <source>Teeth that cut in a turn</source>
-        <translation>Zähne, die in einer Umdrehung schneiden</translation>
     </message>
     <message>
         <source>Cuts at its centre</source>
@@ -11096,10 +11092,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Von der Stirn nach oben: Durchmesser unten, Durchmesser oben, Länge</translation>
     </message>
     <message>
-        <source>What it bears</source>
-        <translation>Was es aushält</translation>
-    </message>
-    <message>
         <source>Deepest cut</source>
         <translation>Größte Zustellung</translation>
     </message>
@@ -11108,20 +11100,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Längs der Achse; höchstens die Länge der Schneiden</translation>
     </message>
     <message>
-        <source>Widest cut</source>
-        <translation>Breitester Schnitt</translation>
-    </message>
-    <message>
         <source>Across the axis</source>
         <translation>Quer zur Achse</translation>
-    </message>
-    <message>
-        <source>Thickest chip</source>
-        <translation>Dickster Span</translation>
-    </message>
-    <message>
-        <source>Of one tooth</source>
-        <translation>Eines Zahns</translation>
     </message>
     <message>
         <source>Highest speed</source>
@@ -11150,6 +11130,30 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>entered by the user</source>
         <translation>vom Benutzer eingegeben</translation>
+    </message>
+    <message>
+        <source>Angle per side</source>
+        <translation>Winkel je Seite</translation>
+    </message>
+    <message>
+        <source>Teeth that cut in one revolution</source>
+        <translation>Zähne, die in einer Umdrehung schneiden</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Greatest width of cut</source>
+        <translation>Größte Schnittbreite</translation>
+    </message>
+    <message>
+        <source>Greatest chip thickness</source>
+        <translation>Größte Spandicke</translation>
+    </message>
+    <message>
+        <source>Per tooth</source>
+        <translation>Je Zahn</translation>
     </message>
 </context>
 <context>
@@ -11257,10 +11261,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Schneiden</translation>
     </message>
     <message>
-        <source>A closed body or several: STEP, IGES, BREP or STL</source>
-        <translation>Ein geschlossener Körper oder mehrere: STEP, IGES, BREP oder STL</translation>
-    </message>
-    <message>
         <source>Shank</source>
         <translation>Schaft</translation>
     </message>
@@ -11289,10 +11289,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Toleranz</translation>
     </message>
     <message>
-        <source>By which the tool&apos;s profile may be wider than the model; never narrower</source>
-        <translation>Um so viel darf das Profil des Werkzeugs weiter als das Modell sein; nie enger</translation>
-    </message>
-    <message>
         <source>Make the tool</source>
         <translation>Werkzeug machen</translation>
     </message>
@@ -11313,16 +11309,24 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Geben Sie dem Werkzeug zuerst einen Namen.</translation>
     </message>
     <message>
-        <source>Add the tool to your own and take it into the spindle; Undo takes it back</source>
-        <translation>Das Werkzeug zu Ihren eigenen nehmen und in die Spindel einsetzen; Rückgängig nimmt es zurück</translation>
-    </message>
-    <message>
         <source>Unit of the files</source>
         <translation>Einheit der Dateien</translation>
     </message>
     <message>
         <source>An STL file states no unit</source>
         <translation>Eine STL-Datei nennt keine Einheit</translation>
+    </message>
+    <message>
+        <source>One or more closed bodies: STEP, IGES, BREP or STL</source>
+        <translation>Ein oder mehrere geschlossene Körper: STEP, IGES, BREP oder STL</translation>
+    </message>
+    <message>
+        <source>How much wider than the model the profile of the tool may be; it is never narrower</source>
+        <translation>Wie viel weiter als das Modell das Profil des Werkzeugs sein darf; es ist nie enger</translation>
+    </message>
+    <message>
+        <source>Add the tool to your own and load it into the spindle; Undo takes it back</source>
+        <translation>Das Werkzeug zu Ihren eigenen nehmen und in die Spindel einsetzen; Rückgängig nimmt es zurück</translation>
     </message>
 </context>
 <context>

@@ -161,11 +161,18 @@ int shapeTool(const ShapeArguments& arguments, CommandContext& context) {
     const Cutter& cutter = shaped->tool.cutter;
     return keepTool(
         shaped->tool, arguments.replace, context,
-        {{"lift_mm", shaped->lift}, {"excess_mm", shaped->excess}, {"profile_lines", cutter.profile.size()}},
+        {{"lift_mm", shaped->lift},
+         {"excess_mm", shaped->excess},
+         {"profile_lines", cutter.profile.size()},
+         {"coarser_than_asked", shaped->coarser}},
         "\n  " +
             worded(BURIN_TEXT("Command", "profile of %1 lines, at most %2 mm wider than what the flutes sweep in a "
                                          "turn, never narrower"),
                    {std::to_string(cutter.profile.size()), formatLimit(shaped->excess, 4)}) +
+            (shaped->coarser
+                 ? "\n  " + worded(BURIN_TEXT("Command", "coarser than --tolerance asks for: a finer profile "
+                                                         "has more lines than a tool can have"))
+                 : std::string()) +
             "\n  " +
             worded(BURIN_TEXT("Command", "moved along Z by %1 mm, so that the tip is at 0"),
                    {formatShortest(shaped->lift)}));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/numbers.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -39,6 +40,16 @@ std::optional<double> parseNumber(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
     return value;
+}
+
+NumberWithUnit numberWithUnit(std::string_view text) {
+    const auto trimmed = [](std::string_view part) {
+        const std::size_t first = std::min(part.find_first_not_of(" \t"), part.size());
+        return part.substr(first, part.find_last_not_of(" \t") + 1 - first);
+    };
+    const std::string_view all = trimmed(text);
+    const std::size_t end = std::min(all.find_first_not_of("+-.0123456789eE"), all.size());
+    return {parseNumber(all.substr(0, end)), std::string(trimmed(all.substr(end)))};
 }
 
 } // namespace burin

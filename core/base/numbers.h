@@ -21,4 +21,11 @@ std::string formatShortest(double value);
 /// The number that the whole of `text` writes, or nothing. Never depends on the locale; refuses "nan" and "inf".
 std::optional<double> parseNumber(std::string_view text);
 
+/// "270 m/min" as a number and a unit, blanks around either left out.
+struct NumberWithUnit {
+    std::optional<double> value; ///< none: it does not begin with a number
+    std::string unit;            ///< empty: none
+};
+NumberWithUnit numberWithUnit(std::string_view text);
+
 } // namespace burin

@@ -112,13 +112,4 @@ Result<MaterialCard> readMaterialCard(std::string_view text, const std::string& 
     return hasSections(text) ? readSections(text, origin) : readYaml(text, origin);
 }
 
-CardQuantity quantityOf(std::string_view text) {
-    const std::string_view all = trimmed(text);
-    const std::size_t space = std::min(all.find_first_not_of("+-.0123456789eE"), all.size());
-    CardQuantity quantity;
-    quantity.value = parseNumber(all.substr(0, space));
-    quantity.unit = trimmed(all.substr(space));
-    return quantity;
-}
-
 } // namespace burin

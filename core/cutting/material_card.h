@@ -6,7 +6,6 @@
 
 #include <functional>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,12 +19,5 @@ struct MaterialCard {
 /// Reads a card in its form of YAML or of sections. Bounded: cards longer than 1 MB, or nested deeper than a card is,
 /// are refused. Errors: fileFormatUnknown (neither), resourceInvalid (place: the line).
 Result<MaterialCard> readMaterialCard(std::string_view text, const std::string& origin);
-
-/// "270 m/min" as a number and a unit.
-struct CardQuantity {
-    std::optional<double> value; ///< none: it does not begin with a number
-    std::string unit;            ///< empty: none
-};
-CardQuantity quantityOf(std::string_view text);
 
 } // namespace burin

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/material_file.h"
 
+#include "core/base/numbers.h"
 #include "core/base/resource_folder.h"
 #include "core/cutting/material_card.h"
 #include "core/cutting/material_library.h"
@@ -76,7 +77,7 @@ private:
                            std::string_view unit, bool estimate = false) {
         const std::string* written = text(key);
         if (written == nullptr || written->empty()) return {};
-        const CardQuantity quantity = quantityOf(*written);
+        const NumberWithUnit quantity = numberWithUnit(*written);
         if (!quantity.value) return wrong(key, "is no number: " + *written);
         const auto found = std::ranges::find(units, quantity.unit, &CardUnit::text);
         if (found == units.end() && !quantity.unit.empty())
@@ -108,7 +109,7 @@ private:
     Result<void> readHardness() {
         const std::string* written = text("Hardness");
         if (written == nullptr) return {};
-        const CardQuantity quantity = quantityOf(*written);
+        const NumberWithUnit quantity = numberWithUnit(*written);
         if (!quantity.value) return {}; // "soft": words that no figure depends on
         const std::string* units = text("HardnessUnits");
         set("hardness", *quantity.value, units != nullptr && !units->empty() ? *units : "1", "Hardness", false);
@@ -119,7 +120,7 @@ private:
     Result<void> readPower() {
         const std::string* written = text("Kp");
         if (written == nullptr || text("UnitCuttingForce") != nullptr) return {};
-        const CardQuantity quantity = quantityOf(*written);
+        const NumberWithUnit quantity = numberWithUnit(*written);
         if (!quantity.value) return wrong("Kp", "is no number: " + *written);
         set(specificCuttingEnergy, *quantity.value, "J/mm^3", "Kp, read as J/mm^3", true);
         result_.notes.push_back("Kp = " + *written + " was read as a specific cutting energy in J/mm^3.");

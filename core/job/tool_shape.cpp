@@ -77,11 +77,12 @@ Result<ShapedTool> shapedTool(const ToolShapeRequest& request, Progress& progres
         return closedMesh(request.flutes, request.import, progress);
     }();
     if (!flutes) return flutes.error();
-    ShapedTool shaped{request.like, 0.0 - boundingBox(*flutes).low.z, 0.0}; // never -0
+    ShapedTool shaped{request.like, 0.0 - boundingBox(*flutes).low.z, 0.0, false}; // never -0
     lift(*flutes, shaped.lift);
     const Result<RevolutionEnvelope> envelope = profileOf(*flutes, request.tolerance);
     if (!envelope) return envelope.error();
     shaped.excess = envelope->excess;
+    shaped.coarser = shaped.excess > request.tolerance;
 
     Tool& tool = shaped.tool;
     tool.id = request.id;

@@ -28,6 +28,7 @@ struct ShapedTool {
     Tool tool;           ///< valid
     double lift = 0.0;   ///< mm, that the models were moved along Z, so that the tip is at 0
     double excess = 0.0; ///< mm, by which the profile is at most wider than what the flutes sweep in a turn; never less
+    bool coarser = false; ///< than the tolerance that was asked for: a finer profile has too many lines
 };
 
 /// Reads the models and draws the profile of what they sweep while the spindle turns: every tool that turns cuts as

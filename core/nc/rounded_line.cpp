@@ -188,8 +188,15 @@ void append(std::vector<NcMove>& moves, std::span<const NcMove> run, const Numbe
     for (const RoundedRun::Point& point : rounded.points()) {
         if (point.number == 0) continue;
         NcMove move = run[point.number];
-        for (; next < point.number && move.comment.empty(); ++next) move.comment = run[next].comment;
+        std::string comment;
+        double speed = 0.0; // the last one that a point which is left out asks for
+        for (; next < point.number; ++next) {
+            if (comment.empty()) comment = run[next].comment;
+            if (run[next].spindleSpeed > 0.0) speed = run[next].spindleSpeed;
+        }
         next = point.number + 1;
+        if (move.comment.empty()) move.comment = std::move(comment);
+        if (!(move.spindleSpeed > 0.0)) move.spindleSpeed = speed;
         if (point.moved)
             for (const Axis axis : linearAxes)
                 move.target.set(axis, numbers.millimetresOf(point.steps[static_cast<std::size_t>(axis)]));

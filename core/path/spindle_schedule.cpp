@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 
 namespace burin {
@@ -20,14 +21,30 @@ void fillAir(Speeds speeds, double otherwise) {
         if (std::isinf(speeds[i])) speeds[i] = i > 0 ? speeds[i - 1] : otherwise;
 }
 
+/// By stretch, the least of its value and of those that end less than a time before it begins. The queue holds what
+/// may still be the least, in rising order.
+template <class Seconds>
+void leastWithin(Speeds values, const Seconds& seconds, double time) {
+    struct Past {
+        double value, end; ///< s
+    };
+    std::deque<Past> queue;
+    double now = 0.0;
+    for (std::size_t i = 0; i < values.size(); now += seconds(i++)) {
+        while (!queue.empty() && now - queue.front().end >= time) queue.pop_front();
+        const double own = values[i];
+        if (!queue.empty()) values[i] = std::min(own, queue.front().value);
+        while (!queue.empty() && queue.back().value >= own) queue.pop_back();
+        queue.push_back({own, now + seconds(i)});
+    }
+}
+
 /// As slow as whatever comes within a time.
 void slowDownInTime(Stretches cut, Speeds told, double time) {
-    const std::vector<double> wanted(told.begin(), told.end());
-    for (std::size_t i = 0; i < told.size(); ++i) {
-        double passed = 0.0;
-        for (std::size_t k = i + 1; k < told.size() && passed < time; passed += cut[k++].seconds)
-            told[i] = std::min(told[i], wanted[k]);
-    }
+    std::ranges::reverse(told);
+    leastWithin(
+        told, [&](std::size_t i) { return cut[cut.size() - 1 - i].seconds; }, time);
+    std::ranges::reverse(told);
 }
 
 /// A spindle on its way down is told no other speed: it goes to the lowest that comes within a time at once, as who is
@@ -94,11 +111,9 @@ SpindleSpeeds spindleSchedule(Stretches stretches, double startTime) {
 std::vector<double> sureSpeeds(Stretches stretches, std::span<const double> told, double startTime) {
     std::vector<double> sure(told.begin(), told.end());
     forEachCut(stretches, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            double passed = 0.0;
-            for (std::size_t k = i; k-- > begin && passed < startTime; passed += stretches[k].seconds)
-                sure[i] = std::min(sure[i], told[k]);
-        }
+        leastWithin(
+            Speeds(sure).subspan(begin, end - begin), [&](std::size_t i) { return stretches[begin + i].seconds; },
+            startTime);
     });
     return sure;
 }

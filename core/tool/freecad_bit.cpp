@@ -45,12 +45,6 @@ std::string smallLetters(std::string text) {
     return text;
 }
 
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-    return text;
-}
-
 /// Reads the values of a bit, and keeps the first fault.
 class BitReader {
 public:
@@ -127,7 +121,7 @@ private:
         const std::optional<double> angle = type == CutterType::drill ? full("TipAngle") : full("CuttingEdgeAngle");
         cutter.taperAngle = angle.value_or(0.0) / 2.0;
         if (type == CutterType::chamfer && !angle) fail("parameter.CuttingEdgeAngle", "has to be there");
-        if (type == CutterType::drill && !angle) note("The bit has no TipAngle: 118° were taken.");
+        if (type == CutterType::drill && !angle) note("The bit has no TipAngle; 118° is used.");
         if (const auto height = length("CuttingEdgeHeight"))
             cutter.fluteLength = *height;
         else
@@ -161,11 +155,7 @@ private:
         if (written == nullptr) return std::nullopt;
         if (written->is_number()) return written->get<double>() * units.front().size;
         const std::string whole = written->is_string() ? written->get<std::string>() : std::string();
-        const std::string_view text = trimmed(whole);
-        std::size_t end = text.find_first_not_of("+-.0123456789eE");
-        if (end == std::string_view::npos) end = text.size();
-        const std::optional<double> number = parseNumber(text.substr(0, end));
-        const std::string_view unit = trimmed(text.substr(end));
+        const auto [number, unit] = numberWithUnit(whole);
         const auto known = std::ranges::find(units, unit, &BitUnit::name);
         if (!number || (!unit.empty() && known == units.end())) {
             fail(std::string("parameter.") + key, "is no number with a unit that is known: \"" + whole + "\"");

@@ -20,7 +20,8 @@ Result<WrittenTools> linuxcncTable(std::vector<Tool> tools, double unit) {
             return Error{ErrorCode::argumentInvalid, "number of " + tool.id, number,
                          "a number that no other tool has (" + tools[i - 1].id + " has it)"};
         if (tool.number > mostPockets)
-            return Error{ErrorCode::argumentInvalid, "number of " + tool.id, number, "1 to 1000, to be a pocket too"};
+            return Error{ErrorCode::argumentInvalid, "number of " + tool.id, number,
+                         "1 to 1000: it is the pocket, too"};
         written.text += "T" + number + " P" + number + " Z0 D" + formatFixed(tool.cutter.diameter / unit, decimals) +
                         " ;" + cleanLine(tool.name) + "\n";
     }

@@ -44,7 +44,7 @@ constexpr std::array details{
     BURIN_TEXT("Detail", "a tool that cuts sideways and is nowhere wider below than above"),
     // Tools of other programs
     BURIN_TEXT("Detail", "FlatRadius was read as the radius of the flat: a corner radius of %1 mm."),
-    BURIN_TEXT("Detail", "The bit has no TipAngle: 118° were taken."),
+    BURIN_TEXT("Detail", "The bit has no TipAngle; 118° is used."),
     BURIN_TEXT("Detail", "The bit has no length of the flutes: %1 mm of %2 were taken."),
     BURIN_TEXT("Detail", "Stick-out, holder, number and limits are those of %1: enter your own."),
     BURIN_TEXT("Detail", "The bit has no number of flutes: %1 were taken."),
@@ -52,7 +52,7 @@ constexpr std::array details{
     BURIN_TEXT("Detail", "Holder, number and limits have no place in a bit and were left out."),
     BURIN_TEXT("Detail", "Lengths are 0: measure them on the machine."),
     BURIN_TEXT("Detail", "a number that no other tool has (%1 has it)"),
-    BURIN_TEXT("Detail", "1 to 1000, to be a pocket too"),
+    BURIN_TEXT("Detail", "1 to 1000: it is the pocket, too"),
     BURIN_TEXT("Detail", "is no number with a unit that is known: \"%1\""),
     BURIN_TEXT("Detail", "has to be a count from 1 to 100"),
     BURIN_TEXT("Detail", "has to have a letter or a digit"),

@@ -39,7 +39,8 @@ QString purposeOf(std::string_view key) {
     if (key == plungeFeedRatio) return MaterialForm::tr("Plunge feed over feed");
     for (const std::string_view each : valuesByCutter)
         if (key.starts_with(std::string(each) + '_'))
-            return MaterialForm::tr("%1 instead of the value for all cutters").arg(valueNameText(std::string(key)));
+            return MaterialForm::tr("%1; used instead of the value for all cutters")
+                .arg(valueNameText(std::string(key)));
     return MaterialForm::tr("A property of your own, kept with the material");
 }
 

@@ -88,7 +88,7 @@ void ToolForm::addFlutes() {
         &Cutter::cornerRadius, CutterValue::cornerRadius, tool_range::length);
     add("cutter.tip_diameter_mm", tr("Tip diameter"), tr("Of the flat at the tip, before its edge is rounded"),
         &Cutter::tipDiameter, CutterValue::tipDiameter, tool_range::length);
-    addNumbers("cutter.taper_angle_deg", tr("Angle a side"), tr("Between axis and cone: half of a point angle"),
+    addNumbers("cutter.taper_angle_deg", tr("Angle per side"), tr("Between axis and cone: half of a point angle"),
                {{Quantity::angle,
                  {0.0, 89.0 * degree},
                  false,
@@ -98,7 +98,7 @@ void ToolForm::addFlutes() {
                false);
     add("cutter.flute_length_mm", tr("Length of the flutes"), tr("From the tip"), &Cutter::fluteLength,
         CutterValue::fluteLength, aboveZero);
-    addNumbers("flute_count", tr("Number of flutes"), tr("Teeth that cut in a turn"),
+    addNumbers("flute_count", tr("Number of flutes"), tr("Teeth that cut in one revolution"),
                {{Quantity::count,
                  {1, tool_range::mostFlutes},
                  false,
@@ -153,17 +153,17 @@ void ToolForm::addHolder() {
 }
 
 void ToolForm::addLimits() {
-    addTitle(tr("What it bears"));
+    addTitle(tr("Limits"));
     const auto add = [this](const char* key, const QString& label, const QString& toolTip, Quantity quantity,
                             NumberRange range, bool optional, double Tool::*value) {
         addNumbers(key, label, toolTip, {{quantity, range, optional, ofTool(value), setTool(value)}});
     };
     add("maximum_depth_of_cut_mm", tr("Deepest cut"), tr("Along the axis; at most the length of the flutes"),
         Quantity::length, aboveZero, false, &Tool::maximumDepthOfCut);
-    add("maximum_width_of_cut_mm", tr("Widest cut"), tr("Across the axis"), Quantity::length, tool_range::length, true,
-        &Tool::maximumWidthOfCut);
-    add("maximum_chip_load_mm", tr("Thickest chip"), tr("Of one tooth"), Quantity::length, tool_range::length, true,
-        &Tool::maximumChipLoad);
+    add("maximum_width_of_cut_mm", tr("Greatest width of cut"), tr("Across the axis"), Quantity::length,
+        tool_range::length, true, &Tool::maximumWidthOfCut);
+    add("maximum_chip_load_mm", tr("Greatest chip thickness"), tr("Per tooth"), Quantity::length, tool_range::length,
+        true, &Tool::maximumChipLoad);
     add("maximum_spindle_speed_rpm", tr("Highest speed"), tr("Of the spindle, by the tool's maker"), Quantity::rotation,
         tool_range::spindleSpeed, true, &Tool::maximumSpindleSpeed);
     add("modulus_n_per_mm2", tr("Modulus of elasticity"), tr("Of what shank and flutes are made of"), Quantity::stress,

@@ -154,12 +154,6 @@ void LibraryDialog::start(QWidget* page, const QString& nameField, const std::st
     list_->setFocus();
 }
 
-bool LibraryDialog::shownIsShipped() const {
-    const std::vector<Entry> all = entries();
-    const auto found = std::ranges::find(all, id_, &Entry::id);
-    return found != all.end() && found->shipped;
-}
-
 std::vector<LibraryDialog::Entry> LibraryDialog::foundEntries() const {
     std::vector<Entry> found = entries();
     const QStringList words = search_->text().split(QLatin1Char(' '), Qt::SkipEmptyParts);
@@ -205,6 +199,7 @@ void LibraryDialog::showEntry(const std::string& id) {
     if (entry == all.end()) entry = std::ranges::find(all, true, &Entry::inUse);
     if (entry == all.end()) entry = all.begin();
     id_ = entry->id;
+    shipped_ = entry->shipped;
     title_->setText(entry->name);
     fill(id_, entry->shipped);
     notice_->tell(entry->shipped ? Notice::Kind::information : Notice::Kind::passed, about(entry->shipped));
@@ -218,7 +213,7 @@ void LibraryDialog::follow() {
     if (unsaved)
         notice_->tell(fault.isEmpty() ? Notice::Kind::warning : Notice::Kind::error,
                       fault.isEmpty() ? tr("Changed, and not saved yet.") : fault);
-    enableUnless(remove_, shownIsShipped() ? texts_.notDeletable : QString(), texts_.deleteTip);
+    enableUnless(remove_, shipped_ ? texts_.notDeletable : QString(), texts_.deleteTip);
     const QString unchanged = unsaved ? QString() : tr("Nothing is changed.");
     enableUnless(save_, fault.isEmpty() ? unchanged : fault, tr("Keep the changed values (Ctrl+S)"));
     enableUnless(revert_, unchanged, tr("Discard the changes (Ctrl+R)"));
@@ -261,7 +256,7 @@ void LibraryDialog::copyShown() {
 }
 
 void LibraryDialog::removeShown() {
-    if (shownIsShipped()) return;
+    if (shipped_) return;
     const QString name = title_->text();
     erase(std::string(id_));
     notice_->tell(Notice::Kind::information, tr("“%1” was deleted; Undo brings it back.").arg(name));

@@ -56,7 +56,6 @@ protected:
     void start(QWidget* page, const QString& nameField, const std::string& id);
 
     const std::string& shownId() const noexcept { return id_; }
-    bool shownIsShipped() const;
     void showEntry(const std::string& id); ///< the first one in use, or the first, where that one is not there any more
     void refresh();                        ///< the library changed; what is not saved stays in the fields
     void follow();                         ///< the fields were edited
@@ -96,7 +95,8 @@ private:
     void saveChanges();
 
     Texts texts_;
-    std::string id_;
+    std::string id_;       ///< of what is shown
+    bool shipped_ = false; ///< what is shown
     QString nameField_;
     QWidget* page_ = nullptr;
     QLineEdit* search_ = nullptr;

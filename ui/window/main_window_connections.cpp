@@ -139,7 +139,7 @@ void MainWindow::connectWorkbench() {
     });
     connect(&workbench_.tool, &ToolController::shaped, this, [this](const ShapedTool& made) {
         message_->tell(
-            Notice::Kind::passed,
+            made.coarser ? Notice::Kind::warning : Notice::Kind::passed,
             tr("The tool “%1” is in the library. Its profile is at most %2 mm wider than what its flutes "
                "sweep, and never narrower.")
                 .arg(QString::fromStdString(made.tool.name), QString::fromStdString(formatLimit(made.excess, 4))));

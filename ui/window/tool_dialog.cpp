@@ -42,7 +42,7 @@ ToolDialog::ToolDialog(ToolController& tools, LengthUnit unit, QWidget* parent)
                                   QKeySequence(Qt::CTRL | Qt::Key_E),
                                   tr("Write this tool for FreeCAD (.fctb), or all for LinuxCNC (.tbl)"));
     connect(exports, &QPushButton::clicked, this, &ToolDialog::exportTools);
-    use_ = addFootButton(tr("Take into the spindle"), QStringLiteral("check"), QStringLiteral("useToolButton"));
+    use_ = addFootButton(tr("Load into the spindle"), QStringLiteral("check"), QStringLiteral("useToolButton"));
     connect(use_, &QPushButton::clicked, this, [this] { tools_.choose(shownId()); });
     connect(&tools, &Controller::changed, this, &ToolDialog::refresh);
     connect(&tools, &Controller::failed, this, &ToolDialog::fail);
@@ -104,7 +104,7 @@ QString ToolDialog::about(bool shipped) const {
 void ToolDialog::followFoot() {
     const bool inSpindle = shownId() == tools_.current().id;
     enableUnless(use_,
-                 tools_.locked() ? tr("A recording runs; end it first.")
+                 tools_.locked() ? tr("A recording is running; end it first.")
                  : inSpindle     ? tr("It is in the spindle.")
                                  : QString(),
                  tr("Mill with this tool (Ctrl+Return)"));

@@ -47,7 +47,7 @@ void ToolShapeDialog::layOut(LengthUnit unit) {
                    this);
     about->setWordWrap(true);
     column->addWidget(about);
-    flutes_ = addFile(tr("Flutes"), tr("A closed body or several: STEP, IGES, BREP or STL"),
+    flutes_ = addFile(tr("Flutes"), tr("One or more closed bodies: STEP, IGES, BREP or STL"),
                       QStringLiteral("flutesFileButton"));
     shank_ = addFile(tr("Shank"), tr("The same of the shank; without it the new tool has the shank of the other"),
                      QStringLiteral("shankFileButton"));
@@ -69,9 +69,9 @@ void ToolShapeDialog::layOut(LengthUnit unit) {
     tolerance_->setLengthUnit(unit);
     tolerance_->limit(1e-4, 1.0);
     tolerance_->showValue(ToolShapeRequest{}.tolerance);
-    column->addWidget(new FieldRow(tr("Tolerance"), tolerance_,
-                                   tr("By which the tool's profile may be wider than the model; never narrower"),
-                                   this));
+    column->addWidget(
+        new FieldRow(tr("Tolerance"), tolerance_,
+                     tr("How much wider than the model the profile of the tool may be; it is never narrower"), this));
     make_ = makePrimaryButton(tr("Make the tool"), QStringLiteral("makeToolButton"), this);
     auto* cancel = makeButton(tr("Cancel"), QStringLiteral("cancel"), QStringLiteral("cancelToolButton"), this);
     auto* row = new QHBoxLayout;
@@ -114,7 +114,7 @@ void ToolShapeDialog::update() {
                  flutes_.file.isEmpty()              ? tr("Choose a model of the flutes first.")
                  : name_->text().trimmed().isEmpty() ? tr("Give the tool a name first.")
                                                      : QString(),
-                 tr("Add the tool to your own and take it into the spindle; Undo takes it back"));
+                 tr("Add the tool to your own and load it into the spindle; Undo takes it back"));
 }
 
 ToolShapeRequest ToolShapeDialog::request() const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/tool_controller.h"
 
+#include "core/base/resource_folder.h"
 #include "core/tool/tool_library.h"
 #include "ui/workbench/value_command.h"
 
@@ -76,17 +77,11 @@ void ToolController::apply(const std::string& id) {
 }
 
 std::string ToolController::freeId(const QString& name) const {
-    std::string first;
-    for (const QChar letter : name.toLower().normalized(QString::NormalizationForm_D)) {
-        const char plain = letter.toLatin1();
-        if ((plain >= 'a' && plain <= 'z') || (plain >= '0' && plain <= '9'))
-            first += plain;
-        else if (!letter.isMark() && !first.empty() && first.back() != '-')
-            first += '-';
-    }
-    while (first.ends_with('-')) first.pop_back();
-    if (first.empty()) first = "tool";
-    return burin::freeId(tools_, first);
+    QString plain; // without its accents
+    for (const QChar letter : name.normalized(QString::NormalizationForm_D))
+        if (!letter.isMark()) plain += letter;
+    const std::string id = resourceIdFrom(plain.toStdString());
+    return burin::freeId(tools_, id.empty() ? "tool" : id);
 }
 
 void ToolController::shape(const ToolShapeRequest& request) {

@@ -45,6 +45,19 @@ private slots:
         QCOMPARE(formatLimit(0.0, 4), std::string("0.0000"));
     }
 
+    void aNumberHasItsUnit() {
+        const auto read = [](const char* text) {
+            const NumberWithUnit made = numberWithUnit(text);
+            return std::pair(made.value.value_or(-1.0), made.unit);
+        };
+        QVERIFY(read(" 270 m/min ") == std::pair(270.0, std::string("m/min")));
+        QVERIFY(read("0.5in") == std::pair(0.5, std::string("in")));
+        QVERIFY(read("5") == std::pair(5.0, std::string()));
+        QVERIFY(read("") == std::pair(-1.0, std::string()));
+        QVERIFY(read("mm") == std::pair(-1.0, std::string("mm")));
+        QVERIFY(read("  ") == std::pair(-1.0, std::string()));
+    }
+
     void shortestTextReadsBackAsTheSameNumber() {
         const bool held = rc::check("any finite double", [] {
             const auto value = std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());

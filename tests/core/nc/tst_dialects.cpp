@@ -198,6 +198,24 @@ private slots:
             QFAIL((std::to_string(mark.line) + ": " + mark.text).c_str());
     }
 
+    /// What the last digit can't tell from the point before is left out, its speed is not.
+    void aSpeedOutlivesThePointThatRoundingLeavesOut() {
+        for (const std::string& id : ids) {
+            NcProgram job = referenceJob(NcUnits::millimetre, 1);
+            job.sections.front().moves = {rapidTo(0, 0, 10),           lineTo(0, 0, -1, 300),  lineTo(10, 0, -1, 900),
+                                          lineTo(10.0001, 0, -1, 500), lineTo(20, 0, -1, 500), rapidTo(20, 0, 10)};
+            job.sections.front().moves[3].spindleSpeed = 6000;
+            const auto text = posted(id, job);
+            QVERIFY(text);
+            const auto program = parseProgram(*text, "job", *findControl(id));
+            QVERIFY(program);
+            double last = 0.0;
+            for (const NcMotion& motion : program->motions)
+                if (motion.kind == NcMotionKind::line) last = motion.spindleSpeed;
+            QCOMPARE(last, 6000.0);
+        }
+    }
+
     void theSpindleParksWhereItsMachineSays_data() { addDialects(); }
     /// Two blocks in the machine's frame behind each tool, Z first; all others stay as they are.
     void theSpindleParksWhereItsMachineSays() {
