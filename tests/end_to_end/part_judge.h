@@ -18,7 +18,8 @@
 /// A place of the tool on its way through a program.
 struct ToolSample {
     glm::dvec3 tip{0.0};
-    bool cutting = false;   ///< at the program's highest feed
+    bool cutting = false; ///< at the program's highest feed
+    bool rapid = false;
     double clearance = 0.0; ///< mm from the fine mesh, negative inside
 };
 
@@ -54,7 +55,7 @@ public:
             const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(to - from) / 0.1)));
             for (int step = 1; step <= steps; ++step) {
                 ToolSample sample{glm::mix(from, to, static_cast<double>(step) / steps) + workOffset,
-                                  !moves[i].rapid && moves[i].feed == cuttingFeed, 0.0};
+                                  !moves[i].rapid && moves[i].feed == cuttingFeed, moves[i].rapid, 0.0};
                 sample.clearance = part_.clearance({&cutter, 1}, {sample.tip, {0.0, 0.0, 1.0}}, 2.0).clearance;
                 samples.push_back(sample);
             }
