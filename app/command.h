@@ -28,6 +28,7 @@ public:
     CommandContext& operator=(const CommandContext&) = delete;
 
     bool json = false; ///< one JSON object on standard output instead of text
+    std::string setup; ///< that --setup asked for; empty: the first
 
     /// Cancelled by SIGINT and SIGTERM. Work that does not look at it, or that waits for a pipe, is ended all the same
     /// in less than a second, as by a kill: what was recorded is on the disk, and no output is left half written.

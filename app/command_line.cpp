@@ -152,6 +152,7 @@ template Argument CommandParser::option(const char*, std::int64_t&, TextId) cons
 template Argument CommandParser::option(const char*, std::uint32_t&, TextId) const;
 template Argument CommandParser::option(const char*, std::uint64_t&, TextId) const;
 template Argument CommandParser::option(const char*, std::optional<double>&, TextId) const;
+template Argument CommandParser::option(const char*, std::optional<std::string>&, TextId) const;
 template Argument CommandParser::option(const char*, std::vector<std::string>&, TextId) const;
 template Argument CommandParser::option(const char*, std::vector<std::int64_t>&, TextId) const;
 

@@ -72,7 +72,7 @@ public:
     void passOn() const;
 
     /// `value` has to outlive the parsing. T: std::string, double, int, std::int64_t, std::uint32_t, std::uint64_t,
-    /// std::optional<double>, std::vector<std::string>, std::vector<std::int64_t>.
+    /// std::optional<double>, std::optional<std::string>, std::vector<std::string>, std::vector<std::int64_t>.
     /// @param names "-o,--output"
     template <class T>
     Argument option(const char* names, T& value, TextId help) const;

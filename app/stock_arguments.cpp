@@ -17,10 +17,6 @@ namespace {
 
 constexpr std::string_view axisNames = "xyz";
 
-Error wrong(const char* option, const std::string& text, TextId allowed) {
-    return {ErrorCode::argumentInvalid, option, text, worded(allowed)};
-}
-
 std::optional<int> axisOf(const std::string& name) {
     const std::size_t axis = name.size() == 1 ? axisNames.find(name) : std::string_view::npos;
     return axis == std::string_view::npos ? std::nullopt : std::optional(static_cast<int>(axis));
@@ -37,7 +33,7 @@ Result<void> forBodies(const char* option, const std::vector<std::string>& pairs
                        const std::function<Result<void>(std::size_t body, const std::string& value)>& use) {
     for (const std::string& text : pairs) {
         const auto pair = pairOf(text, text.rfind('='));
-        if (!pair) return wrong(option, text, BURIN_TEXT("Command", "BODY=NAME"));
+        if (!pair) return wrongArgument(option, text, BURIN_TEXT("Command", "BODY=NAME"));
         bool found = false;
         std::string known;
         for (std::size_t i = 0; i < model.bodies.size(); ++i) {
@@ -55,8 +51,8 @@ Result<void> setRoles(Setup& setup, const StockArguments& arguments, const Model
     return forBodies("--role", arguments.roles, model, [&](std::size_t body, const std::string& id) -> Result<void> {
         const std::optional<BodyRole> role = bodyRoleFromId(id);
         if (!role)
-            return wrong("--role", id,
-                         BURIN_TEXT("Command", "part, stock, insert, protected-insert, fixture or ignored"));
+            return wrongArgument("--role", id,
+                                 BURIN_TEXT("Command", "part, stock, insert, protected-insert, fixture or ignored"));
         setup.roles.resize(model.bodies.size(), BodyRole::part);
         setup.roles[body] = *role;
         return {};
@@ -67,13 +63,14 @@ Result<void> setForm(Setup& setup, const StockArguments& arguments) {
     setup.form = stockFormFromId(arguments.form).value_or(StockForm::box); // the parser allows no other
     const std::optional<int> axis = axisOf(arguments.axis);
     const std::optional<glm::dvec3> direction = vectorOf(arguments.axis);
-    if (!axis && !direction) return wrong("--stock-axis", arguments.axis, BURIN_TEXT("Command", "x, y, z, or X,Y,Z"));
+    if (!axis && !direction)
+        return wrongArgument("--stock-axis", arguments.axis, BURIN_TEXT("Command", "x, y, z, or X,Y,Z"));
     setup.cylinder.axis = direction.value_or(glm::dvec3(0.0));
     if (axis) setup.cylinder.axis[*axis] = 1.0;
     if (!arguments.box.empty()) {
         const std::optional<std::vector<double>> box = numbersOf(arguments.box, 6);
         if (!box)
-            return wrong(
+            return wrongArgument(
                 "--stock-box", arguments.box,
                 BURIN_TEXT("Command", "X0,Y0,Z0,X1,Y1,Z1 in mm, each of the last three above its counterpart"));
         setup.form = StockForm::box;
@@ -84,9 +81,10 @@ Result<void> setForm(Setup& setup, const StockArguments& arguments) {
     if (!arguments.cylinder.empty()) {
         const std::optional<std::vector<double>> bar = numbersOf(arguments.cylinder, 8);
         if (!bar)
-            return wrong("--stock-cylinder", arguments.cylinder,
-                         BURIN_TEXT("Command", "X,Y,Z,AX,AY,AZ,RADIUS,HEIGHT in mm: middle of an end face, direction "
-                                               "of the axis, radius and height"));
+            return wrongArgument("--stock-cylinder", arguments.cylinder,
+                                 BURIN_TEXT("Command",
+                                            "X,Y,Z,AX,AY,AZ,RADIUS,HEIGHT in mm: middle of an end face, direction "
+                                            "of the axis, radius and height"));
         setup.form = StockForm::cylinder;
         setup.stated = true;
         setup.cylinder = {{(*bar)[0], (*bar)[1], (*bar)[2]}, {(*bar)[3], (*bar)[4], (*bar)[5]}, (*bar)[6], (*bar)[7]};
@@ -98,19 +96,19 @@ Result<MaterialRegion> layerOf(const std::string& text) {
     const TextId allowed = BURIN_TEXT(
         "Command", "NAME=MATERIAL,AXIS,FROM,TO: x, y or z, and two positions in mm, of which one may be left out");
     const auto pair = pairOf(text, text.find('='));
-    if (!pair) return wrong("--layer", text, allowed);
+    if (!pair) return wrongArgument("--layer", text, allowed);
     const std::vector<std::string> parts = partsOf(pair->second, ',');
-    if (parts.size() != 4) return wrong("--layer", text, allowed);
+    if (parts.size() != 4) return wrongArgument("--layer", text, allowed);
     MaterialRegion layer;
     layer.name = pair->first;
     layer.material = parts[0];
     const std::optional<int> axis = axisOf(parts[1]);
-    if (!axis) return wrong("--layer", text, allowed);
+    if (!axis) return wrongArgument("--layer", text, allowed);
     layer.axis = *axis;
     for (auto [part, plane] : {std::pair(parts[2], &layer.from), std::pair(parts[3], &layer.to)}) {
         if (part.empty()) continue;
         const std::optional<double> number = parseNumber(part);
-        if (!number) return wrong("--layer", text, allowed);
+        if (!number) return wrongArgument("--layer", text, allowed);
         *plane = *number;
     }
     return layer;
@@ -121,7 +119,7 @@ Result<std::string> gradeOf(const char* option, const std::string& text, TextId 
                             RegionGrade*& grade) {
     const auto pair = pairOf(text, text.find('='));
     const std::size_t colon = pair ? pair->first.rfind(':') : std::string::npos;
-    if (colon == std::string::npos) return wrong(option, text, allowed);
+    if (colon == std::string::npos) return wrongArgument(option, text, allowed);
     const std::string name = pair->first.substr(0, colon);
     const auto layer = std::ranges::find(setup.regions, name, &MaterialRegion::name);
     if (layer == setup.regions.end()) {
@@ -168,7 +166,8 @@ Result<void> setLayers(Setup& setup, const StockArguments& arguments) {
         const Result<std::string> table = gradeOf("--grade-table", text, allowed, setup, grade);
         if (!table) return table.error();
         grade->entries = arguments.bands;
-        if (Result<void> set = setTable(*table, *grade, wrong("--grade-table", text, allowed)); !set) return set;
+        if (Result<void> set = setTable(*table, *grade, wrongArgument("--grade-table", text, allowed)); !set)
+            return set;
     }
     return {};
 }

@@ -91,13 +91,14 @@ void addAxis(CommandParser command, std::string& axis) {
 void addSurroundings(CommandParser command, SurroundingsArguments& arguments) {
     command
         .option("--fixture", arguments.fixtures,
-                BURIN_TEXT("Help", "Model of a fixture in the part's frame (STEP, IGES, BREP, STL); may be repeated"))
+                BURIN_TEXT("Help",
+                           "Model of a fixture in the setup's frame (STEP, IGES, BREP, or a mesh); may be repeated"))
         .oneAtATime();
     command
         .option(
             "--keep-out", arguments.keepOuts,
             BURIN_TEXT("Help",
-                       "Box that the tool must not enter, X0,Y0,Z0,X1,Y1,Z1 in the part's frame, mm; may be repeated"))
+                       "Box that the tool must not enter, X0,Y0,Z0,X1,Y1,Z1 in the setup's frame, mm; may be repeated"))
         .oneAtATime();
     command
         .option("--clearance", arguments.clearance,
@@ -111,10 +112,10 @@ void addSurroundings(CommandParser command, SurroundingsArguments& arguments) {
                            "middle (of X and Y, Z up to the tool change height); or off"));
 }
 
-Result<std::vector<Obstacle>> obstaclesOf(const SurroundingsArguments& arguments, double stlUnit, Progress& progress) {
+Result<std::vector<Obstacle>> obstaclesOf(const SurroundingsArguments& arguments, double fileUnit, Progress& progress) {
     std::vector<Obstacle> obstacles;
     ImportOptions options;
-    options.stlUnit = stlUnit;
+    options.fileUnit = fileUnit;
     for (const std::string& file : arguments.fixtures) {
         const Result<Model> model = importModel(file, options, progress);
         if (!model) return model.error();

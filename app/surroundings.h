@@ -30,8 +30,9 @@ void addSurroundings(CommandParser command, SurroundingsArguments& arguments);
 void addAxis(CommandParser command, std::string& axis);
 
 /// The fixtures, read in child processes, then the keep-out volumes.
-/// @param stlUnit mm per unit of an STL file. Errors: those of importModel and fixturesOf, argumentInvalid.
-Result<std::vector<Obstacle>> obstaclesOf(const SurroundingsArguments& arguments, double stlUnit, Progress& progress);
+/// @param fileUnit mm per unit of a file that states none. Errors: those of importModel and fixturesOf,
+/// argumentInvalid.
+Result<std::vector<Obstacle>> obstaclesOf(const SurroundingsArguments& arguments, double fileUnit, Progress& progress);
 /// "fixed", "free" or "X,Y,Z"; a direction of any length. Errors: argumentInvalid.
 Result<AxisMode> axisModeOf(const std::string& axis);
 /// "middle", "off" or "X,Y,Z". Errors: argumentInvalid.

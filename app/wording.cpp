@@ -23,4 +23,8 @@ std::string resourceName(const std::string& name) {
     return Messages::resourceName(name).toStdString();
 }
 
+Error wrongArgument(const char* option, const std::string& text, TextId allowed) {
+    return {ErrorCode::argumentInvalid, option, text, worded(allowed)};
+}
+
 } // namespace burin

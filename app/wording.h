@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 #include <initializer_list>
@@ -18,5 +19,8 @@ std::string worded(std::size_t count, TextId one, TextId many, std::initializer_
 
 /// The name of a tool, machine or material: in the user's language where Burin is shipped with it, otherwise as it is.
 std::string resourceName(const std::string& name);
+
+/// An option whose text is not what it may be. @param allowed what it may be
+Error wrongArgument(const char* option, const std::string& text, TextId allowed);
 
 } // namespace burin

@@ -24,10 +24,6 @@
         <translation>Teil &amp;importieren…</translation>
     </message>
     <message>
-        <source>Read a part from a STEP, IGES, BREP or STL file.</source>
-        <translation>Liest ein Teil aus einer STEP-, IGES-, BREP- oder STL-Datei.</translation>
-    </message>
-    <message>
         <source>Sample &amp;part</source>
         <translation>Beispiel&amp;teil</translation>
     </message>
@@ -336,10 +332,6 @@
         <translation>Vorrichtung aus einer &amp;Datei…</translation>
     </message>
     <message>
-        <source>Import a fixture in the coordinates of the part; the tool keeps clear of it.</source>
-        <translation>Importiert eine Vorrichtung in den Koordinaten des Teils; das Werkzeug hält Abstand von ihr.</translation>
-    </message>
-    <message>
         <source>Tool a&amp;xis along the view</source>
         <translation>Werkzeuga&amp;chse in Blickrichtung</translation>
     </message>
@@ -554,6 +546,70 @@
     <message>
         <source>Look at the tools; copy, change, add and delete your own.</source>
         <translation>Werkzeuge ansehen; eigene kopieren, ändern, hinzufügen und löschen.</translation>
+    </message>
+    <message>
+        <source>Read a part from a CAD file (STEP, IGES, BREP) or a mesh (STL, 3MF, OBJ, PLY, AMF, OFF).</source>
+        <translation>Liest ein Teil aus einer CAD-Datei (STEP, IGES, BREP) oder einem Netz (STL, 3MF, OBJ, PLY, AMF, OFF).</translation>
+    </message>
+    <message>
+        <source>&amp;Add a setup…</source>
+        <translation>Aufspannung &amp;hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Add a setup for another side of the part; its stock is what this one leaves.</source>
+        <translation>Fügt eine Aufspannung für eine andere Seite des Teils hinzu; ihr Rohteil ist, was diese übrig lässt.</translation>
+    </message>
+    <message>
+        <source>&amp;Next setup</source>
+        <translation>&amp;Nächste Aufspannung</translation>
+    </message>
+    <message>
+        <source>Work in the setup after this one.</source>
+        <translation>In der Aufspannung nach dieser arbeiten.</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious setup</source>
+        <translation>&amp;Vorige Aufspannung</translation>
+    </message>
+    <message>
+        <source>Work in the setup before this one.</source>
+        <translation>In der Aufspannung vor dieser arbeiten.</translation>
+    </message>
+    <message>
+        <source>Turn a face &amp;down</source>
+        <translation>Eine Fläche nach &amp;unten drehen</translation>
+    </message>
+    <message>
+        <source>Click a face of the part in the view; it is turned down.</source>
+        <translation>Klicken Sie in der Ansicht auf eine Fläche des Teils; sie wird nach unten gedreht.</translation>
+    </message>
+    <message>
+        <source>Turn by 90° about &amp;X</source>
+        <translation>Um 90° um &amp;X drehen</translation>
+    </message>
+    <message>
+        <source>Turn the part by 90° about X, through its middle.</source>
+        <translation>Dreht das Teil um 90° um X, durch seine Mitte.</translation>
+    </message>
+    <message>
+        <source>Turn by 90° about &amp;Y</source>
+        <translation>Um 90° um &amp;Y drehen</translation>
+    </message>
+    <message>
+        <source>Turn the part by 90° about Y, through its middle.</source>
+        <translation>Dreht das Teil um 90° um Y, durch seine Mitte.</translation>
+    </message>
+    <message>
+        <source>Turn by 90° about &amp;Z</source>
+        <translation>Um 90° um &amp;Z drehen</translation>
+    </message>
+    <message>
+        <source>Turn the part by 90° about Z, through its middle.</source>
+        <translation>Dreht das Teil um 90° um Z, durch seine Mitte.</translation>
+    </message>
+    <message>
+        <source>Import a fixture in the coordinates of the setup; the tool keeps clear of it.</source>
+        <translation>Importiert ein Spannmittel in den Koordinaten der Aufspannung; das Werkzeug weicht ihm aus.</translation>
     </message>
 </context>
 <context>
@@ -1460,6 +1516,70 @@
     <message>
         <source>coarser than --tolerance asks for: a finer profile has more lines than a tool can have</source>
         <translation>gröber, als --tolerance verlangt: Ein feineres Profil hat mehr Linien, als ein Werkzeug haben kann</translation>
+    </message>
+    <message>
+        <source>setup %1</source>
+        <translation>Aufspannung %1</translation>
+    </message>
+    <message>
+        <source>the number of a setup</source>
+        <translation>die Nummer einer Aufspannung</translation>
+    </message>
+    <message>
+        <source>X,Y,Z=AXIS: a place on a face in mm, and x, -x, y, -y, z, -z or a direction that the face is to look along</source>
+        <translation>X,Y,Z=ACHSE: eine Stelle auf einer Fläche in mm, und x, -x, y, -y, z, -z oder eine Richtung, in die die Fläche zeigen soll</translation>
+    </message>
+    <message>
+        <source>AXIS:DEGREES: x, y, z or X,Y,Z, and an angle</source>
+        <translation>ACHSE:GRAD: x, y, z oder X,Y,Z, und ein Winkel</translation>
+    </message>
+    <message>
+        <source>X,Y,Z in mm</source>
+        <translation>X,Y,Z in mm</translation>
+    </message>
+    <message>
+        <source>turned by %1 degrees about %2</source>
+        <translation>um %1 Grad um %2 gedreht</translation>
+    </message>
+    <message>
+        <source>moved by %1 mm</source>
+        <translation>um %1 mm verschoben</translation>
+    </message>
+    <message>
+        <source>its stock is what the checked program leaves</source>
+        <translation>ihr Rohteil ist, was das geprüfte Programm übrig lässt</translation>
+    </message>
+    <message>
+        <source>its stock is what the recordings leave, as there is no program that was checked and still holds</source>
+        <translation>ihr Rohteil ist, was die Aufnahmen übrig lassen, denn es gibt kein geprüftes Programm, das noch gilt</translation>
+    </message>
+    <message>
+        <source>the part is turned by no quarter turns: faces of its stock may lie beside the true ones by %1 mm</source>
+        <translation>das Teil ist nicht um Vierteldrehungen gedreht: Flächen seines Rohteils können um %1 mm neben den wahren liegen</translation>
+    </message>
+    <message>
+        <source>Milling the stock</source>
+        <translation>Rohteil wird gefräst</translation>
+    </message>
+    <message>
+        <source>%1 recordings</source>
+        <translation>%1 Aufnahmen</translation>
+    </message>
+    <message>
+        <source>a setup in which nothing is milled yet, or --add-setup</source>
+        <translation>eine Aufspannung, in der noch nichts gefräst ist, oder --add-setup</translation>
+    </message>
+    <message>
+        <source>setup    %1 %2</source>
+        <translation>Aufspannung %1 %2</translation>
+    </message>
+    <message>
+        <source>its stock is what setup %1 left; that has changed since (--take-stock takes it anew)</source>
+        <translation>ihr Rohteil ist, was Aufspannung %1 übrig ließ; die hat sich seither geändert (--take-stock übernimmt es neu)</translation>
+    </message>
+    <message>
+        <source>its stock is what setup %1 left</source>
+        <translation>ihr Rohteil ist, was Aufspannung %1 übrig ließ</translation>
     </message>
 </context>
 <context>
@@ -4144,10 +4264,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Stattdessen den Block aus Bild 13 (b) des Fachartikels fräsen</translation>
     </message>
     <message>
-        <source>Another part: STEP, IGES, BREP or STL</source>
-        <translation>Ein anderes Teil: STEP, IGES, BREP oder STL</translation>
-    </message>
-    <message>
         <source>Tool (ball-6; ball-1 with --block)</source>
         <translation>Werkzeug (ball-6; mit --block ball-1)</translation>
     </message>
@@ -4184,10 +4300,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Ein CAD-Modell in ein Rohteil einbetten und ein Projekt anlegen</translation>
     </message>
     <message>
-        <source>STEP, IGES, BREP or STL file</source>
-        <translation>STEP-, IGES-, BREP- oder STL-Datei</translation>
-    </message>
-    <message>
         <source>Project file to write (.burin)</source>
         <translation>Projektdatei, die geschrieben wird (.burin)</translation>
     </message>
@@ -4210,10 +4322,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Material of a body: BODY=NAME; may be repeated</source>
         <translation>Werkstoff eines Körpers: KÖRPER=NAME; darf wiederholt werden</translation>
-    </message>
-    <message>
-        <source>Millimetres per unit of an STL file</source>
-        <translation>Millimeter je Einheit einer STL-Datei</translation>
     </message>
     <message>
         <source>Read a CAD model and report its contents</source>
@@ -4492,10 +4600,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Das Programm auch schreiben, wenn die Prüfung es ablehnt; dieser Grund steht dann in seinem Kopf</translation>
     </message>
     <message>
-        <source>Show and change the fixtures, keep-out volumes, tool axis, machine and travel of a project</source>
-        <translation>Vorrichtungen, Sperrräume, Werkzeugachse, Maschine und Verfahrweg eines Projekts anzeigen und ändern</translation>
-    </message>
-    <message>
         <source>Name of a fixture or keep-out volume to delete; may be repeated</source>
         <translation>Name einer Vorrichtung oder eines Sperrraums zum Löschen; darf wiederholt werden</translation>
     </message>
@@ -4568,24 +4672,12 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Werkzeugachse: fixed (+Z), X,Y,Z zum Halter hin (3+2) oder free (sie folgt dem Stift)</translation>
     </message>
     <message>
-        <source>Model of a fixture in the part&apos;s frame (STEP, IGES, BREP, STL); may be repeated</source>
-        <translation>Modell einer Vorrichtung in den Koordinaten des Teils (STEP, IGES, BREP, STL); darf wiederholt werden</translation>
-    </message>
-    <message>
-        <source>Box that the tool must not enter, X0,Y0,Z0,X1,Y1,Z1 in the part&apos;s frame, mm; may be repeated</source>
-        <translation>Quader, den das Werkzeug nicht berühren darf, X0,Y0,Z0,X1,Y1,Z1 in den Koordinaten des Teils, mm; darf wiederholt werden</translation>
-    </message>
-    <message>
         <source>Clearance between the tool and the added fixtures and keep-out volumes, mm</source>
         <translation>Abstand zwischen dem Werkzeug und den hinzugefügten Vorrichtungen und Sperrräumen, mm</translation>
     </message>
     <message>
         <source>Position of program zero in the machine&apos;s travel: X,Y,Z of the tip from its low end, mm; middle (of X and Y, Z up to the tool change height); or off</source>
         <translation>Lage des Programmnullpunkts im Verfahrweg der Maschine: X,Y,Z der Spitze von dessen unterem Ende, mm; middle (Mitte von X und Y, Z bis zur Werkzeugwechselhöhe) oder off</translation>
-    </message>
-    <message>
-        <source>STEP, IGES, BREP or STL file; with --free-carving it may be left out</source>
-        <translation>STEP-, IGES-, BREP- oder STL-Datei; mit --free-carving darf sie fehlen</translation>
     </message>
     <message>
         <source>List and show materials; copy, add and delete your own. Every value states its source or that it is an estimate</source>
@@ -4705,19 +4797,19 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     </message>
     <message>
         <source>Role of a body: BODY=part, stock, insert, protected-insert, fixture or ignored; may be repeated</source>
-        <translation>Rolle eines Körpers: KÖRPER=part, stock, insert, protected-insert, fixture oder ignored; mehrfach möglich</translation>
+        <translation>Rolle eines Körpers: KÖRPER=part, stock, insert, protected-insert, fixture oder ignored; darf wiederholt werden</translation>
     </message>
     <message>
         <source>Layer of the stock: NAME=MATERIAL,AXIS,FROM,TO, mm; a later one has the place; may be repeated</source>
-        <translation>Schicht des Rohteils: NAME=WERKSTOFF,ACHSE,VON,BIS, mm; eine spätere hat Vorrang; mehrfach möglich</translation>
+        <translation>Schicht des Rohteils: NAME=WERKSTOFF,ACHSE,VON,BIS, mm; eine spätere hat Vorrang; darf wiederholt werden</translation>
     </message>
     <message>
         <source>Value of a layer that changes: LAYER:VALUE=FORMULA of X, Y and Z, mm; may be repeated</source>
-        <translation>Wert einer Schicht, der sich ändert: SCHICHT:WERT=FORMEL aus X, Y und Z, mm; mehrfach möglich</translation>
+        <translation>Wert einer Schicht, der sich ändert: SCHICHT:WERT=FORMEL aus X, Y und Z, mm; darf wiederholt werden</translation>
     </message>
     <message>
         <source>The same by a table: LAYER:VALUE=AXIS:POSITION,VALUE;POSITION,VALUE…; may be repeated</source>
-        <translation>Dasselbe durch eine Tabelle: SCHICHT:WERT=ACHSE:POSITION,WERT;POSITION,WERT…; mehrfach möglich</translation>
+        <translation>Dasselbe durch eine Tabelle: SCHICHT:WERT=ACHSE:POSITION,WERT;POSITION,WERT…; darf wiederholt werden</translation>
     </message>
     <message>
         <source>Bands that the values of a graded layer are sorted into</source>
@@ -4746,10 +4838,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>ID of the new tool</source>
         <translation>ID des neuen Werkzeugs</translation>
-    </message>
-    <message>
-        <source>STEP, IGES, BREP or STL file of the flutes, closed</source>
-        <translation>STEP-, IGES-, BREP- oder STL-Datei der Schneiden, geschlossen</translation>
     </message>
     <message>
         <source>The same of the shank (default: the shank of --like)</source>
@@ -4818,6 +4906,82 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Tool file (JSON), or a FreeCAD tool bit (*.fctb)</source>
         <translation>Werkzeugdatei (JSON) oder ein Werkzeug-Bit von FreeCAD (*.fctb)</translation>
+    </message>
+    <message>
+        <source>Number or name of the setup to work in (default: the first)</source>
+        <translation>Nummer oder Name der Aufspannung, in der gearbeitet wird (Vorgabe: die erste)</translation>
+    </message>
+    <message>
+        <source>Another part: STEP, IGES, BREP, or a mesh</source>
+        <translation>Ein anderes Teil: STEP, IGES, BREP oder ein Netz</translation>
+    </message>
+    <message>
+        <source>STEP, IGES, BREP, STL, 3MF, OBJ, PLY, AMF or OFF file; with --free-carving it may be left out</source>
+        <translation>Datei im Format STEP, IGES, BREP, STL, 3MF, OBJ, PLY, AMF oder OFF; mit --free-carving kann sie fehlen</translation>
+    </message>
+    <message>
+        <source>Mirror the part across x, y or z first: it is then another part than the file has</source>
+        <translation>Das Teil zuerst an x, y oder z spiegeln: es ist dann ein anderes Teil als das der Datei</translation>
+    </message>
+    <message>
+        <source>Millimetres per unit of a file that states none (STL, OBJ, PLY, OFF)</source>
+        <translation>Millimeter je Einheit einer Datei, die keine angibt (STL, OBJ, PLY, OFF)</translation>
+    </message>
+    <message>
+        <source>STEP, IGES, BREP, STL, 3MF, OBJ, PLY, AMF or OFF file</source>
+        <translation>Datei im Format STEP, IGES, BREP, STL, 3MF, OBJ, PLY, AMF oder OFF</translation>
+    </message>
+    <message>
+        <source>Show and change the setups of a project, how the part lies in them, their fixtures, keep-out volumes, tool axis, machine and travel</source>
+        <translation>Die Aufspannungen eines Projekts, die Lage des Teils darin, Spannmittel, Sperrvolumen, Werkzeugachse, Maschine und Verfahrweg zeigen und ändern</translation>
+    </message>
+    <message>
+        <source>STEP, IGES, BREP or mesh file of the flutes, closed</source>
+        <translation>STEP-, IGES-, BREP- oder Netzdatei der Schneiden, geschlossen</translation>
+    </message>
+    <message>
+        <source>Turn the part so that a face looks along an axis: X,Y,Z=AXIS with a place on the face in mm and x, -x, y, -y, z or -z; -z lays it down. Of a cylinder or cone its axis counts; may be repeated</source>
+        <translation>Das Teil so drehen, dass eine Fläche entlang einer Achse zeigt: X,Y,Z=ACHSE mit einer Stelle auf der Fläche in mm und x, -x, y, -y, z oder -z; -z legt sie nach unten. Bei Zylinder und Kegel zählt ihre Achse; darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>Turn the part about the middle of its box: AXIS:DEGREES with x, y, z or X,Y,Z; after --align; may be repeated</source>
+        <translation>Das Teil um die Mitte seiner Hülle drehen: ACHSE:GRAD mit x, y, z oder X,Y,Z; nach --align; darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>Move the part by X,Y,Z mm, after --turn</source>
+        <translation>Das Teil um X,Y,Z mm verschieben, nach --turn</translation>
+    </message>
+    <message>
+        <source>Add a setup of this name, in which the part lies as --align, --turn and --move say, starting from how it lies in the one before; its stock is what that one leaves</source>
+        <translation>Eine Aufspannung dieses Namens hinzufügen, in der das Teil so liegt, wie --align, --turn und --move sagen, ausgehend von seiner Lage in der vorigen; ihr Rohteil ist, was diese übrig lässt</translation>
+    </message>
+    <message>
+        <source>Number or name of the setup that the new one comes after (default: --setup)</source>
+        <translation>Nummer oder Name der Aufspannung, auf die die neue folgt (Vorgabe: --setup)</translation>
+    </message>
+    <message>
+        <source>The new setup has a stock of its own, with the same margins</source>
+        <translation>Die neue Aufspannung hat ein eigenes Rohteil mit denselben Aufmaßen</translation>
+    </message>
+    <message>
+        <source>Take the stock anew from the setup that leaves it</source>
+        <translation>Das Rohteil neu von der Aufspannung übernehmen, die es übrig lässt</translation>
+    </message>
+    <message>
+        <source>Name of the setup</source>
+        <translation>Name der Aufspannung</translation>
+    </message>
+    <message>
+        <source>Number or name of a setup to delete; it must hold no recordings, paths and programs</source>
+        <translation>Nummer oder Name einer Aufspannung, die gelöscht wird; sie darf keine Aufnahmen, Bahnen und Programme enthalten</translation>
+    </message>
+    <message>
+        <source>Model of a fixture in the setup&apos;s frame (STEP, IGES, BREP, or a mesh); may be repeated</source>
+        <translation>Modell eines Spannmittels in den Koordinaten der Aufspannung (STEP, IGES, BREP oder ein Netz); darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>Box that the tool must not enter, X0,Y0,Z0,X1,Y1,Z1 in the setup&apos;s frame, mm; may be repeated</source>
+        <translation>Quader, den das Werkzeug nicht berühren darf, X0,Y0,Z0,X1,Y1,Z1 in den Koordinaten der Aufspannung, mm; darf wiederholt werden</translation>
     </message>
 </context>
 <context>
@@ -4944,6 +5108,14 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>%1 has no faces and was left out.</source>
         <translation>%1 hat keine Flächen und wurde ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The file states no unit; 1 unit = %1 mm was taken.</source>
+        <translation>Die Datei gibt keine Einheit an; 1 Einheit = %1 mm wurde angenommen.</translation>
+    </message>
+    <message>
+        <source>Colours are in another file, %1, and were left out.</source>
+        <translation>Farben stehen in einer anderen Datei, %1, und wurden weggelassen.</translation>
     </message>
 </context>
 <context>
@@ -5233,6 +5405,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>The stock may come from a file.</source>
         <translation>Das Rohteil darf aus einer Datei kommen.</translation>
+    </message>
+    <message>
+        <source>A part may be turned, and each setup has a program of its own.</source>
+        <translation>Ein Teil kann gedreht sein, und jede Aufspannung hat ihr eigenes Programm.</translation>
     </message>
 </context>
 <context>
@@ -5587,6 +5763,21 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>%1, form tools</source>
         <translation>%1, Formwerkzeuge</translation>
+    </message>
+</context>
+<context>
+    <name>PlacementWords</name>
+    <message>
+        <source>As in its file.</source>
+        <translation>Wie in seiner Datei.</translation>
+    </message>
+    <message>
+        <source>Moved by %1.</source>
+        <translation>Um %1 verschoben.</translation>
+    </message>
+    <message>
+        <source>Turned by %1° about %2 of its file, then moved by %3.</source>
+        <translation>Um %1° um %2 seiner Datei gedreht, dann um %3 verschoben.</translation>
     </message>
 </context>
 <context>
@@ -6431,6 +6622,89 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>SetupDialog</name>
+    <message>
+        <source>Turned over about X</source>
+        <translation>um X gewendet</translation>
+    </message>
+    <message>
+        <source>Turned over about Y</source>
+        <translation>um Y gewendet</translation>
+    </message>
+    <message>
+        <source>Tilted to the front (90° about X)</source>
+        <translation>nach vorn gekippt (90° um X)</translation>
+    </message>
+    <message>
+        <source>Tilted to the back (-90° about X)</source>
+        <translation>nach hinten gekippt (-90° um X)</translation>
+    </message>
+    <message>
+        <source>Tilted to the right (90° about Y)</source>
+        <translation>nach rechts gekippt (90° um Y)</translation>
+    </message>
+    <message>
+        <source>Tilted to the left (-90° about Y)</source>
+        <translation>nach links gekippt (-90° um Y)</translation>
+    </message>
+    <message>
+        <source>As it lies</source>
+        <translation>wie es liegt</translation>
+    </message>
+    <message>
+        <source>Add a setup</source>
+        <translation>Aufspannung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Name of the setup, for lists and programs</source>
+        <translation>Name der Aufspannung, für Listen und Programme</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>How the part is turned from how it lies now; its middle stays where it is. It can be turned further later</source>
+        <translation>Wie das Teil gedreht wird, ausgehend von seiner jetzigen Lage; seine Mitte bleibt, wo sie ist. Später kann es weiter gedreht werden</translation>
+    </message>
+    <message>
+        <source>The part is</source>
+        <translation>Das Teil ist</translation>
+    </message>
+    <message>
+        <source>what this setup leaves</source>
+        <translation>was diese Aufspannung übrig lässt</translation>
+    </message>
+    <message>
+        <source>new, with the same margins</source>
+        <translation>neu, mit denselben Aufmaßen</translation>
+    </message>
+    <message>
+        <source>What this setup leaves: as its checked program does, or else its recordings</source>
+        <translation>Was diese Aufspannung übrig lässt: nach ihrem geprüften Programm, sonst nach ihren Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Its stock is</source>
+        <translation>Ihr Rohteil ist</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the setup and work in it</source>
+        <translation>Die Aufspannung hinzufügen und in ihr arbeiten</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Change nothing</source>
+        <translation>Nichts ändern</translation>
+    </message>
+</context>
+<context>
     <name>Subject</name>
     <message>
         <source>model</source>
@@ -7066,6 +7340,13 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>And %1 more, which “burin embed” lists.</source>
         <translation>Und %1 weitere, die „burin embed“ auflistet.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::FacePicker</name>
+    <message>
+        <source>Esc: pick no face</source>
+        <translation>Esc: keine Fläche wählen</translation>
     </message>
 </context>
 <context>
@@ -7723,6 +8004,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>preview</source>
         <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -8483,6 +8768,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>The tool “%1” is in the library. Its profile is at most %2 mm wider than what its flutes sweep, and never narrower.</source>
         <translation>Das Werkzeug „%1“ ist in der Bibliothek. Sein Profil ist höchstens %2 mm weiter als das, was seine Schneiden überstreichen, und nie enger.</translation>
     </message>
+    <message>
+        <source>The stock was turned by no quarter turns: its faces may lie up to %1 mm beside the true ones; smaller voxels make that less.</source>
+        <translation>Das Rohteil wurde nicht um Vierteldrehungen gedreht: Seine Flächen können bis zu %1 mm neben den wahren liegen; kleinere Voxel verringern das.</translation>
+    </message>
 </context>
 <context>
     <name>burin::MaterialController</name>
@@ -8780,6 +9069,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Setup</source>
+        <translation>Auf&amp;spannung</translation>
     </message>
 </context>
 <context>
@@ -9236,6 +9529,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>%1: preview; the fine mesh is being made</source>
         <translation>%1: Vorschau; das feine Netz wird erstellt</translation>
     </message>
+    <message>
+        <source>mirrored part</source>
+        <translation>gespiegeltes Teil</translation>
+    </message>
 </context>
 <context>
     <name>burin::Notice</name>
@@ -9374,10 +9671,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Ein Teil wird eingelesen.</translation>
     </message>
     <message>
-        <source>Read a STEP, IGES, BREP or STL file</source>
-        <translation>Eine STEP-, IGES-, BREP- oder STL-Datei einlesen</translation>
-    </message>
-    <message>
         <source>The part is being read…</source>
         <translation>Das Teil wird eingelesen…</translation>
     </message>
@@ -9420,16 +9713,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Hinweise zum Import</translation>
     </message>
     <message>
-        <source>The CAD solid that is to be made. STEP keeps the exact surfaces, an STL file has only triangles.</source>
-        <translation>Der CAD-Körper, der entstehen soll. STEP bewahrt die genauen Flächen, eine STL-Datei hat nur Dreiecke.</translation>
-    </message>
-    <message>
         <source>Unit of the file</source>
         <translation>Einheit der Datei</translation>
-    </message>
-    <message>
-        <source>An STL file states no unit. Choosing another one reads the file again.</source>
-        <translation>Eine STL-Datei nennt keine Einheit. Bei Wahl einer anderen wird die Datei noch einmal gelesen.</translation>
     </message>
     <message>
         <source>This is a preview. The fine mesh, which is milled to, is being made…</source>
@@ -9438,6 +9723,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Role of the selected body</source>
         <translation>Rolle des gewählten Körpers</translation>
+    </message>
+    <message>
+        <source>The file states no unit. Choosing another one reads it again.</source>
+        <translation>Die Datei gibt keine Einheit an. Eine andere zu wählen liest sie neu.</translation>
+    </message>
+    <message>
+        <source>Read a CAD file (STEP, IGES, BREP) or a mesh (STL, 3MF, OBJ, PLY, AMF, OFF)</source>
+        <translation>Eine CAD-Datei (STEP, IGES, BREP) oder ein Netz (STL, 3MF, OBJ, PLY, AMF, OFF) lesen</translation>
+    </message>
+    <message>
+        <source>The CAD solid that is to be made. STEP keeps the exact surfaces, a mesh (STL, 3MF, OBJ) has only triangles.</source>
+        <translation>Der CAD-Körper, der entstehen soll. STEP enthält die genauen Flächen, ein Netz (STL, 3MF, OBJ) nur Dreiecke.</translation>
     </message>
 </context>
 <context>
@@ -10240,6 +10537,195 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Reading the stock from %1</source>
         <translation>Das Rohteil wird aus %1 gelesen</translation>
+    </message>
+    <message>
+        <source>Turning the stock</source>
+        <translation>Rohteil wird gedreht</translation>
+    </message>
+    <message>
+        <source>placement of the part</source>
+        <translation>Lage des Teils</translation>
+    </message>
+</context>
+<context>
+    <name>burin::SetupPanel</name>
+    <message>
+        <source>How the part lies</source>
+        <translation>Lage des Teils</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Aufspannung</translation>
+    </message>
+    <message>
+        <source>The setup that is worked in: stock, fixtures, recordings, paths and programs are those of this setup</source>
+        <translation>Die Aufspannung, in der gearbeitet wird: Rohteil, Spannmittel, Aufnahmen, Bahnen und Programme gehören zu ihr</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name of this setup, for lists and programs</source>
+        <translation>Name dieser Aufspannung, für Listen und Programme</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Take the stock anew</source>
+        <translation>Rohteil neu übernehmen</translation>
+    </message>
+    <message>
+        <source>Face down</source>
+        <translation>Fläche nach unten</translation>
+    </message>
+    <message>
+        <source>Face up</source>
+        <translation>Fläche nach oben</translation>
+    </message>
+    <message>
+        <source>Along X</source>
+        <translation>Entlang X</translation>
+    </message>
+    <message>
+        <source>Along Y</source>
+        <translation>Entlang Y</translation>
+    </message>
+    <message>
+        <source>90° %1</source>
+        <translation>90° %1</translation>
+    </message>
+    <message>
+        <source>Turn about</source>
+        <translation>Drehen um</translation>
+    </message>
+    <message>
+        <source>Axis through the middle of the part that the angle below turns it about</source>
+        <translation>Achse durch die Mitte des Teils, um die der Winkel darunter es dreht</translation>
+    </message>
+    <message>
+        <source>Turn by</source>
+        <translation>Drehwinkel</translation>
+    </message>
+    <message>
+        <source>Enter an angle to turn the part by it, counter-clockwise seen against the axis</source>
+        <translation>Geben Sie einen Winkel ein, um den das Teil gedreht wird, gegen den Uhrzeigersinn, wenn die Achse auf Sie zeigt</translation>
+    </message>
+    <message>
+        <source>Low corner %1</source>
+        <translation>Untere Ecke %1</translation>
+    </message>
+    <message>
+        <source>Where the box around the part begins; another value moves it</source>
+        <translation>Wo die Hülle des Teils beginnt; ein anderer Wert verschiebt es</translation>
+    </message>
+    <message>
+        <source>Mirror %1</source>
+        <translation>Spiegeln %1</translation>
+    </message>
+    <message>
+        <source>Import a part first.</source>
+        <translation>Importieren Sie zuerst ein Teil.</translation>
+    </message>
+    <message>
+        <source>Work is under way.</source>
+        <translation>Es wird noch gerechnet.</translation>
+    </message>
+    <message>
+        <source>Embed the part first: the next setup begins with what this one leaves.</source>
+        <translation>Betten Sie zuerst das Teil ein: Die nächste Aufspannung beginnt mit dem, was diese übrig lässt.</translation>
+    </message>
+    <message>
+        <source>Add a setup for another side of the part; its stock is what this one leaves</source>
+        <translation>Fügt eine Aufspannung für eine andere Seite des Teils hinzu; ihr Rohteil ist, was diese übrig lässt</translation>
+    </message>
+    <message>
+        <source>A job has one setup at least.</source>
+        <translation>Ein Auftrag hat mindestens eine Aufspannung.</translation>
+    </message>
+    <message>
+        <source>Delete this setup; it must hold no recordings, paths and programs</source>
+        <translation>Diese Aufspannung löschen; sie darf keine Aufnahmen, Bahnen und Programme enthalten</translation>
+    </message>
+    <message>
+        <source>The setup that left this stock was changed since; the stock is as it was.</source>
+        <translation>Die Aufspannung, die dieses Rohteil übrig ließ, wurde seither geändert; das Rohteil ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>This stock has been milled; delete the recordings first.</source>
+        <translation>Dieses Rohteil ist schon gefräst; löschen Sie zuerst die Aufnahmen.</translation>
+    </message>
+    <message>
+        <source>Mill the setup before this one again and take what it leaves</source>
+        <translation>Die Aufspannung vor dieser noch einmal fräsen und übernehmen, was sie übrig lässt</translation>
+    </message>
+    <message>
+        <source>This part has been milled as it lies; add a setup to turn it.</source>
+        <translation>Dieses Teil ist so gefräst, wie es liegt; fügen Sie eine Aufspannung hinzu, um es zu drehen.</translation>
+    </message>
+    <message>
+        <source>Click a face of the part: it is turned down. Of a cylinder its axis is turned upright</source>
+        <translation>Klicken Sie auf eine Fläche des Teils: Sie wird nach unten gedreht. Bei einem Zylinder wird seine Achse senkrecht gestellt</translation>
+    </message>
+    <message>
+        <source>Click a face of the part: it is turned up. Of a cylinder its axis is turned upright</source>
+        <translation>Klicken Sie auf eine Fläche des Teils: Sie wird nach oben gedreht. Bei einem Zylinder wird seine Achse senkrecht gestellt</translation>
+    </message>
+    <message>
+        <source>Click a face of the part: it is turned towards X. Of a cylinder its axis is laid along X</source>
+        <translation>Klicken Sie auf eine Fläche des Teils: Sie wird nach X gedreht. Bei einem Zylinder wird seine Achse entlang X gelegt</translation>
+    </message>
+    <message>
+        <source>Click a face of the part: it is turned towards Y. Of a cylinder its axis is laid along Y</source>
+        <translation>Klicken Sie auf eine Fläche des Teils: Sie wird nach Y gedreht. Bei einem Zylinder wird seine Achse entlang Y gelegt</translation>
+    </message>
+    <message>
+        <source>Click a face of the part in the view.</source>
+        <translation>Klicken Sie in der Ansicht auf eine Fläche des Teils.</translation>
+    </message>
+    <message>
+        <source>Turn the part by 90° about %1, through its middle</source>
+        <translation>Das Teil um 90° um %1 drehen, durch seine Mitte</translation>
+    </message>
+    <message>
+        <source>A part of several setups stays as it is.</source>
+        <translation>Ein Teil mit mehreren Aufspannungen bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Make the part its mirror image across %1: another part than the file has</source>
+        <translation>Das Teil an %1 spiegeln: ein anderes Teil als das der Datei</translation>
+    </message>
+</context>
+<context>
+    <name>burin::SetupsController</name>
+    <message>
+        <source>Taking over the workpiece</source>
+        <translation>Werkstück wird übernommen</translation>
+    </message>
+    <message>
+        <source>Setup %1</source>
+        <translation>Aufspannung %1</translation>
+    </message>
+</context>
+<context>
+    <name>burin::SetupsPresenter</name>
+    <message>
+        <source>Setup %1</source>
+        <translation>Aufspannung %1</translation>
+    </message>
+    <message>
+        <source>Looking at the face</source>
+        <translation>Fläche wird untersucht</translation>
+    </message>
+    <message>
+        <source>This face is curved, so it has no direction. Click a plane face, a cylinder or a cone.</source>
+        <translation>Diese Fläche ist gekrümmt und hat keine Richtung. Klicken Sie auf eine ebene Fläche, einen Zylinder oder einen Kegel.</translation>
     </message>
 </context>
 <context>
@@ -11317,16 +11803,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Eine STL-Datei nennt keine Einheit</translation>
     </message>
     <message>
-        <source>One or more closed bodies: STEP, IGES, BREP or STL</source>
-        <translation>Ein oder mehrere geschlossene Körper: STEP, IGES, BREP oder STL</translation>
-    </message>
-    <message>
         <source>How much wider than the model the profile of the tool may be; it is never narrower</source>
         <translation>Wie viel weiter als das Modell das Profil des Werkzeugs sein darf; es ist nie enger</translation>
     </message>
     <message>
         <source>Add the tool to your own and load it into the spindle; Undo takes it back</source>
         <translation>Das Werkzeug zu Ihren eigenen nehmen und in die Spindel einsetzen; Rückgängig nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>One or more closed bodies: STEP, IGES, BREP, or a mesh</source>
+        <translation>Ein oder mehrere geschlossene Körper: STEP, IGES, BREP oder ein Netz</translation>
     </message>
 </context>
 <context>
@@ -11476,14 +11962,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Teil öffnen…</translation>
     </message>
     <message>
-        <source>Read a part from a STEP, IGES, BREP or STL file.</source>
-        <translation>Liest ein Teil aus einer STEP-, IGES-, BREP- oder STL-Datei.</translation>
-    </message>
-    <message>
-        <source>STEP, IGES, BREP or STL. Dropping a file on the window does the same.</source>
-        <translation>STEP, IGES, BREP oder STL; auch ins Fenster gezogen.</translation>
-    </message>
-    <message>
         <source>Try the sample part</source>
         <translation>Mit dem Beispielteil probieren</translation>
     </message>
@@ -11562,6 +12040,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Back to %1</source>
         <translation>Zurück zu %1</translation>
+    </message>
+    <message>
+        <source>Read a part from a CAD file (STEP, IGES, BREP) or a mesh (STL, 3MF, OBJ, PLY, AMF, OFF).</source>
+        <translation>Liest ein Teil aus einer CAD-Datei (STEP, IGES, BREP) oder einem Netz (STL, 3MF, OBJ, PLY, AMF, OFF).</translation>
+    </message>
+    <message>
+        <source>STEP, IGES, BREP, or a mesh (STL, 3MF, OBJ …). Dropping a file on the window does the same.</source>
+        <translation>STEP, IGES, BREP oder ein Netz (STL, 3MF, OBJ …). Eine Datei auf das Fenster zu ziehen bewirkt dasselbe.</translation>
     </message>
 </context>
 <context>

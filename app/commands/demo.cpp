@@ -276,7 +276,7 @@ void registerDemo(CommandParser program, CommandContext& context, int& status) {
         program.command("demo", BURIN_TEXT("Help", "Do the whole job on the sample part with a virtual operator"));
     const Argument block = command.flag("--block", arguments->block,
                                         BURIN_TEXT("Help", "Mill the block of the paper's figure 13 (b) instead"));
-    command.option("--model", arguments->model, BURIN_TEXT("Help", "Another part: STEP, IGES, BREP or STL"))
+    command.option("--model", arguments->model, BURIN_TEXT("Help", "Another part: STEP, IGES, BREP, or a mesh"))
         .excludes(block);
     command.option("--tool", arguments->tool, BURIN_TEXT("Help", "Tool (ball-6; ball-1 with --block)"));
     command.option("--voxel", arguments->voxel, BURIN_TEXT("Help", "Edge of a voxel, mm (0.5; 0.1 with --block)"))

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
+#include "app/placing_arguments.h"
 #include "app/report.h"
 #include "app/stock_arguments.h"
 #include "app/surroundings.h"
@@ -22,9 +23,11 @@ namespace {
 
 struct EmbedArguments {
     std::string model, output;
-    double voxel = 0.5, stlUnit = 1.0;
+    double voxel = 0.5, fileUnit = 1.0;
     StockArguments stock;
     SurroundingsArguments around;
+    PlacingArguments placing;
+    std::string mirror;
     bool replace = false, overrides = false;
 };
 
@@ -45,7 +48,7 @@ Result<void> addStockFile(const EmbedArguments& arguments, Setup& setup, Command
     }
     context.stage(BURIN_TEXT("Command", "Reading the stock"));
     StockFileRequest request{arguments.stock.file, arguments.stock.table, arguments.voxel, {}, {}};
-    request.import.stlUnit = arguments.stlUnit;
+    request.import.fileUnit = arguments.fileUnit;
     Result<Property> material = loadMaterial(arguments.stock.material);
     if (!material) return std::move(material).error();
     request.material = std::move(*material);
@@ -90,7 +93,7 @@ Result<void> checkPlaces(const EmbedArguments& arguments) {
     return {};
 }
 
-/// Free carving needs none.
+/// As its file has it, or mirrored. Free carving needs none.
 Result<Model> modelOf(const EmbedArguments& arguments, CommandContext& context) {
     if (arguments.model.empty()) {
         if (arguments.stock.freeCarving) return Model{};
@@ -98,18 +101,27 @@ Result<Model> modelOf(const EmbedArguments& arguments, CommandContext& context) 
             ErrorCode::argumentInvalid, "MODEL", {}, worded(BURIN_TEXT("Command", "a model file, or --free-carving"))};
     }
     ImportOptions options;
-    options.stlUnit = arguments.stlUnit;
+    options.fileUnit = arguments.fileUnit;
     context.stage(BURIN_TEXT("Command", "Importing"));
-    return importModel(arguments.model, options, context.progress());
+    Result<Model> model = importModel(arguments.model, options, context.progress());
+    if (!model || arguments.mirror.empty()) return model;
+    const int axis = arguments.mirror.front() - 'x'; // the parser allows no other than x, y and z
+    auto whole = std::make_shared<const Model>(std::move(*model));
+    return *placed(whole, mirroredAcross(axis, whole->box().centre()));
 }
 
 int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
     if (const Result<void> free = checkPlaces(arguments); !free) return context.fail(free.error());
     if (const Result<void> allowed = mayBeReplaced(arguments); !allowed) return context.fail(allowed.error());
-    const Result<Model> model = modelOf(arguments, context);
-    if (!model) return context.fail(model.error());
+    Result<Model> imported = modelOf(arguments, context);
+    if (!imported) return context.fail(imported.error());
+    const auto whole = std::make_shared<const Model>(std::move(*imported));
     Setup asked;
     asked.voxel = arguments.voxel;
+    const Result<Placement> placement = placingOf(arguments.placing, whole, context.progress());
+    if (!placement) return context.fail(placement.error());
+    asked.placement = *placement;
+    const std::shared_ptr<const Model> model = placed(whole, *placement);
     Result<Setup> wanted = withStock(std::move(asked), arguments.stock, *model);
     if (!wanted) return context.fail(wanted.error());
     if (const Result<void> added = addStockFile(arguments, *wanted, context); !added)
@@ -120,7 +132,7 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
     if (!materials) return context.fail(materials.error());
 
     const Result<std::vector<Obstacle>> obstacles =
-        obstaclesOf(arguments.around, arguments.stlUnit, context.progress());
+        obstaclesOf(arguments.around, arguments.fileUnit, context.progress());
     if (!obstacles) return context.fail(obstacles.error());
     const Result<AxisMode> axis = axisModeOf(arguments.around.axis.empty() ? "fixed" : arguments.around.axis);
     if (!axis) return context.fail(axis.error());
@@ -144,7 +156,7 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
     Result<ProjectChange> project = ProjectChange::create(arguments.output);
     if (!project) return context.fail(project.error());
     const Result<void> saved =
-        inOrder([&] { return (*project)->setModel(*model); }, [&] { return (*project)->setSetup(*setup); },
+        inOrder([&] { return (*project)->setModel(*whole); }, [&] { return (*project)->setSetup(*setup); },
                 [&] { return (*project)->setMaterials(*materials); },
                 [&] { return (*project)->setObstacles(*obstacles); }, [&] { return (*project)->setAxisMode(*axis); },
                 [&] { return (*project)->setTravelPlacement(*travel); }, [&] { return project->save(); });
@@ -161,6 +173,7 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
                                 {"model_volume_mm3", model->volume()},
                                 {"stock_volume_mm3", embedded->stockVolume},
                                 {"work_offset_mm", burin::jsonOf(setup->workOffset)},
+                                {"placement", burin::jsonOf(setup->placement)},
                                 {"material", setup->stockMaterial},
                                 {"stock_form", idOf(setup->form)},
                                 {"free_carving", setup->freeCarving},
@@ -184,15 +197,24 @@ void registerEmbed(CommandParser program, CommandContext& context, int& status) 
     auto arguments = std::make_shared<EmbedArguments>();
     const CommandParser command =
         program.command("embed", BURIN_TEXT("Help", "Embed a CAD model in stock and make a project"));
-    command.positional(BURIN_TEXT("Argument", "MODEL"), arguments->model,
-                       BURIN_TEXT("Help", "STEP, IGES, BREP or STL file; with --free-carving it may be left out"));
+    command.positional(
+        BURIN_TEXT("Argument", "MODEL"), arguments->model,
+        BURIN_TEXT("Help",
+                   "STEP, IGES, BREP, STL, 3MF, OBJ, PLY, AMF or OFF file; with --free-carving it may be left out"));
     command.option("-o,--output", arguments->output, BURIN_TEXT("Help", "Project file to write (.burin)")).required();
     command.flag("--replace", arguments->replace, BURIN_TEXT("Help", "Replace a project that holds recordings"));
     command.flag("--override", arguments->overrides,
                  BURIN_TEXT("Help", "Make the project even if bodies are too small for the voxels to be protected"));
     command.option("--voxel", arguments->voxel, BURIN_TEXT("Help", "Edge of a voxel, mm")).showDefault();
     addStock(command, arguments->stock);
-    command.option("--stl-unit", arguments->stlUnit, BURIN_TEXT("Help", "Millimetres per unit of an STL file"))
+    addPlacing(command, arguments->placing);
+    command
+        .option("--mirror", arguments->mirror,
+                BURIN_TEXT("Help", "Mirror the part across x, y or z first: it is then another part than the file has"))
+        .choices({"x", "y", "z"});
+    command
+        .option("--file-unit,--stl-unit", arguments->fileUnit,
+                BURIN_TEXT("Help", "Millimetres per unit of a file that states none (STL, OBJ, PLY, OFF)"))
         .range(1e-6, 1e6)
         .showDefault();
     addSurroundings(command, arguments->around);

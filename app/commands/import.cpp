@@ -11,7 +11,7 @@ namespace {
 struct ImportArguments {
     std::string model;
     double chord = 0.005;
-    double stlUnit = 1.0;
+    double fileUnit = 1.0;
     double seconds = 120.0;
     double memory = 4096.0;
 };
@@ -19,7 +19,7 @@ struct ImportArguments {
 int runImport(const ImportArguments& arguments, CommandContext& context) {
     ImportOptions options;
     options.meshChord = arguments.chord;
-    options.stlUnit = arguments.stlUnit;
+    options.fileUnit = arguments.fileUnit;
     options.limits.waitSeconds *= arguments.seconds / options.limits.seconds;
     options.limits.seconds = arguments.seconds;
     options.limits.memoryBytes = static_cast<std::size_t>(arguments.memory * 1e6);
@@ -38,12 +38,14 @@ void registerImport(CommandParser program, CommandContext& context, int& status)
         program.command("import", BURIN_TEXT("Help", "Read a CAD model and report its contents"));
     command
         .positional(BURIN_TEXT("Argument", "MODEL"), arguments->model,
-                    BURIN_TEXT("Help", "STEP, IGES, BREP or STL file"))
+                    BURIN_TEXT("Help", "STEP, IGES, BREP, STL, 3MF, OBJ, PLY, AMF or OFF file"))
         .required();
     command.option("--chord", arguments->chord, BURIN_TEXT("Help", "Chord of the mesh, mm"))
         .range(1e-4, 10.0)
         .showDefault();
-    command.option("--stl-unit", arguments->stlUnit, BURIN_TEXT("Help", "Millimetres per unit of an STL file"))
+    command
+        .option("--file-unit,--stl-unit", arguments->fileUnit,
+                BURIN_TEXT("Help", "Millimetres per unit of a file that states none (STL, OBJ, PLY, OFF)"))
         .range(1e-6, 1e6)
         .showDefault();
     command

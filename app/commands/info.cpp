@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "app/chosen_setup.h"
 #include "app/command.h"
+#include "app/number_list.h"
 #include "app/report.h"
+#include "app/setups.h"
 #include "app/stock_arguments.h"
 #include "app/surroundings.h"
 #include "app/wording.h"
@@ -78,7 +81,7 @@ std::string infoText(const StoredPath& path) {
 /// What a project lacks is null, so that a half-done project can be looked at too.
 int runInfo(const std::string& file, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Opening"));
-    const Result<Project> project = Project::openForReading(file);
+    const Result<Project> project = projectForReading(file, context);
     if (!project) return context.fail(project.error());
     const Result<std::vector<TakeInfo>> takes = project->takes();
     if (!takes) return context.fail(takes.error());
@@ -93,6 +96,10 @@ int runInfo(const std::string& file, CommandContext& context) {
 
     const Result<Around> around = aroundOf(*project);
     if (!around) return context.fail(around.error());
+    const Result<json> setups = jsonOfSetups(*project);
+    if (!setups) return context.fail(setups.error());
+    const Result<std::string> setupsText = textOfSetups(*project);
+    if (!setupsText) return context.fail(setupsText.error());
     const Result<KeptGuides> guides = project->guides();
     if (!guides) return context.fail(guides.error());
     const Result<std::optional<ReopenedProgram>> kept = reopenProgram(*project);
@@ -101,6 +108,7 @@ int runInfo(const std::string& file, CommandContext& context) {
     json answer{{"project", std::filesystem::absolute(file).lexically_normal().string()},
                 {"recovered", project->recovered()},
                 {"model", model ? burin::jsonOf(*model) : json(nullptr)},
+                {"setups", *setups},
                 {"axis", burin::jsonOf(around->axis)},
                 {"machine_travel", burin::jsonOf(around->travel)},
                 {"obstacles", burin::jsonOf(around->obstacles)},
@@ -128,6 +136,8 @@ int runInfo(const std::string& file, CommandContext& context) {
              << worded(BURIN_TEXT("Command", "stock    %1, voxel %2 mm"),
                        {setup->stockMaterial, formatShortest(setup->voxel)})
              << (model ? textOfStock(*model, *setup) : std::string());
+    for (const std::string& line : partsOf(*setupsText, '\n'))
+        if (!line.empty()) text << "\n  " << line;
     if (setup) text << "\n  " << worded(BURIN_TEXT("Command", "axis     %1"), {textOf(around->axis)});
     for (const Obstacle& obstacle : around->obstacles) text << "\n  " << textOf(obstacle);
     for (const TakeInfo& take : *takes) {
@@ -162,6 +172,7 @@ void registerInfo(CommandParser program, CommandContext& context, int& status) {
     const CommandParser command = program.command("info", BURIN_TEXT("Help", "Report the contents of a project"));
     command.positional(BURIN_TEXT("Argument", "PROJECT"), *file, BURIN_TEXT("Help", "Project file (.burin)"))
         .required();
+    addSetupChoice(command, context);
     addJsonFlag(command, context);
     command.run([file, &context, &status] { status = runInfo(*file, context); });
 }

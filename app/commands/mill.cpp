@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "app/chosen_setup.h"
 #include "app/command.h"
 #include "app/commands/mill_options.h"
 #include "app/report.h"
@@ -268,7 +269,7 @@ Result<void> checkTrace(const MillArguments& arguments) {
 int runMill(const MillArguments& arguments, CommandContext& context) {
     if (const Result<void> free = checkTrace(arguments); !free) return context.fail(free.error());
     context.stage(BURIN_TEXT("Command", "Opening"));
-    Result<Project> project = Project::open(arguments.project);
+    Result<Project> project = projectToMill(arguments.project, context);
     if (!project) return context.fail(project.error());
     const Result<Tool> tool = toolFor(*project, arguments.tool);
     if (!tool) return context.fail(tool.error());
@@ -355,6 +356,7 @@ void registerMill(CommandParser program, CommandContext& context, int& status) {
     const CommandParser command =
         program.command("mill", BURIN_TEXT("Help", "Mill a project's workpiece with a stylus and record it"));
     addMillOptions(command, *arguments);
+    addSetupChoice(command, context);
     addJsonFlag(command, context);
     command.run([arguments, &context, &status] { status = runMill(*arguments, context); });
 }

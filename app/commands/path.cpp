@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "app/chosen_setup.h"
 #include "app/command.h"
 #include "app/report.h"
 #include "app/surroundings.h"
@@ -58,7 +59,7 @@ Result<StoredPath> pathWithId(const Project& project, std::int64_t id) {
 }
 
 int list(const PathArguments& arguments, CommandContext& context) {
-    const Result<Project> project = Project::openForReading(arguments.project);
+    const Result<Project> project = projectForReading(arguments.project, context);
     if (!project) return context.fail(project.error());
     const Result<std::vector<StoredPath>> paths = project->paths();
     if (!paths) return context.fail(paths.error());
@@ -88,7 +89,7 @@ Result<std::string> toolForNew(const Project& project, const PathArguments& argu
 }
 
 int create(const PathArguments& arguments, CommandContext& context) {
-    Result<ProjectChange> project = ProjectChange::open(arguments.project);
+    Result<ProjectChange> project = projectToChange(arguments.project, context);
     if (!project) return context.fail(project.error());
     const Result<std::string> tool = toolForNew(**project, arguments);
     if (!tool) return context.fail(tool.error());
@@ -112,7 +113,7 @@ int create(const PathArguments& arguments, CommandContext& context) {
 /// Changes the edits of one path and saves.
 int change(const PathArguments& arguments, CommandContext& context,
            const std::function<Result<void>(StoredPath&)>& changeEdits) {
-    Result<ProjectChange> project = ProjectChange::open(arguments.project);
+    Result<ProjectChange> project = projectToChange(arguments.project, context);
     if (!project) return context.fail(project.error());
     Result<StoredPath> path = pathWithId(**project, arguments.path);
     if (!path) return context.fail(path.error());
@@ -188,7 +189,7 @@ Result<void> checkPlace(const PathArguments& arguments) {
 int show(const PathArguments& arguments, CommandContext& context) {
     if (const Result<void> free = checkPlace(arguments); !free) return context.fail(free.error());
     context.stage(BURIN_TEXT("Command", "Opening"));
-    const Result<Project> project = Project::openForReading(arguments.project);
+    const Result<Project> project = projectForReading(arguments.project, context);
     if (!project) return context.fail(project.error());
     const Result<StoredPath> stored = pathWithId(*project, arguments.path);
     if (!stored) return context.fail(stored.error());
@@ -244,7 +245,7 @@ MaterialIds materialIdsOf(const Project& project, const TakeInfo& take) {
 /// Writes a take as CSV: all that was recorded, or the stylus alone as a trace that `burin mill` plays.
 int exportTake(const PathArguments& arguments, bool asTrace, CommandContext& context) {
     if (const Result<void> free = checkPlace(arguments); !free) return context.fail(free.error());
-    const Result<Project> project = Project::openForReading(arguments.project);
+    const Result<Project> project = projectForReading(arguments.project, context);
     if (!project) return context.fail(project.error());
     const Result<TakeOutline> take = project->takeOutline(arguments.take);
     if (!take) return context.fail(take.error());
@@ -270,9 +271,11 @@ void registerPath(CommandParser program, CommandContext& context, int& status) {
         .positional(BURIN_TEXT("Argument", "PROJECT"), arguments->project, BURIN_TEXT("Help", "Project file (.burin)"))
         .required();
     command.allowOneCommand();
+    addSetupChoice(command, context);
     addJsonFlag(command, context);
     const auto add = [&](const char* name, TextId help, auto action) {
         const CommandParser part = command.command(name, help);
+        addSetupChoice(part, context);
         addJsonFlag(part, context);
         part.run([arguments, action, &context, &status] { status = action(*arguments, context); });
         return part;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/picture.h"
+#include "app/chosen_setup.h"
 #include "app/command.h"
 #include "app/picture_options.h"
 #include "app/surroundings.h"
@@ -52,7 +53,7 @@ Result<std::vector<std::shared_ptr<const EvaluatedPath>>> evaluatedPaths(const P
 /// The workpiece as the takes left it, with what stands around it.
 Result<PictureContent> contentOf(const ProjectPictureArguments& arguments, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Opening"));
-    const Result<Project> project = Project::openForReading(arguments.project);
+    const Result<Project> project = projectForReading(arguments.project, context);
     if (!project) return project.error();
     const Result<Tool> tool = anyTool(*project);
     if (!tool) return tool.error();
@@ -103,6 +104,7 @@ void registerPicture(CommandParser program, CommandContext& context, int& status
         .option("--path", arguments->paths, BURIN_TEXT("Help", "Paths to draw, the first in the colours of its moves"))
         .separatedBy(',');
     addPictureOptions(command, arguments->options);
+    addSetupChoice(command, context);
     addJsonFlag(command, context);
     command.run([arguments, &context, &status] { status = runPicture(*arguments, context); });
 }

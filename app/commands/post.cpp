@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "app/chosen_setup.h"
 #include "app/command.h"
 #include "app/commands/restart.h"
 #include "app/report.h"
@@ -57,7 +58,7 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
         return context.fail(free.error());
     if (arguments.from > 0) return runFrom(arguments, context);
     context.stage(BURIN_TEXT("Command", "Opening"));
-    Result<ProjectChange> project = ProjectChange::open(arguments.project);
+    Result<ProjectChange> project = projectToChange(arguments.project, context);
     if (!project) return context.fail(project.error());
     const Result<std::vector<StoredPath>> stored = chosenPaths(**project, arguments.paths);
     if (!stored) return context.fail(stored.error());
@@ -181,6 +182,7 @@ void registerPost(CommandParser program, CommandContext& context, int& status) {
         .option("--override", arguments->overrideReason,
                 BURIN_TEXT("Help", "Write the program even if its check refuses it; states this reason in its header"))
         .notBlank(BURIN_TEXT("Command", "state a reason"));
+    addSetupChoice(command, context);
     addJsonFlag(command, context);
     command.run([arguments, &context, &status] { status = runPost(*arguments, context); });
 }

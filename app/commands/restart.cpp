@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands/restart.h"
+#include "app/chosen_setup.h"
 
 #include "app/report.h"
 #include "app/surroundings.h"
@@ -74,7 +75,7 @@ std::string textOf(const RestartedProgram& restart) {
 
 int runRestart(const RestartArguments& arguments, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Opening"));
-    const Result<Project> project = Project::open(arguments.project);
+    const Result<Project> project = projectToMill(arguments.project, context);
     if (!project) return context.fail(project.error());
     Result<Interrupted> interrupted = interruptedProgram(*project, arguments, context);
     if (!interrupted) return context.fail(interrupted.error());

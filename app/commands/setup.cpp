@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "app/chosen_setup.h"
 #include "app/command.h"
+#include "app/setups.h"
 #include "app/surroundings.h"
 #include "app/wording.h"
 #include "core/base/steps.h"
@@ -18,14 +20,15 @@ namespace {
 struct SetupArguments {
     std::string project;
     SurroundingsArguments around;
+    SetupsArguments setups;
     std::vector<std::string> remove, switchOn, switchOff;
-    double stlUnit = 1.0;
+    double fileUnit = 1.0;
     std::string machine, dialect, units;
 
     bool changes() const {
-        return !(machine.empty() && dialect.empty() && units.empty() && around.fixtures.empty() &&
-                 around.keepOuts.empty() && around.axis.empty() && around.travel.empty() && remove.empty() &&
-                 switchOn.empty() && switchOff.empty());
+        return setups.changes() || !(machine.empty() && dialect.empty() && units.empty() && around.fixtures.empty() &&
+                                     around.keepOuts.empty() && around.axis.empty() && around.travel.empty() &&
+                                     remove.empty() && switchOn.empty() && switchOff.empty());
     }
 };
 
@@ -50,7 +53,7 @@ Result<void> changeObstacles(std::vector<Obstacle>& obstacles, const SetupArgume
             if (!found) return found.error();
             (*found)->on = on;
         }
-    Result<std::vector<Obstacle>> added = obstaclesOf(arguments.around, arguments.stlUnit, progress);
+    Result<std::vector<Obstacle>> added = obstaclesOf(arguments.around, arguments.fileUnit, progress);
     if (!added) return std::move(added).error();
     obstacles = joined(std::move(obstacles), std::move(*added));
     return {};
@@ -91,27 +94,46 @@ Result<void> change(ProjectChange& project, Around& around, const SetupArguments
                    [&] { return project->setProgramTarget(around.target); }, [&] { return project.save(); });
 }
 
-Result<Around> changed(const SetupArguments& arguments, CommandContext& context) {
-    Result<ProjectChange> project = ProjectChange::open(arguments.project);
+/// What a project says of its setups, and of the one in use.
+struct Answer {
+    Around around;
+    nlohmann::json setups;
+    std::string setupsText;
+};
+
+Result<Answer> answerOf(const Project& project, Around around) {
+    Result<nlohmann::json> setups = jsonOfSetups(project);
+    if (!setups) return std::move(setups).error();
+    Result<std::string> text = textOfSetups(project);
+    if (!text) return std::move(text).error();
+    return Answer{std::move(around), std::move(*setups), std::move(*text)};
+}
+
+Result<Answer> changed(const SetupArguments& arguments, CommandContext& context) {
+    Result<ProjectChange> project = projectToChange(arguments.project, context);
     if (!project) return std::move(project).error();
+    if (Result<void> done = changeSetups(**project, arguments.setups, context); !done) return std::move(done).error();
     Result<Around> around = aroundOf(**project);
-    if (!around) return around;
+    if (!around) return std::move(around).error();
     context.stage(BURIN_TEXT("Command", "Reading fixtures"));
     if (Result<void> done = change(*project, *around, arguments, context.progress()); !done)
         return std::move(done).error();
     tellKeptEarlier(context, **project);
-    return around;
+    return answerOf(**project, std::move(*around));
 }
 
-Result<Around> shown(const SetupArguments& arguments) {
-    const Result<Project> project = Project::openForReading(arguments.project);
-    return project ? aroundOf(*project) : Result<Around>(project.error());
+Result<Answer> shown(const SetupArguments& arguments, CommandContext& context) {
+    const Result<Project> project = projectForReading(arguments.project, context);
+    if (!project) return project.error();
+    Result<Around> around = aroundOf(*project);
+    return around ? answerOf(*project, std::move(*around)) : Result<Answer>(std::move(around).error());
 }
 
 int runSetup(const SetupArguments& arguments, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Opening"));
-    const Result<Around> around = arguments.changes() ? changed(arguments, context) : shown(arguments);
-    if (!around) return context.fail(around.error());
+    const Result<Answer> told = arguments.changes() ? changed(arguments, context) : shown(arguments, context);
+    if (!told) return context.fail(told.error());
+    const Around* around = &told->around;
     const ProgramTarget& target = around->target;
     std::string text = worded(BURIN_TEXT("Command", "axis     %1"), {textOf(around->axis)}) + "\n";
     text += target.dialect.empty()
@@ -119,7 +141,9 @@ int runSetup(const SetupArguments& arguments, CommandContext& context) {
                 : worded(BURIN_TEXT("Command", "machine  %1, dialect %2"), {target.machine, target.dialect});
     text += "\n" + worded(BURIN_TEXT("Command", "units    %1"), {idOf(target.units)});
     for (const Obstacle& obstacle : around->obstacles) text += "\n" + textOf(obstacle);
+    text += told->setupsText;
     context.answer({{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},
+                    {"setups", told->setups},
                     {"axis", jsonOf(around->axis)},
                     {"machine_travel", jsonOf(around->travel)},
                     {"machine", target.machine},
@@ -137,10 +161,12 @@ void registerSetup(CommandParser program, CommandContext& context, int& status) 
     const CommandParser command = program.command(
         "setup",
         BURIN_TEXT("Help",
-                   "Show and change the fixtures, keep-out volumes, tool axis, machine and travel of a project"));
+                   "Show and change the setups of a project, how the part lies in them, their fixtures, keep-out "
+                   "volumes, tool axis, machine and travel"));
     command
         .positional(BURIN_TEXT("Argument", "PROJECT"), arguments->project, BURIN_TEXT("Help", "Project file (.burin)"))
         .required();
+    addSetups(command, arguments->setups);
     addSurroundings(command, arguments->around);
     const auto addNames = [&](const char* option, std::vector<std::string>& names, TextId help) {
         command.option(option, names, help).oneAtATime();
@@ -153,7 +179,9 @@ void registerSetup(CommandParser program, CommandContext& context, int& status) 
                    "Name of a fixture or keep-out volume to switch off; it stays in the project; may be repeated"));
     addNames("--switch-on", arguments->switchOn,
              BURIN_TEXT("Help", "Name of a fixture or keep-out volume to switch on again; may be repeated"));
-    command.option("--stl-unit", arguments->stlUnit, BURIN_TEXT("Help", "Millimetres per unit of an STL file"))
+    command
+        .option("--file-unit,--stl-unit", arguments->fileUnit,
+                BURIN_TEXT("Help", "Millimetres per unit of a file that states none (STL, OBJ, PLY, OFF)"))
         .range(1e-6, 1e6)
         .showDefault();
     command.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine of its programs"));
@@ -161,6 +189,7 @@ void registerSetup(CommandParser program, CommandContext& context, int& status) 
                    BURIN_TEXT("Help", "Dialect of its programs (default: the machine's)"));
     command.option("--units", arguments->units, BURIN_TEXT("Help", "Units of its programs: mm or inch"))
         .choices({"mm", "inch"});
+    addSetupChoice(command, context);
     addJsonFlag(command, context);
     command.run([arguments, &context, &status] { status = runSetup(*arguments, context); });
 }

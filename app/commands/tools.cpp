@@ -138,7 +138,7 @@ void registerExport(CommandParser tools, CommandContext& context, int& status) {
 struct ShapeArguments {
     std::string id, flutes, shank, like, name;
     double tolerance = 0.005;
-    double stlUnit = 1.0;
+    double fileUnit = 1.0;
     int number = 0; ///< 0: that of `like`
     bool replace = false;
 };
@@ -154,7 +154,7 @@ int shapeTool(const ShapeArguments& arguments, CommandContext& context) {
     request.id = arguments.id;
     request.name = arguments.name.empty() ? arguments.id : arguments.name;
     request.tolerance = arguments.tolerance;
-    request.import.stlUnit = arguments.stlUnit;
+    request.import.fileUnit = arguments.fileUnit;
     context.stage(BURIN_TEXT("Command", "Importing"));
     const Result<ShapedTool> shaped = shapedTool(request, context.progress());
     if (!shaped) return context.fail(shaped.error());
@@ -187,7 +187,7 @@ void registerShape(CommandParser tools, CommandContext& context, int& status) {
     shape.positional(BURIN_TEXT("Argument", "ID"), arguments->id, BURIN_TEXT("Help", "ID of the new tool")).required();
     shape
         .positional(BURIN_TEXT("Argument", "FLUTES"), arguments->flutes,
-                    BURIN_TEXT("Help", "STEP, IGES, BREP or STL file of the flutes, closed"))
+                    BURIN_TEXT("Help", "STEP, IGES, BREP or mesh file of the flutes, closed"))
         .required();
     shape.option("--shank", arguments->shank,
                  BURIN_TEXT("Help", "The same of the shank (default: the shank of --like)"));
@@ -204,7 +204,9 @@ void registerShape(CommandParser tools, CommandContext& context, int& status) {
                                    "lines don't do"))
         .range(1e-4, 1.0)
         .showDefault();
-    shape.option("--stl-unit", arguments->stlUnit, BURIN_TEXT("Help", "Millimetres per unit of an STL file"))
+    shape
+        .option("--file-unit,--stl-unit", arguments->fileUnit,
+                BURIN_TEXT("Help", "Millimetres per unit of a file that states none (STL, OBJ, PLY, OFF)"))
         .range(1e-6, 1e6)
         .showDefault();
     shape.flag("--replace", arguments->replace, BURIN_TEXT("Help", "Replace your tool of this ID"));

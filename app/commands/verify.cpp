@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "app/chosen_setup.h"
 #include "app/command.h"
 #include "app/report.h"
 #include "app/surroundings.h"
@@ -53,7 +54,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     if (!text) return context.fail(text.error());
     if (text->empty()) return context.fail({ErrorCode::fileEmpty, arguments.program, {}, {}});
     context.stage(BURIN_TEXT("Command", "Opening"));
-    const Result<Project> project = Project::openForReading(arguments.project);
+    const Result<Project> project = projectForReading(arguments.project, context);
     if (!project) return context.fail(project.error());
     const Result<Tool> tool = chosenTool(*project, arguments.tool);
     if (!tool) return context.fail(tool.error());
@@ -145,6 +146,7 @@ void registerVerify(CommandParser program, CommandContext& context, int& status)
                 BURIN_TEXT("Help", "Stock to leave on the part, mm: within tolerance in the map's colours"))
         .range(0.0, 100.0)
         .showDefault();
+    addSetupChoice(command, context);
     addJsonFlag(command, context);
     command.run([arguments, &context, &status] { status = runVerify(*arguments, context); });
 }

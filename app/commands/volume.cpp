@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "app/chosen_setup.h"
 #include "app/command.h"
 #include "app/volume_files.h"
 #include "app/wording.h"
@@ -136,7 +137,7 @@ Result<RunVolume> boundary(const VolumeArguments& arguments, CommandContext& con
 
 /// The workpiece as the takes left it, or the stock before them.
 Result<RunVolume> ofProject(const VolumeArguments& arguments, CommandContext& context) {
-    const Result<Project> project = Project::openForReading(arguments.first);
+    const Result<Project> project = projectForReading(arguments.first, context);
     if (!project) return project.error();
     const Result<std::vector<TakeInfo>> takes = project->takes();
     if (!takes) return takes.error();
@@ -249,6 +250,7 @@ void registerVolume(CommandParser program, CommandContext& context, int& status)
     const CommandParser command = program.command(
         "volume", BURIN_TEXT("Help", "Convert, combine and measure volumes of voxels; export the workpiece"));
     command.requireCommand();
+    addSetupChoice(command, context);
     addJsonFlag(command, context);
     VolumeCommands commands(command, context, status);
     const TextId volume = BURIN_TEXT("Help", "Volume file, or voxel array (NRRD, or raw with a header in JSON)");

@@ -81,6 +81,7 @@ burin::WorkerAnswer answerTo(const burin::WorkerRequest& request) {
     if (const auto* read = std::get_if<burin::ReadRequest>(&request))
         return toAnswer(burin::readModel(*read, {reportFraction, sendPreview}));
     if (const auto* edges = std::get_if<burin::EdgeRequest>(&request)) return toAnswer(burin::followEdges(*edges));
+    if (const auto* face = std::get_if<burin::FaceRequest>(&request)) return toAnswer(burin::findFace(*face));
     return toAnswer(burin::measureDistances(*std::get_if<burin::DistanceRequest>(&request), reportFraction));
 }
 

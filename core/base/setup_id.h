@@ -10,6 +10,8 @@ namespace burin {
 enum class SetupId : std::int64_t {};
 /// Of every new project, and what a project of a version that knew one alone has.
 inline constexpr SetupId firstSetup{1};
+/// Stands for the setup that a project is used in (Project::useSetup); what a project gives names its own.
+inline constexpr SetupId setupInUse{0};
 
 constexpr std::int64_t numberOf(SetupId id) noexcept {
     return static_cast<std::int64_t>(id);

@@ -26,8 +26,8 @@ bool isPositive(double value) {
 Result<void> checkOptions(const ImportOptions& options) {
     if (!isPositive(options.meshChord))
         return Error{ErrorCode::argumentInvalid, "meshChord", std::to_string(options.meshChord), "> 0 mm"};
-    if (!isPositive(options.stlUnit))
-        return Error{ErrorCode::argumentInvalid, "stlUnit", std::to_string(options.stlUnit), "> 0 mm"};
+    if (!isPositive(options.fileUnit))
+        return Error{ErrorCode::argumentInvalid, "fileUnit", std::to_string(options.fileUnit), "> 0 mm"};
     return {};
 }
 
@@ -49,10 +49,12 @@ std::vector<WorkerRequest> shares(const Model& model, std::span<const glm::dvec3
     constexpr std::size_t processes = 2, leastShare = 16;
     const std::size_t count = std::clamp<std::size_t>(points.size() / leastShare, 1, processes);
     std::vector<WorkerRequest> requests;
+    const Placement back = inverse(model.brepPlacement);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t first = points.size() * i / count, last = points.size() * (i + 1) / count;
-        const auto share = points.subspan(first, last - first);
-        requests.emplace_back(DistanceRequest{model.brep, model.brepSolids, {share.begin(), share.end()}});
+        DistanceRequest request{model.brep, model.brepSolids, {}};
+        for (const glm::dvec3& point : points.subspan(first, last - first)) request.points.push_back(back.point(point));
+        requests.emplace_back(std::move(request));
     }
     return requests;
 }
@@ -65,7 +67,7 @@ Result<Model> importModel(const fs::path& file, const ImportOptions& options, Pr
     if (Result<void> valid = checkFile(file); !valid) return std::move(valid).error();
     std::error_code ignored;
     const fs::path whole = fs::absolute(file, ignored).lexically_normal();
-    ReadRequest request{whole.string(), options.meshChord, options.stlUnit};
+    ReadRequest request{whole.string(), options.meshChord, options.fileUnit};
     request.preview = show != nullptr;
     const auto showClean = [&](ModelPreview preview) {
         preview.sourceFile = whole.string();
@@ -117,6 +119,10 @@ Result<std::vector<PartEdge>> partEdges(const Model& model, double chord, const 
     if (!answers) return std::move(answers).error();
     auto* edges = std::get_if<std::vector<PartEdge>>(&answers->front());
     if (!edges) return Error{ErrorCode::importCrashed, subject, {}, "it answered something else"};
+    for (PartEdge& edge : *edges) {
+        for (glm::dvec3& point : edge.points) point = model.brepPlacement.point(point);
+        for (glm::dvec3& tangent : edge.tangents) tangent = model.brepPlacement.direction(tangent);
+    }
     return std::move(*edges);
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory, "edges", {}, {}};

@@ -22,7 +22,7 @@ struct ImportLimits {
 
 struct ImportOptions {
     double meshChord = 0.005; ///< mm, distance between mesh and surface, at most
-    double stlUnit = 1.0;     ///< mm per unit of an STL file, which states none
+    double fileUnit = 1.0;    ///< mm per unit of a file that states none (STL, OBJ, PLY, OFF)
     ImportLimits limits;
     std::filesystem::path worker; ///< the import program; empty: `burin-import` beside the running program
 };
@@ -31,8 +31,8 @@ struct ImportOptions {
 /// than once: again where a crash made the file be read again.
 using PreviewSink = std::function<void(ModelPreview preview)>;
 
-/// Reads STEP, IGES, BREP or STL (the contents decide, not the suffix) in a child process with time and memory limits:
-/// heals, sews, meshes, measures. A file that hangs or kills OpenCASCADE costs an error, not the caller.
+/// Reads the formats of import_formats.h (the contents decide, not the suffix) in a child process with time and memory
+/// limits: heals, sews, meshes, measures. A file that hangs or kills OpenCASCADE costs an error, not the caller.
 /// Thread: any. Errors: fileNotFound, fileNotReadable, fileEmpty, fileFormatUnknown, fileDamaged, modelHasNoSolid
 /// (detail: the files of an assembly that are not beside it), modelTooLarge, meshIncomplete, importTimedOut,
 /// importOutOfMemory, importCrashed, cancelled.

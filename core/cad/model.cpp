@@ -2,7 +2,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/model.h"
 
+#include <utility>
+
 namespace burin {
+
+namespace {
+
+/// Tight where the box can be placed itself. Else around the mesh, whose chord it may lack of the surface, and within
+/// what holds the placed box.
+Box placedBox(const Body& placedBody, const Box& before, double chord, const Placement& placement) {
+    Box box = boxAround(before, placement);
+    if (alongAxes(placement) || placedBody.mesh.empty()) return box;
+    const Box mesh = boundingBox(placedBody.mesh).grown(chord);
+    box.low = glm::max(box.low, mesh.low);
+    box.high = glm::min(box.high, mesh.high);
+    return box;
+}
+
+void place(Body& body, double chord, const Placement& placement) {
+    for (glm::dvec3& vertex : body.mesh.vertices) vertex = placement.point(vertex);
+    if (mirrors(placement)) // what was seen counter-clockwise from outside is clockwise now
+        for (auto& triangle : body.mesh.triangles) std::swap(triangle[1], triangle[2]);
+    body.box = placedBox(body, body.box, chord, placement);
+}
+
+} // namespace
 
 Box Model::box() const {
     Box whole;
@@ -14,6 +38,14 @@ double Model::volume() const {
     double sum = 0.0;
     for (const Body& body : bodies) sum += body.volume;
     return sum;
+}
+
+std::shared_ptr<const Model> placed(std::shared_ptr<const Model> model, const Placement& placement) {
+    if (model == nullptr || isNone(placement)) return model;
+    auto other = std::make_shared<Model>(*model);
+    for (Body& body : other->bodies) place(body, other->meshChord, placement);
+    other->brepPlacement = combined(other->brepPlacement, placement);
+    return other;
 }
 
 } // namespace burin

@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/placement.h"
 #include "core/geometry/triangle_mesh.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace burin {
 
-/// One solid of an imported model, in mm and in the model's own frame (placements of an assembly applied).
+/// One solid of a model, in mm and in the model's frame (placements of an assembly applied).
 struct Body {
     std::string name;                                  ///< as in the file; "Body 1" … where it has none
     std::optional<std::array<std::uint8_t, 3>> colour; ///< sRGB, where the file has one
@@ -30,7 +32,7 @@ struct ImportNote {
     std::string text; ///< English, for report and log
 };
 
-/// An imported CAD model.
+/// A CAD model: as its file has it, or as it lies in a setup.
 struct Model {
     std::string sourceFile; ///< absolute path
     std::string format;     ///< "STEP AP214", "IGES", "BREP", "STL binary", "STL ASCII"
@@ -42,9 +44,14 @@ struct Model {
     std::string brep; ///< healed B-rep, OpenCASCADE binary form; empty for a mesh file
     /// Which of the B-rep's solids the bodies are, in order, where the model is a part of an imported one; empty: all.
     std::vector<std::uint32_t> brepSolids;
+    Placement brepPlacement; ///< from the B-rep's frame to the model's
 
     Box box() const;       ///< of all bodies, mm, frame of the model; empty without any
     double volume() const; ///< of all bodies, mm³
 };
+
+/// A model as it lies in another frame: meshes and boxes there, the B-rep with another `brepPlacement`. A mirrored one
+/// is another part than the file has. Neither turned nor moved, it is the same one, shared.
+std::shared_ptr<const Model> placed(std::shared_ptr<const Model> model, const Placement& placement);
 
 } // namespace burin

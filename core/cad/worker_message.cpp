@@ -3,6 +3,7 @@
 #include "core/cad/worker_message.h"
 
 #include "core/cad/byte_stream.h"
+#include "core/geometry/pose.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,9 @@ namespace {
 
 constexpr std::uint32_t requestMark = 0x51525542; // "BURQ"
 constexpr std::uint32_t frameMark = 0x46525542;   // "BURF"
-constexpr std::uint32_t messageVersion = 5;
+constexpr std::uint32_t messageVersion = 6;
 
-enum class FrameKind : std::uint32_t { progress, error, model, distances, edges, preview };
+enum class FrameKind : std::uint32_t { progress, error, model, distances, edges, face, preview };
 
 struct FrameHead {
     std::uint32_t mark = frameMark;
@@ -206,6 +207,16 @@ std::optional<std::vector<PartEdge>> readEdges(ByteReader& from) {
     return edges;
 }
 
+std::optional<PartFace> readFace(ByteReader& from) {
+    PartFace face;
+    face.kind = from.value<PartFace::Kind>();
+    face.place = from.value<glm::dvec3>();
+    face.direction = from.value<glm::dvec3>();
+    const bool sound = face.kind <= PartFace::Kind::other && isFinite(face.place) && isFinite(face.direction);
+    if (!from.finished() || !sound) return std::nullopt;
+    return face;
+}
+
 std::optional<WorkerFrame> readFrame(FrameKind kind, std::string_view bytes) {
     ByteReader from(bytes);
     switch (kind) {
@@ -233,6 +244,11 @@ std::optional<WorkerFrame> readFrame(FrameKind kind, std::string_view bytes) {
     case FrameKind::edges: {
         std::optional<std::vector<PartEdge>> edges = readEdges(from);
         if (edges) return WorkerAnswer(std::move(*edges));
+        return std::nullopt;
+    }
+    case FrameKind::face: {
+        std::optional<PartFace> face = readFace(from);
+        if (face) return WorkerAnswer(*face);
         return std::nullopt;
     }
     case FrameKind::preview: {
@@ -266,6 +282,12 @@ FrameKind writeFrame(ByteWriter& to, const WorkerFrame& frame) {
         write(to, *edges);
         return FrameKind::edges;
     }
+    if (const auto* face = std::get_if<PartFace>(&answer)) {
+        to.value(face->kind);
+        to.value(face->place);
+        to.value(face->direction);
+        return FrameKind::face;
+    }
     to.list(*std::get_if<std::vector<double>>(&answer));
     return FrameKind::distances;
 }
@@ -280,7 +302,7 @@ std::string encodeRequest(const WorkerRequest& request) {
     if (const auto* read = std::get_if<ReadRequest>(&request)) {
         to.text(read->file);
         to.value(read->meshChord);
-        to.value(read->stlUnit);
+        to.value(read->fileUnit);
         to.value(static_cast<std::uint8_t>(read->careful));
         to.value(static_cast<std::uint8_t>(read->preview));
     } else if (const auto* distance = std::get_if<DistanceRequest>(&request)) {
@@ -291,6 +313,10 @@ std::string encodeRequest(const WorkerRequest& request) {
         to.text(edges->brep);
         to.list(edges->solids);
         to.value(edges->chord);
+    } else if (const auto* face = std::get_if<FaceRequest>(&request)) {
+        to.text(face->brep);
+        to.list(face->solids);
+        to.value(face->place);
     }
     return to.take();
 }
@@ -305,7 +331,7 @@ std::optional<WorkerRequest> decodeRequest(std::string_view bytes) {
         ReadRequest read;
         read.file = from.text();
         read.meshChord = from.value<double>();
-        read.stlUnit = from.value<double>();
+        read.fileUnit = from.value<double>();
         read.careful = from.value<std::uint8_t>() != 0;
         read.preview = from.value<std::uint8_t>() != 0;
         request = std::move(read);
@@ -315,12 +341,18 @@ std::optional<WorkerRequest> decodeRequest(std::string_view bytes) {
         distance.solids = from.list<std::uint32_t>();
         distance.points = from.list<glm::dvec3>();
         request = std::move(distance);
-    } else {
+    } else if (kind == 2) {
         EdgeRequest edges;
         edges.brep = from.text();
         edges.solids = from.list<std::uint32_t>();
         edges.chord = from.value<double>();
         request = std::move(edges);
+    } else {
+        FaceRequest face;
+        face.brep = from.text();
+        face.solids = from.list<std::uint32_t>();
+        face.place = from.value<glm::dvec3>();
+        request = std::move(face);
     }
     if (!from.finished()) return std::nullopt;
     return request;

@@ -6,6 +6,7 @@
 #include "core/cad/model.h"
 #include "core/cad/model_preview.h"
 #include "core/cad/part_edge.h"
+#include "core/cad/part_face.h"
 
 #include <glm/glm.hpp>
 
@@ -26,7 +27,7 @@ namespace burin {
 struct ReadRequest {
     std::string file;         ///< absolute path
     double meshChord = 0.005; ///< mm
-    double stlUnit = 1.0;     ///< mm per unit of an STL file
+    double fileUnit = 1.0;    ///< mm per unit of a file that states none
     bool careful = false;     ///< without the faster of the two meshers: a process that used it crashed
     bool preview = false;     ///< send a preview as soon as there is one
 };
@@ -45,10 +46,17 @@ struct EdgeRequest {
     double chord = 0.005;              ///< mm
 };
 
-using WorkerRequest = std::variant<ReadRequest, DistanceRequest, EdgeRequest>;
+/// Find the face at a place.
+struct FaceRequest {
+    std::string brep;                  ///< `Model::brep`
+    std::vector<std::uint32_t> solids; ///< `Model::brepSolids`
+    glm::dvec3 place{0.0};             ///< mm
+};
+
+using WorkerRequest = std::variant<ReadRequest, DistanceRequest, EdgeRequest, FaceRequest>;
 
 /// The end of the program's work.
-using WorkerAnswer = std::variant<Error, Model, std::vector<double>, std::vector<PartEdge>>;
+using WorkerAnswer = std::variant<Error, Model, std::vector<double>, std::vector<PartEdge>, PartFace>;
 
 /// How far the program is, 0 … 1.
 struct WorkerProgress {

@@ -3,10 +3,12 @@
 #include "core/document/document_state.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <random>
 #include <sqlite3.h>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -132,18 +134,33 @@ Result<std::int64_t> contentDigest(Database& database) {
     return digest.value();
 }
 
-Result<std::int64_t> jobDigest(Database& database) {
+Result<std::int64_t> jobDigest(Database& database, SetupId setup) {
     Digest digest;
-    for (const char* table :
-         {"model", "body", "setup", "material", "obstacle", "undone_stretch", "path", "path_source", "path_edit"})
-        if (Result<void> added = addTable(database, table, digest); !added) return std::move(added).error();
+    const std::string id = std::to_string(numberOf(setup));
+    const std::string takes = "(SELECT id FROM take WHERE setup = " + id + ")";
+    const std::string paths = "(SELECT id FROM path WHERE setup = " + id + ")";
+    const std::string generated = "(SELECT id FROM generated WHERE setup = " + id + ")";
     // Recordings grow, generated moves are as they were made: how long they are says what is in them.
-    for (const char* query : {"SELECT id, tool_id, allowance, tick_period FROM take ORDER BY id",
-                              "SELECT take, first, count FROM sample_chunk ORDER BY take, first",
-                              "SELECT id, tool_id, allowance FROM generated ORDER BY id",
-                              "SELECT generated, stroke, first, count FROM generated_chunk ORDER BY 1, 2, 3",
-                              "SELECT setup, json FROM setup_setting WHERE name = 'travel' ORDER BY setup"})
-        if (Result<void> added = addRows(database, query, digest); !added) return std::move(added).error();
+    const std::array questions{
+        std::pair{"model", std::string("SELECT * FROM model")},
+        std::pair{"body", std::string("SELECT * FROM body ORDER BY rowid")},
+        std::pair{"setup", "SELECT id, json FROM setup WHERE id = " + id},
+        std::pair{"material", std::string("SELECT * FROM material ORDER BY rowid")},
+        std::pair{"obstacle", "SELECT * FROM obstacle WHERE setup = " + id + " ORDER BY rowid"},
+        std::pair{"undone_stretch", "SELECT * FROM undone_stretch WHERE take IN " + takes + " ORDER BY rowid"},
+        std::pair{"path", "SELECT * FROM path WHERE setup = " + id + " ORDER BY rowid"},
+        std::pair{"path_source", "SELECT * FROM path_source WHERE path IN " + paths + " ORDER BY rowid"},
+        std::pair{"path_edit", "SELECT * FROM path_edit WHERE path IN " + paths + " ORDER BY rowid"},
+        std::pair{"take", "SELECT id, tool_id, allowance, tick_period FROM take WHERE setup = " + id + " ORDER BY id"},
+        std::pair{"samples", "SELECT take, first, count FROM sample_chunk WHERE take IN " + takes + " ORDER BY 1, 2"},
+        std::pair{"generated", "SELECT id, tool_id, allowance FROM generated WHERE setup = " + id + " ORDER BY id"},
+        std::pair{"moves", "SELECT generated, stroke, first, count FROM generated_chunk WHERE generated IN " +
+                               generated + " ORDER BY 1, 2, 3"},
+        std::pair{"travel", "SELECT setup, json FROM setup_setting WHERE name = 'travel' AND setup = " + id}};
+    for (const auto& [name, question] : questions) {
+        digest.add(std::string_view(name));
+        if (Result<void> added = addRows(database, question, digest); !added) return std::move(added).error();
+    }
     return digest.value();
 }
 

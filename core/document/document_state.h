@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/setup_id.h"
 #include "core/document/database.h"
 
 #include <optional>
@@ -37,8 +38,9 @@ std::string newSaveId();
 /// a file at rest, so that a flipped bit could pass for a number.
 Result<std::int64_t> contentDigest(Database& database);
 
-/// The same of part, setup, materials, what stands around the stock, the machine's travel, recordings and paths alone,
-/// which a program is made of and judged by. Tools are not in it: a project holds some that no recording uses.
-Result<std::int64_t> jobDigest(Database& database);
+/// The same of part and materials, and of a setup with what stands around its stock, its machine's travel, recordings
+/// and paths alone, which a program is made of and judged by. Tools are not in it: a project holds some that no
+/// recording uses.
+Result<std::int64_t> jobDigest(Database& database, SetupId setup);
 
 } // namespace burin

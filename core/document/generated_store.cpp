@@ -76,11 +76,11 @@ Result<void> loadStrokes(Database& database, GeneratedMoves& moves) {
 
 } // namespace
 
-Result<std::int64_t> storeGenerated(Database& database, const GeneratedMoves& moves) {
+Result<std::int64_t> storeGenerated(Database& database, const GeneratedMoves& moves, SetupId setup) {
     if (Result<void> valid = checkGenerated(moves); !valid) return std::move(valid).error();
-    if (Result<void> known = requireSetup(database, moves.info.setup); !known) return std::move(known).error();
+    if (Result<void> known = requireSetup(database, setup); !known) return std::move(known).error();
     if (Result<void> done = run(database, "INSERT INTO generated(setup, name, tool_id, allowance) VALUES(?, ?, ?, ?)",
-                                numberOf(moves.info.setup), moves.info.name, moves.info.toolId, moves.info.allowance);
+                                numberOf(setup), moves.info.name, moves.info.toolId, moves.info.allowance);
         !done)
         return std::move(done).error();
     const Result<std::int64_t> row = database.integer("SELECT last_insert_rowid()");

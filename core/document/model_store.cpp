@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/clean_text.h"
 #include "core/base/compression.h"
+#include "core/document/json_placement.h"
 #include "core/document/mesh_blob.h"
 #include "core/document/stores.h"
 
@@ -97,7 +98,7 @@ Result<void> loadNotes(Database& database, std::vector<ImportNote>& notes) {
 
 Result<Model> loadHead(Database& database) {
     Result<Statement> row = Statement::prepare(
-        database, "SELECT source_file, format, length_unit, unit_scale, mesh_chord, brep FROM model");
+        database, "SELECT source_file, format, length_unit, unit_scale, mesh_chord, brep, brep_placement FROM model");
     if (!row) return std::move(row).error();
     const Result<bool> found = row->step();
     if (!found) return found.error();
@@ -111,6 +112,11 @@ Result<Model> loadHead(Database& database) {
     std::optional<std::string> brep = decompress(row->blob(5), mostUnpacked(row->blob(5).size()));
     if (!brep) return damaged(database, "model");
     model.brep = std::move(*brep);
+    if (const std::string_view text = row->text(6); !text.empty()) try {
+            model.brepPlacement = placementOf(nlohmann::json::parse(text));
+        } catch (const nlohmann::json::exception&) {
+            return damaged(database, "model");
+        }
     return model;
 }
 
@@ -124,8 +130,9 @@ Result<void> storeModel(Database& database, const Model& model) {
     for (const char* table : {"DELETE FROM model", "DELETE FROM body", "DELETE FROM import_note"})
         if (Result<void> done = database.execute(table); !done) return done;
     const std::string brep = compress(model.brep);
-    if (Result<void> done = run(database, "INSERT INTO model VALUES(1, ?, ?, ?, ?, ?, ?)", model.sourceFile,
-                                model.format, model.lengthUnit, model.unitScale, model.meshChord, BlobView{brep});
+    if (Result<void> done = run(database, "INSERT INTO model VALUES(1, ?, ?, ?, ?, ?, ?, ?)", model.sourceFile,
+                                model.format, model.lengthUnit, model.unitScale, model.meshChord, BlobView{brep},
+                                isNone(model.brepPlacement) ? std::string() : jsonOf(model.brepPlacement).dump());
         !done)
         return done;
     if (Result<void> done = storeBodies(database, model.bodies); !done) return done;

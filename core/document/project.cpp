@@ -114,16 +114,6 @@ void Project::abandonChanges() noexcept {
     if (!readOnly()) impl_->copy->abandon();
 }
 
-Result<void> Project::setModel(const Model& model) {
-    return impl_->change([&](Database& database) { return storeModel(database, model); });
-}
-Result<Model> Project::model() const {
-    return impl_->read(loadModel);
-}
-
-Result<std::vector<TakeInfo>> Project::takes() const {
-    return impl_->read(loadTakes);
-}
 Result<Take> Project::take(std::int64_t id) const {
     return impl_->read([id](Database& database) { return loadTake(database, id); });
 }
@@ -146,7 +136,9 @@ Result<void> Project::redoStretch(std::int64_t take, const SampleRange& stretch)
 
 Result<Project::TakeWriter> Project::beginTake(const TakeInfo& info) {
     if (readOnly()) return Error{ErrorCode::fileNotWritable, impl_->file.string(), {}, "open for reading alone"};
-    return TakeWriter::begin(impl_->copy, info);
+    TakeInfo meant = info;
+    meant.setup = impl_->meant(info.setup);
+    return TakeWriter::begin(impl_->copy, meant);
 }
 
 } // namespace burin

@@ -34,7 +34,7 @@ struct StoredPath {
     std::string name;
     std::vector<PathSource> sources; ///< of `setup` all of them
     std::vector<Edit> edits;
-    SetupId setup = firstSetup;
+    SetupId setup = setupInUse;
 };
 
 /// A posted program with the verdict that let it out.
@@ -44,12 +44,12 @@ struct StoredProgram {
     std::string machine;
     std::string text;
     std::string reportJson;
-    SetupId setup = firstSetup; ///< that it is to be run in
+    SetupId setup = setupInUse; ///< that it is to be run in
 };
 
 /// A setup of a job, as lists show it.
 struct SetupName {
-    SetupId id = firstSetup;
+    SetupId id = setupInUse;
     std::string name; ///< empty: nobody gave it one
 };
 
@@ -106,52 +106,63 @@ public:
     // Each setter is one transaction; errors: diskFull, fileNotWritable. Each getter: fileDamaged, projectIncomplete.
     // Lists are empty where nothing was stored yet; what there is only one of is then projectIncomplete.
     Result<void> setModel(const Model& model);
-    Result<Model> model() const;
-    // What belongs to a setup takes its id; further error: nameUnknown (there is none of that id).
+    Result<Model> model() const; ///< in its own frame
+    /// As it lies in a setup. Errors: also nameUnknown; the model's own frame where nothing is embedded there yet.
+    Result<std::shared_ptr<const Model>> placedModel(SetupId id = setupInUse) const;
+    // A project is used in one of its setups: what belongs to a setup takes its id, and is of the one in use where none
+    // is said. Further error: nameUnknown (there is none of that id).
 
     /// In the order in which they were made; there is always one.
     Result<std::vector<SetupName>> setups() const;
-    /// A further one, in which nothing is stored yet; its id.
+    /// A further one, in which nothing is stored yet; its id. It is not in use yet.
     Result<SetupId> addSetup(const std::string& name);
-    Result<void> setSetup(const Setup& setup, SetupId id = firstSetup);
-    Result<Setup> setup(SetupId id = firstSetup) const;
-    /// Materials of the setup by id, as they were when it was made; in their order.
+    Result<void> nameSetup(SetupId id, const std::string& name);
+    /// With its stock, fixtures and guides; another is in use. Errors: argumentInvalid (it is in use, it holds
+    /// recordings, generated moves, paths or programs, or another setup's stock comes from it).
+    Result<void> removeSetup(SetupId id);
+    /// From now on; the first one where a project was opened or made. The project itself stays as it is.
+    Result<void> useSetup(SetupId id);
+    SetupId usedSetup() const noexcept;
+    Result<void> setSetup(const Setup& setup, SetupId id = setupInUse);
+    Result<Setup> setup(SetupId id = setupInUse) const;
+    /// Materials of the setups by id, as they were when they were made; in their order. What other setups than the one
+    /// in use name stays.
     Result<void> setMaterials(const std::vector<Property>& materials);
     Result<std::vector<Property>> materials() const;
     Result<void> setTool(const Tool& tool); ///< replaces the one of the same id
     Result<std::vector<Tool>> tools() const;
     /// What stands around the stock; the list replaces the one before. Errors: also those of checkObstacle.
-    Result<void> setObstacles(const std::vector<Obstacle>& obstacles, SetupId setup = firstSetup);
-    Result<std::vector<Obstacle>> obstacles(SetupId setup = firstSetup) const;
+    Result<void> setObstacles(const std::vector<Obstacle>& obstacles, SetupId setup = setupInUse);
+    Result<std::vector<Obstacle>> obstacles(SetupId setup = setupInUse) const;
     /// How the tool's axis is held from now on; takes keep the axis of each sample. +Z where nothing was stored.
     /// Errors: also argumentInvalid (a direction that is not of unit length).
-    Result<void> setAxisMode(const AxisMode& axis, SetupId setup = firstSetup);
-    Result<AxisMode> axisMode(SetupId setup = firstSetup) const;
+    Result<void> setAxisMode(const AxisMode& axis, SetupId setup = setupInUse);
+    Result<AxisMode> axisMode(SetupId setup = setupInUse) const;
     /// Where the machine's travel lies; by the rule of travelEnvelope where nothing was stored.
-    Result<void> setTravelPlacement(const TravelPlacement& placement, SetupId setup = firstSetup);
-    Result<TravelPlacement> travelPlacement(SetupId setup = firstSetup) const;
+    Result<void> setTravelPlacement(const TravelPlacement& placement, SetupId setup = setupInUse);
+    Result<TravelPlacement> travelPlacement(SetupId setup = setupInUse) const;
     /// Machine and dialect of the programs; the first machine's where nothing was stored.
-    Result<void> setProgramTarget(const ProgramTarget& target, SetupId setup = firstSetup);
-    Result<ProgramTarget> programTarget(SetupId setup = firstSetup) const;
+    Result<void> setProgramTarget(const ProgramTarget& target, SetupId setup = setupInUse);
+    Result<ProgramTarget> programTarget(SetupId setup = setupInUse) const;
     /// The text of a program that the user edits and that was not checked since. Empty: none.
-    Result<void> setProgramDraft(const std::string& text);
-    Result<std::string> programDraft() const;
+    Result<void> setProgramDraft(const std::string& text, SetupId setup = setupInUse);
+    Result<std::string> programDraft(SetupId setup = setupInUse) const;
     /// Where the user left the project (step, camera, …), a JSON text that the window reads. It is kept with the next
     /// `save` and is no change that needs one.
     Result<void> setLeftAt(const std::string& json);
     Result<std::string> leftAt() const; ///< empty: nothing was stored
     /// The program that was checked last, as `keptProgramToJson` writes it. Empty: none.
-    Result<void> setKeptProgram(const std::string& json);
-    Result<std::string> keptProgram() const;
-    /// A figure that changes with any bit of part, setup, materials, what stands around the stock, recordings and
-    /// paths.
-    Result<std::int64_t> jobDigest() const;
+    Result<void> setKeptProgram(const std::string& json, SetupId setup = setupInUse);
+    Result<std::string> keptProgram(SetupId setup = setupInUse) const;
+    /// A figure that changes with any bit of part and materials, and of a setup, what stands around its stock, its
+    /// recordings and paths.
+    Result<std::int64_t> jobDigest(SetupId setup = setupInUse) const;
     /// The guides of the hand; they replace the ones before. Errors: also those of checkGuide.
-    Result<void> setGuides(const KeptGuides& guides, SetupId setup = firstSetup);
-    Result<KeptGuides> guides(SetupId setup = firstSetup) const;
+    Result<void> setGuides(const KeptGuides& guides, SetupId setup = setupInUse);
+    Result<KeptGuides> guides(SetupId setup = setupInUse) const;
 
-    /// All of them, complete or not, in the order in which they were made.
-    Result<std::vector<TakeInfo>> takes() const;
+    /// All of a setup, complete or not, in the order in which they were made.
+    Result<std::vector<TakeInfo>> takes(SetupId setup = setupInUse) const;
     /// Errors: nameUnknown, projectIncomplete (there is no recording at all).
     Result<Take> take(std::int64_t id) const;
     /// The same without its samples. Errors: as `take`.
@@ -169,8 +180,8 @@ public:
     /// Takes such a note back. Errors: argumentInvalid (there is none of just this stretch).
     Result<void> redoStretch(std::int64_t take, const SampleRange& stretch);
 
-    /// What planners made, without the moves.
-    Result<std::vector<GeneratedInfo>> generated() const;
+    /// What planners made for a setup, without the moves.
+    Result<std::vector<GeneratedInfo>> generated(SetupId setup = setupInUse) const;
     /// Errors: nameUnknown.
     Result<GeneratedMoves> generatedMoves(std::int64_t id) const;
     /// Their id; `moves.info.id` is ignored, and none is ever given twice. They are never changed: a planner that is
@@ -188,11 +199,11 @@ public:
     Result<void> removePath(std::int64_t id);
     /// Puts a path that was removed back, with its id. Errors: nameUnknown (a source).
     Result<void> restorePath(const StoredPath& path);
-    Result<std::vector<StoredPath>> paths() const;
+    Result<std::vector<StoredPath>> paths(SetupId setup = setupInUse) const;
 
     /// Behind those that are there.
     Result<void> addProgram(const StoredProgram& program);
-    Result<std::vector<StoredProgram>> programs() const;
+    Result<std::vector<StoredProgram>> programs(SetupId setup = setupInUse) const;
 
     class TakeWriter;
     /// Starts a recording; `info.id`, `sampleCount` and `complete` are the project's to decide. The writer may outlive

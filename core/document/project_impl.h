@@ -62,7 +62,11 @@ public:
         return work(database);
     }
 
+    /// The setup that is meant.
+    SetupId meant(SetupId id) const noexcept { return id == setupInUse ? used : id; }
+
     std::filesystem::path file;
+    SetupId used = firstSetup;
     std::shared_ptr<WorkingCopy> copy; ///< null: open for reading alone
     std::shared_ptr<WorkingCopy> lock; ///< of a project that is open for reading alone, where it could be had
     Database database;

@@ -198,6 +198,14 @@ CREATE TABLE stock_volume(
     volume BLOB NOT NULL);
 )sql";
 
+/// A mirrored part is no part of its B-rep's file; and what was the job's program is its only setup's.
+constexpr const char* placements = R"sql(
+ALTER TABLE model ADD COLUMN brep_placement TEXT NOT NULL DEFAULT '';
+INSERT INTO setup_setting SELECT 1, name, json FROM milling_setting WHERE name IN ('program_draft', 'kept_program');
+DELETE FROM milling_setting WHERE name IN ('program_draft', 'kept_program');
+)sql";
+constexpr std::string_view brepPlacementColumn = ",brep_placementTEXTNOTNULLDEFAULT'')";
+
 std::string withoutSpaces(std::string_view sql) {
     std::string text;
     for (const char character : sql)
@@ -217,14 +225,16 @@ std::map<std::string, std::string> statementsOf(std::string_view sql) {
     return statements;
 }
 
+/// A column that was added behind the others: SQLite puts it into the statement as it was written.
+void addColumn(std::string& statement, std::string_view column) {
+    statement.replace(statement.size() - 1, 1, column);
+}
+
 void addSetupsTo(std::map<std::string, std::string>& expected) {
     for (const char* made : {setups, sources})
         for (const auto& [name, statement] : statementsOf(made)) expected[name] = statement;
     expected.erase("path_take");
-    for (const char* name : {"take", "path", "program"}) {
-        std::string& statement = expected[name];
-        statement.replace(statement.size() - 1, 1, setupColumn);
-    }
+    for (const char* name : {"take", "path", "program"}) addColumn(expected[name], setupColumn);
 }
 
 Result<void> setVersion(Database& file, int version) {
@@ -268,6 +278,10 @@ Result<void> addStockVolumes(Database& file) {
     return file.execute(stockVolumes);
 }
 
+Result<void> addPlacements(Database& file) {
+    return file.execute(placements);
+}
+
 Result<void> checkIdentity(Database& file, int newest) {
     const Result<std::int64_t> application = file.integer("PRAGMA application_id");
     if (!application) return application.error();
@@ -288,6 +302,7 @@ Result<void> checkSchema(Database& file) {
     if (*version >= 3) expected.merge(statementsOf(surroundings));
     if (*version >= 4) addSetupsTo(expected);
     if (*version >= 6) expected.merge(statementsOf(stockVolumes));
+    if (*version >= 7) addColumn(expected["model"], brepPlacementColumn);
     Result<Statement> rows =
         Statement::prepare(file, "SELECT name, sql FROM sqlite_schema WHERE type IN ('table', 'index')");
     if (!rows) return std::move(rows).error();

@@ -26,12 +26,15 @@ Result<void> addSurroundings(Database& file);
 Result<void> addSetups(Database& file);
 Result<void> addRoles(Database& file);
 Result<void> addStockVolumes(Database& file);
+Result<void> addPlacements(Database& file);
 inline constexpr std::array projectMigrations{
     Migration{1, BURIN_TEXT("Migration", "Strokes of a take can be undone."), addUndoneStretches},
     Migration{2, BURIN_TEXT("Migration", "Fixtures, the tool axis and guides are kept."), addSurroundings},
     Migration{3, BURIN_TEXT("Migration", "A job may have several setups."), addSetups},
     Migration{4, BURIN_TEXT("Migration", "Bodies have roles, and the stock a form and layers."), addRoles},
     Migration{5, BURIN_TEXT("Migration", "The stock may come from a file."), addStockVolumes},
+    Migration{6, BURIN_TEXT("Migration", "A part may be turned, and each setup has a program of its own."),
+              addPlacements},
 };
 inline constexpr int projectVersion = static_cast<int>(projectMigrations.size()) + 1;
 

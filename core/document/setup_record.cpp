@@ -3,6 +3,7 @@
 #include "core/document/setup_record.h"
 
 #include "core/document/json_cylinder.h"
+#include "core/document/json_placement.h"
 #include "core/geometry/pose.h"
 
 #include <algorithm>
@@ -21,6 +22,7 @@ const char* notFinite(const Setup& setup) {
     if (!isFinite(setup.marginLow)) return "margin_low_mm";
     if (!isFinite(setup.marginHigh)) return "margin_high_mm";
     if (!isFinite(setup.workOffset)) return "work_offset_mm";
+    if (!isSound(setup.placement)) return "placement";
     const CylinderShape& cylinder = setup.cylinder;
     if (!isFinite(cylinder.base) || !isFinite(cylinder.axis) || !std::isfinite(cylinder.radius) ||
         !std::isfinite(cylinder.height))
@@ -109,6 +111,14 @@ void readStock(const json& record, Setup& setup) {
     for (const json& region : record.at("regions")) setup.regions.push_back(regionOf(region));
 }
 
+/// Since version 7.
+void readPlacement(const json& record, Setup& setup) {
+    if (!record.contains("placement")) return;
+    if (const json& placement = record.at("placement"); !placement.is_null()) setup.placement = placementOf(placement);
+    if (const json& origin = record.at("left_by"); !origin.is_null())
+        setup.leftBy = {SetupId{origin.at("setup").get<std::int64_t>()}, origin.at("digest").get<std::int64_t>()};
+}
+
 Setup read(const json& record) {
     Setup setup;
     setup.voxel = record.at("voxel_mm").get<double>();
@@ -122,6 +132,7 @@ Setup read(const json& record) {
     // Left out by the versions that knew no other.
     setup.runs = static_cast<RunAxis>(axisOf(record.value("run_axis", "z"), "run_axis", record));
     readStock(record, setup);
+    readPlacement(record, setup);
     return setup;
 }
 
@@ -149,6 +160,9 @@ Result<std::string> toJson(const Setup& setup) {
         {"free_carving", setup.freeCarving},
         {"regions", std::move(regions)},
         {"stock_checksum", setup.volume ? json(setup.volume->checksum()) : json()},
+        {"placement", isNone(setup.placement) ? json() : jsonOf(setup.placement)},
+        {"left_by",
+         setup.leftBy ? json{{"setup", numberOf(setup.leftBy->setup)}, {"digest", setup.leftBy->digest}} : json()},
     };
     return record.dump(-1, ' ', false, json::error_handler_t::replace);
 }

@@ -42,6 +42,71 @@ Result<StockVolume::Shared> loadStockVolume(Database& database, SetupId id) {
     return volume;
 }
 
+/// Its JSON; nothing where nothing is embedded yet.
+Result<std::optional<std::string>> recordOf(Database& database, SetupId id) {
+    if (Result<void> known = requireSetup(database, id); !known) return std::move(known).error();
+    Result<Statement> row = Statement::prepare(database, "SELECT json FROM setup WHERE id = ?");
+    if (!row) return std::move(row).error();
+    if (Result<void> bound = row->bind(numberOf(id)); !bound) return std::move(bound).error();
+    const Result<bool> found = row->step();
+    if (!found) return found.error();
+    if (!*found || row->isNull(0)) return std::optional<std::string>();
+    return std::optional(std::string(row->text(0)));
+}
+
+/// What is stored of other setups than one, but for the volumes of their stocks.
+Result<std::vector<Setup>> otherSetups(Database& database, SetupId id) {
+    const Result<std::vector<SetupName>> setups = loadSetups(database);
+    if (!setups) return setups.error();
+    std::vector<Setup> others;
+    for (const SetupName& name : *setups) {
+        if (name.id == id) continue;
+        const Result<std::optional<std::string>> record = recordOf(database, name.id);
+        if (!record) return record.error();
+        if (!*record) continue;
+        std::optional<Setup> setup = setupFromJson(**record);
+        if (!setup) return damaged(database, "setup");
+        others.push_back(std::move(*setup));
+    }
+    return others;
+}
+
+/// The stored materials that other setups name, and that are not among these.
+Result<std::vector<Property>> namedByOthers(Database& database, SetupId id, const std::vector<Property>& materials) {
+    const Result<std::vector<Setup>> others = otherSetups(database, id);
+    if (!others) return others.error();
+    if (others->empty()) return std::vector<Property>{};
+    Result<std::vector<Property>> stored = loadMaterials(database);
+    if (!stored && stored.error().code == ErrorCode::projectIncomplete) return std::vector<Property>{};
+    if (!stored) return stored;
+    std::erase_if(*stored, [&](const Property& material) {
+        const bool named = std::ranges::any_of(*others, [&](const Setup& setup) {
+            const std::vector<std::string> used = materialsUsed(setup);
+            return std::ranges::find(used, material.id) != used.end();
+        });
+        return !named || std::ranges::find(materials, material.id, &Property::id) != materials.end();
+    });
+    return stored;
+}
+
+/// That nothing would go with it that a user made.
+Result<void> requireEmpty(Database& database, SetupId id) {
+    const std::string number = std::to_string(numberOf(id));
+    for (const char* table : {"take", "generated", "path", "program"}) {
+        const Result<std::int64_t> count =
+            database.integer(("SELECT COUNT(*) FROM " + std::string(table) + " WHERE setup = " + number).c_str());
+        if (!count) return count.error();
+        if (*count > 0)
+            return Error{ErrorCode::argumentInvalid, "setup", number, "a setup without recordings, paths and programs"};
+    }
+    const Result<std::vector<Setup>> others = otherSetups(database, id);
+    if (!others) return others.error();
+    const auto isFromIt = [id](const Setup& setup) { return setup.leftBy && setup.leftBy->setup == id; };
+    if (std::ranges::any_of(*others, isFromIt))
+        return Error{ErrorCode::argumentInvalid, "setup", number, "a setup whose workpiece no other one's stock is"};
+    return {};
+}
+
 } // namespace
 
 Result<SetupId> storeNewSetup(Database& database, const std::string& name) {
@@ -81,16 +146,12 @@ Result<void> storeSetup(Database& database, SetupId id, const Setup& setup) {
 }
 
 Result<Setup> loadSetup(Database& database, SetupId id) {
-    if (Result<void> known = requireSetup(database, id); !known) return std::move(known).error();
-    Result<Statement> row = Statement::prepare(database, "SELECT json FROM setup WHERE id = ?");
-    if (!row) return std::move(row).error();
-    if (Result<void> bound = row->bind(numberOf(id)); !bound) return std::move(bound).error();
-    const Result<bool> found = row->step();
-    if (!found) return found.error();
-    if (!*found || row->isNull(0)) return noSetup(database);
-    std::optional<Setup> setup = setupFromJson(row->text(0));
+    const Result<std::optional<std::string>> record = recordOf(database, id);
+    if (!record) return record.error();
+    if (!*record) return noSetup(database);
+    std::optional<Setup> setup = setupFromJson(**record);
     if (!setup) return damaged(database, "setup");
-    if (const std::optional<std::uint64_t> checksum = stockChecksumOf(row->text(0))) {
+    if (const std::optional<std::uint64_t> checksum = stockChecksumOf(**record)) {
         Result<StockVolume::Shared> volume = loadStockVolume(database, id);
         if (!volume) return std::move(volume).error();
         if ((*volume)->checksum() != *checksum) return damaged(database, "stock_volume");
@@ -99,10 +160,37 @@ Result<Setup> loadSetup(Database& database, SetupId id) {
     return std::move(*setup);
 }
 
-Result<void> storeMaterials(Database& database, const std::vector<Property>& materials) {
+Result<Placement> loadPlacement(Database& database, SetupId id) {
+    const Result<std::optional<std::string>> record = recordOf(database, id);
+    if (!record) return record.error();
+    if (!*record) return Placement{};
+    const std::optional<Setup> setup = setupFromJson(**record);
+    if (!setup) return damaged(database, "setup");
+    return setup->placement;
+}
+
+Result<void> renameSetup(Database& database, SetupId id, const std::string& name) {
+    if (Result<void> known = requireSetup(database, id); !known) return known;
+    return run(database, "UPDATE setup SET name = ? WHERE id = ?", name, numberOf(id));
+}
+
+Result<void> eraseSetup(Database& database, SetupId id) {
+    if (Result<void> known = requireSetup(database, id); !known) return known;
+    if (Result<void> unused = requireEmpty(database, id); !unused) return unused;
+    for (const char* erase : {"DELETE FROM stock_volume WHERE setup = ?", "DELETE FROM obstacle WHERE setup = ?",
+                              "DELETE FROM guide WHERE setup = ?", "DELETE FROM setup_setting WHERE setup = ?",
+                              "DELETE FROM setup WHERE id = ?"})
+        if (Result<void> done = run(database, erase, numberOf(id)); !done) return done;
+    return {};
+}
+
+Result<void> storeMaterials(Database& database, SetupId id, const std::vector<Property>& materials) {
+    Result<std::vector<Property>> kept = namedByOthers(database, id, materials);
+    if (!kept) return std::move(kept).error();
     if (Result<void> done = database.execute("DELETE FROM material"); !done) return done;
+    kept->insert(kept->begin(), materials.begin(), materials.end());
     std::int64_t position = 0;
-    for (const Property& material : materials)
+    for (const Property& material : *kept)
         if (Result<void> done =
                 run(database, "INSERT INTO material VALUES(?, ?, ?)", position++, material.id, toJson(material));
             !done)

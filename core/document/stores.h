@@ -23,7 +23,11 @@ Result<std::vector<SetupName>> loadSetups(Database& database);
 Result<void> requireSetup(Database& database, SetupId id);
 Result<void> storeSetup(Database& database, SetupId id, const Setup& setup); ///< argumentInvalid: not finite
 Result<Setup> loadSetup(Database& database, SetupId id);
-Result<void> storeMaterials(Database& database, const std::vector<Property>& materials);
+Result<Placement> loadPlacement(Database& database, SetupId id); ///< none where nothing is embedded yet
+Result<void> renameSetup(Database& database, SetupId id, const std::string& name);
+Result<void> eraseSetup(Database& database, SetupId id); ///< argumentInvalid: something depends on it
+/// @param id whose materials they are; those that others name stay
+Result<void> storeMaterials(Database& database, SetupId id, const std::vector<Property>& materials);
 Result<std::vector<Property>> loadMaterials(Database& database);
 Result<void> storeTool(Database& database, const Tool& tool);
 Result<std::vector<Tool>> loadTools(Database& database);
@@ -42,10 +46,10 @@ Result<void> storeProgramTarget(Database& database, SetupId setup, const Program
 Result<ProgramTarget> loadProgramTarget(Database& database, SetupId setup);
 Result<void> storeLeftAt(Database& database, const std::string& json);
 Result<std::string> loadLeftAt(Database& database);
-Result<void> storeKeptProgram(Database& database, const std::string& json);
-Result<std::string> loadKeptProgram(Database& database);
-Result<void> storeProgramDraft(Database& database, const std::string& text);
-Result<std::string> loadProgramDraft(Database& database);
+Result<void> storeKeptProgram(Database& database, SetupId setup, const std::string& json);
+Result<std::string> loadKeptProgram(Database& database, SetupId setup);
+Result<void> storeProgramDraft(Database& database, SetupId setup, const std::string& text);
+Result<std::string> loadProgramDraft(Database& database, SetupId setup);
 Result<void> storeGuides(Database& database, SetupId setup,
                          const KeptGuides& kept); ///< those of checkGuide, argumentInvalid
 Result<KeptGuides> loadGuides(Database& database, SetupId setup);
@@ -61,8 +65,8 @@ Result<void> storeUndone(Database& database, std::int64_t take, const SampleRang
 Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRange& stretch);
 
 // generated_store.cpp
-/// As new ones; their id. Errors: those of checkGenerated, nameUnknown (the setup).
-Result<std::int64_t> storeGenerated(Database& database, const GeneratedMoves& moves);
+/// As new ones of a setup; their id. Errors: those of checkGenerated, nameUnknown (the setup).
+Result<std::int64_t> storeGenerated(Database& database, const GeneratedMoves& moves, SetupId setup);
 Result<std::vector<GeneratedInfo>> loadGenerated(Database& database);
 Result<GeneratedMoves> loadGeneratedMoves(Database& database, std::int64_t id);
 Result<void> eraseGenerated(Database& database, std::int64_t id);

@@ -13,10 +13,10 @@ namespace burin {
 namespace {
 
 /// Rows of `setup_setting`.
-constexpr std::string_view axisMode = "axis_mode", travelPlacement = "travel", programTarget = "target";
+constexpr std::string_view axisMode = "axis_mode", travelPlacement = "travel", programTarget = "target",
+                           programDraft = "program_draft", keptProgram = "kept_program";
 /// Rows of `milling_setting`: of the whole job.
-constexpr std::string_view programDraft = "program_draft", guideButton = "guide_step_button", left = "left_at",
-                           keptProgram = "kept_program";
+constexpr std::string_view guideButton = "guide_step_button", left = "left_at";
 
 std::optional<BlobView> unlessEmpty(const std::string& blob) {
     return blob.empty() ? std::nullopt : std::optional(BlobView{blob});
@@ -161,8 +161,8 @@ Result<void> storeProgramTarget(Database& database, SetupId setup, const Program
     return storeSetting(database, setup, programTarget, toJson(target));
 }
 
-Result<void> storeProgramDraft(Database& database, const std::string& text) {
-    return storeSetting(database, programDraft, programDraftToJson(text));
+Result<void> storeProgramDraft(Database& database, SetupId setup, const std::string& text) {
+    return storeSetting(database, setup, programDraft, programDraftToJson(text));
 }
 Result<void> storeLeftAt(Database& database, const std::string& json) {
     return storeSetting(database, left, json);
@@ -170,14 +170,16 @@ Result<void> storeLeftAt(Database& database, const std::string& json) {
 Result<std::string> loadLeftAt(Database& database) {
     return loadText(database, left);
 }
-Result<void> storeKeptProgram(Database& database, const std::string& json) {
-    return storeSetting(database, keptProgram, json);
+Result<void> storeKeptProgram(Database& database, SetupId setup, const std::string& json) {
+    return storeSetting(database, setup, keptProgram, json);
 }
-Result<std::string> loadKeptProgram(Database& database) {
-    return loadText(database, keptProgram);
+Result<std::string> loadKeptProgram(Database& database, SetupId setup) {
+    Result<std::optional<std::string>> text = loadSetting(database, setup, keptProgram);
+    if (!text) return std::move(text).error();
+    return std::move(*text).value_or(std::string());
 }
-Result<std::string> loadProgramDraft(Database& database) {
-    return loadSettingAs<std::string>(database, programDraft, programDraftFromJson);
+Result<std::string> loadProgramDraft(Database& database, SetupId setup) {
+    return loadSettingAs<std::string>(database, setup, programDraft, programDraftFromJson);
 }
 
 Result<ProgramTarget> loadProgramTarget(Database& database, SetupId setup) {

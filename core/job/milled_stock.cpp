@@ -11,7 +11,7 @@ namespace burin {
 namespace {
 
 /// Shares of the work: making the stock, cutting the paths before, and what it is lent for.
-constexpr double made = 0.3, cut = 0.6;
+constexpr double madeShare = 0.3, cutShare = 0.6;
 
 } // namespace
 
@@ -31,7 +31,7 @@ Result<void> MilledStock::lend(std::span<const MilledPath> paths, const StockUse
 
 Result<void> MilledStock::lendKept(std::span<const MilledPath> paths, const StockUse& use, Progress& progress) {
     if (!stock_) {
-        const ProgressPart part(progress, 0.0, made);
+        const ProgressPart part(progress, 0.0, madeShare);
         Result<RunVolume> stock = make_(progress);
         if (!stock) return stock.error();
         stock_ = std::move(*stock);
@@ -42,14 +42,14 @@ Result<void> MilledStock::lendKept(std::span<const MilledPath> paths, const Stoc
     if (known < paths.size()) states_.resize(known); // those of other paths are of no use any more
     stock_->restore(known == 0 ? untouched_ : states_[known - 1].stock);
     for (std::size_t i = known; i < paths.size(); ++i) {
-        const double share = (cut - made) / static_cast<double>(paths.size());
-        const ProgressPart part(progress, made + share * static_cast<double>(i),
-                                made + share * static_cast<double>(i + 1));
+        const double share = (cutShare - madeShare) / static_cast<double>(paths.size());
+        const ProgressPart part(progress, madeShare + share * static_cast<double>(i),
+                                madeShare + share * static_cast<double>(i + 1));
         const MilledPath& path = paths[i];
         if (Result<void> done = cutPath(path.evaluated->path, path.tool.cutter, *stock_, progress); !done) return done;
         states_.push_back({path.evaluated, stock_->snapshot()});
     }
-    const ProgressPart part(progress, cut, 1.0);
+    const ProgressPart part(progress, cutShare, 1.0);
     return use(*stock_);
 }
 

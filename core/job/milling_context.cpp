@@ -144,7 +144,7 @@ Result<MillingContext> makeMillingContext(const MillingContextRequest& request, 
 
 Result<MillingContext> makeMillingContext(const Project& project, const Tool& tool, const std::string& machineId,
                                           Progress& progress) {
-    Result<Model> model = project.model();
+    Result<std::shared_ptr<const Model>> model = project.placedModel();
     if (!model) return std::move(model).error();
     Result<Setup> setup = project.setup();
     if (!setup) return std::move(setup).error();
@@ -156,11 +156,8 @@ Result<MillingContext> makeMillingContext(const Project& project, const Tool& to
     if (!travel) return travel.error();
     const Result<ProgramTarget> target = project.programTarget();
     if (!target) return target.error();
-    MillingContextRequest request{std::make_shared<const Model>(std::move(*model)),
-                                  std::move(*setup),
-                                  tool,
-                                  machineId.empty() ? target->machine : machineId,
-                                  {}};
+    MillingContextRequest request{
+        std::move(*model), std::move(*setup), tool, machineId.empty() ? target->machine : machineId, {}};
     request.obstacles = std::move(*obstacles);
     request.travel = *travel;
     if (materials) request.materials = std::move(*materials);

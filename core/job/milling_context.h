@@ -23,7 +23,7 @@ namespace burin {
 /// one machine. Made from a project in seconds; the project stays the truth.
 /// Thread: one at a time; the haptic loop while it mills.
 struct MillingContext {
-    std::shared_ptr<const Model> model;     ///< all that was imported, whatever its roles; never null
+    std::shared_ptr<const Model> model;     ///< all that was imported, as it lies in the setup; never null
     std::shared_ptr<const Model> partModel; ///< the bodies that nothing may cut, maybe none; never null
     Setup setup;
     std::vector<Property> materials; ///< that the project keeps, by id; the library has the others
@@ -46,7 +46,7 @@ struct MillingContext {
 
 /// What a milling context is made of, as values: no project is needed on the thread that makes it.
 struct MillingContextRequest {
-    std::shared_ptr<const Model> model;
+    std::shared_ptr<const Model> model; ///< as it lies in the setup
     Setup setup;
     Tool tool;
     std::string machineId;

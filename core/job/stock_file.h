@@ -21,10 +21,10 @@ struct StockFile {
     bool unitKnown = true; ///< false: a voxel array states no unit of length, and mm were taken
 };
 
-/// Raw material as a file has it: a volume file, a voxel array, or a model (STEP, IGES, BREP, STL) whose solids are
-/// filled with one material. The kind is found from the content. Any thread.
-/// Errors: those of readAnyVolume, importModel, voxelise and StockVolume::of, volumeTooLarge, stockInvalid (a model
-/// whose surface is open where scanlines see it: what it encloses would be a guess).
+/// Raw material as a file has it: a volume file, a voxel array, or a model (of any format of importModel) whose solids
+/// are filled with one material. The kind is found from the content. Any thread. Errors: those of readAnyVolume,
+/// importModel, voxelise and StockVolume::of, volumeTooLarge, stockInvalid (a model whose surface is open where
+/// scanlines see it: what it encloses would be a guess).
 Result<StockFile> readStockFile(const StockFileRequest& request, Progress& progress);
 
 } // namespace burin

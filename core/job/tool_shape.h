@@ -15,7 +15,7 @@ namespace burin {
 /// A cutter that is to be made of models of its flutes and its shank (paper, eq. 3). Both are in one frame: axis +Z, to
 /// the holder, through the origin; the lowest point of the flutes becomes the tip.
 struct ToolShapeRequest {
-    std::filesystem::path flutes; ///< STEP, IGES, BREP or STL
+    std::filesystem::path flutes; ///< any of the formats of importModel
     std::filesystem::path shank;  ///< the same; empty: the shank of `like`
     Tool like; ///< number, flutes, what it bears, holder, and the shank where there is no model of it
     std::string id, name;

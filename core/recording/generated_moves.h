@@ -25,7 +25,7 @@ struct GeneratedPoint {
 /// What holds for all of a planner's moves.
 struct GeneratedInfo {
     std::int64_t id = 0;        ///< in its project, below 0: no take has such a number
-    SetupId setup = firstSetup; ///< that they were made for
+    SetupId setup = setupInUse; ///< that they were made for
     std::string name;
     std::string toolId;
     double allowance = 0.0; ///< mm that they leave on the part

@@ -63,7 +63,7 @@ struct SampleRange {
 /// What is constant over one recording.
 struct TakeInfo {
     std::int64_t id = 0;        ///< in its project
-    SetupId setup = firstSetup; ///< that it was recorded in
+    SetupId setup = setupInUse; ///< that it was recorded in
     std::string name;
     std::string toolId;
     double allowance = 0.0;       ///< mm of stock that the boundary left on the part

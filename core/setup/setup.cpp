@@ -125,7 +125,7 @@ Result<void> placeForm(const Model& model, Setup& setup) {
     if (setup.form == StockForm::file) {
         if (!setup.volume) return invalid("form", "a file where one was read, a box, a cylinder or solids");
         const Grid& grid = setup.volume->grid();
-        setup.stock = grid.box();
+        if (!setup.leftBy) setup.stock = grid.box(); // else its faces are known better
         setup.voxel = grid.edge();
         setup.runs = grid.axis();
         setup.stockMaterial = setup.volume->materials()[setup.volume->mainMaterial()].id;

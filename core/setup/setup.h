@@ -4,7 +4,9 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/base/setup_id.h"
 #include "core/cad/model.h"
+#include "core/geometry/placement.h"
 #include "core/setup/body_role.h"
 #include "core/setup/cylinder_shape.h"
 #include "core/setup/material_amount.h"
@@ -34,8 +36,16 @@ inline constexpr std::array stockForms{StockForm::box, StockForm::cylinder, Stoc
 std::string_view idOf(StockForm form) noexcept;
 std::optional<StockForm> stockFormFromId(std::string_view id) noexcept;
 
-/// How a part lies in its stock: one clamping. The setup frame is the model's frame.
+/// Where a stock that another setup left comes from.
+struct LeftBy {
+    SetupId setup = firstSetup;
+    std::int64_t digest = 0; ///< Project::jobDigest of that setup when it was taken: another one says that it changed
+};
+
+/// How a part lies in its stock: one clamping. Functions that take a model with a setup take it as it lies there
+/// (placed(), core/cad/model.h).
 struct Setup {
+    Placement placement;        ///< from the model's own frame to the setup frame
     double voxel = 0.5;         ///< mm
     glm::dvec3 marginLow{5.0};  ///< mm of stock below the part along x, y, z
     glm::dvec3 marginHigh{5.0}; ///< mm above
@@ -49,7 +59,8 @@ struct Setup {
     /// Of that form: voxel, run axis and materials are its own, whatever of it was protected can be milled, and the
     /// material that most of it is stands for the stock's.
     StockVolume::Shared volume;
-    bool freeCarving = false;   ///< no part is wanted: nothing pushes back
+    std::optional<LeftBy> leftBy; ///< of that form, where the volume is what another setup left
+    bool freeCarving = false;     ///< no part is wanted: nothing pushes back
     Box stock;                  ///< mm: the stock, or the box around it; filled by `placeStock` unless a box is stated
     glm::dvec3 workOffset{0.0}; ///< program zero in the setup frame, mm; filled by `placeStock`
     RunAxis runs = RunAxis::z;  ///< of the volume: along the spindle, or what comes next to it

@@ -17,6 +17,7 @@ Model withoutBodies(const Model& model) {
     other.lengthUnit = model.lengthUnit;
     other.unitScale = model.unitScale;
     other.meshChord = model.meshChord;
+    other.brepPlacement = model.brepPlacement;
     return other;
 }
 

@@ -85,15 +85,16 @@ private slots:
         PartPanel panel;
         panel.setState(examples::part());
         show(panel);
-        auto& unit = child<QComboBox>(panel, "stlUnit");
+        auto& unit = child<QComboBox>(panel, "fileUnit");
         QVERIFY(!unit.isVisible());
         auto model = std::make_shared<Model>(*examples::part().model);
         model->format = "STL binary";
+        model->lengthUnit = "none";
         panel.setState({model, false});
         QVERIFY(unit.isVisible());
         QCOMPARE(unit.currentText(), QStringLiteral("mm"));
         std::vector<double> chosen;
-        connect(&panel, &PartPanel::stlUnitChosen, this,
+        connect(&panel, &PartPanel::fileUnitChosen, this,
                 [&chosen](double millimetres) { chosen.push_back(millimetres); });
         unit.setFocus();
         QTest::keyClick(&unit, Qt::Key_Down);

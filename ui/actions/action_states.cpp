@@ -4,6 +4,9 @@
 
 #include "core/path/drawn_edit.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace burin {
 
 ActionStates::ActionStates(Actions& actions, Workbench& workbench, QObject* parent)
@@ -26,6 +29,14 @@ void ActionStates::update() {
     enable(ActionId::exportProgram, workbench.program.exportable());
     enable(ActionId::exportWorkpiece,
            workbench.workpiece.embedded() && !workbench.session.running() && !workbench.workpiece.exporting());
+    const SetupsController& setups = workbench.setups;
+    const auto own = std::ranges::find(setups.setups(), setups.used(), &SetupName::id);
+    const bool free = !setups.adding() && !showing;
+    enable(ActionId::addSetup, free && workbench.setup.usable() && workbench.workpiece.embedded());
+    enable(ActionId::nextSetup, free && own != setups.setups().end() && std::next(own) != setups.setups().end());
+    enable(ActionId::previousSetup, free && own != setups.setups().begin());
+    for (const ActionId id : {ActionId::faceDown, ActionId::turnAboutX, ActionId::turnAboutY, ActionId::turnAboutZ})
+        enable(id, workbench.setup.hasPart() && !workbench.setup.locked() && !workbench.setup.placing() && free);
     enable(ActionId::embed, workbench.setup.usable() && !workbench.setup.locked() && !workbench.workpiece.embedding());
     enable(ActionId::stockFile,
            workbench.setup.hasPart() && !workbench.setup.locked() && !workbench.setup.readingStock());

@@ -118,10 +118,12 @@ QWidget* WelcomePage::beginnings() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(16);
     layout->addWidget(heading(tr("Begin"), box));
-    auto* part =
-        button(tr("Open a part…"), "openPartButton", tr("Read a part from a STEP, IGES, BREP or STL file."), "import");
+    auto* part = button(tr("Open a part…"), "openPartButton",
+                        tr("Read a part from a CAD file (STEP, IGES, BREP) or a mesh (STL, 3MF, OBJ, PLY, AMF, OFF)."),
+                        "import");
     connect(part, &QPushButton::clicked, this, &WelcomePage::importRequested);
-    layout->addWidget(offer(part, tr("STEP, IGES, BREP or STL. Dropping a file on the window does the same.")));
+    layout->addWidget(
+        offer(part, tr("STEP, IGES, BREP, or a mesh (STL, 3MF, OBJ …). Dropping a file on the window does the same.")));
     auto* sample = button(tr("Try the sample part"), "samplePartButton",
                           tr("Import the part that Burin is shipped with."), "part");
     connect(sample, &QPushButton::clicked, this, &WelcomePage::sampleRequested);

@@ -11,9 +11,9 @@ namespace burin {
 
 bool BodyPicker::press(const ViewportEvent& event) {
     if (event.button != Qt::LeftButton || !model_) return false;
-    const std::optional<std::size_t> body = bodyOn(sightOf(event), *model_);
-    taken_ = body.has_value();
-    if (body) emit chosen(*body);
+    const std::optional<SeenBody> seen = bodyOn(sightOf(event), *model_);
+    taken_ = seen.has_value();
+    if (seen) emit chosen(seen->body);
     return taken_;
 }
 
@@ -21,10 +21,10 @@ bool BodyPicker::release(const ViewportEvent& event) {
     return event.button == Qt::LeftButton && std::exchange(taken_, false);
 }
 
-std::optional<std::size_t> bodyOn(const Sight& sight, const Model& model) {
+std::optional<SeenBody> bodyOn(const Sight& sight, const Model& model) {
     const Ray ray{sight.seenOrigin(), sight.direction};
     double nearest = std::numeric_limits<double>::infinity();
-    std::optional<std::size_t> found;
+    std::optional<SeenBody> found;
     for (std::size_t i = 0; i < model.bodies.size(); ++i) {
         const TriangleMesh& mesh = model.bodies[i].mesh;
         for (const auto& corners : mesh.triangles) {
@@ -32,7 +32,7 @@ std::optional<std::size_t> bodyOn(const Sight& sight, const Model& model) {
                 hitOf(ray, {mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]});
             if (!hit || hit->distance >= nearest) continue;
             nearest = hit->distance;
-            found = i;
+            found = SeenBody{i, ray.origin + hit->distance * ray.direction};
         }
     }
     return found;

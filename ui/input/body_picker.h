@@ -31,7 +31,12 @@ private:
     bool taken_ = false; ///< the press that is under way was on a body
 };
 
-/// The body that a sight meets first; nothing: none. Cost: all of its triangles.
-std::optional<std::size_t> bodyOn(const Sight& sight, const Model& model);
+/// What a sight meets first.
+struct SeenBody {
+    std::size_t body = 0;
+    glm::dvec3 place{0.0}; ///< mm, setup frame
+};
+/// Nothing: no body. Cost: all of its triangles.
+std::optional<SeenBody> bodyOn(const Sight& sight, const Model& model);
 
 } // namespace burin

@@ -42,11 +42,11 @@ public:
     LengthUnit unit = LengthUnit::millimetre;
 
 private:
-    void makeStlUnit(PartPanel* panel);
+    void makeFileUnit(PartPanel* panel);
     void refreshFile(const std::string& file);
     void refreshModel();
     void refreshPreview();
-    void refreshStlUnit();
+    void refreshFileUnit();
     void makeRole(PartPanel* panel);
     void refreshRole();
     BodyRole roleOfBody(std::size_t body) const;
@@ -58,8 +58,8 @@ private:
     QLabel* empty_;
     QWidget* content_;
     ElidedLabel* file_;
-    ChoiceBox* stlUnit_;
-    FieldRow* stlUnitRow_;
+    ChoiceBox* fileUnit_;
+    FieldRow* fileUnitRow_;
     ChoiceBox* role_;
     FieldRow* roleRow_;
     ValueRow *format_, *size_, *volume_;
@@ -92,8 +92,8 @@ PartPanel::Fields::Fields(PartPanel* panel) : QObject(panel) {
         *row = new ValueRow(text, content_);
         inner->addWidget(*row);
     }
-    makeStlUnit(panel);
-    inner->addWidget(stlUnitRow_);
+    makeFileUnit(panel);
+    inner->addWidget(fileUnitRow_);
     bodiesTitle_ = makeSectionTitle(PartPanel::tr("Bodies"), content_);
     bodies_ = new RowList(content_);
     bodies_->setObjectName(QStringLiteral("bodyList"));
@@ -112,17 +112,17 @@ PartPanel::Fields::Fields(PartPanel* panel) : QObject(panel) {
     column->addStretch(1);
 }
 
-void PartPanel::Fields::makeStlUnit(PartPanel* panel) {
-    stlUnit_ = new ChoiceBox(content_);
-    stlUnit_->setObjectName(QStringLiteral("stlUnit"));
-    addFileUnits(*stlUnit_);
-    stlUnitRow_ = new FieldRow(PartPanel::tr("Unit of the file"), stlUnit_,
-                               PartPanel::tr("An STL file states no unit. Choosing another one reads the file again."),
-                               content_, FieldRow::choiceWidth);
-    connect(stlUnit_, &QComboBox::activated, panel, [this, panel](int index) {
-        const double millimetres = stlUnit_->itemData(index).toDouble();
+void PartPanel::Fields::makeFileUnit(PartPanel* panel) {
+    fileUnit_ = new ChoiceBox(content_);
+    fileUnit_->setObjectName(QStringLiteral("fileUnit"));
+    addFileUnits(*fileUnit_);
+    fileUnitRow_ = new FieldRow(PartPanel::tr("Unit of the file"), fileUnit_,
+                                PartPanel::tr("The file states no unit. Choosing another one reads it again."),
+                                content_, FieldRow::choiceWidth);
+    connect(fileUnit_, &QComboBox::activated, panel, [this, panel](int index) {
+        const double millimetres = fileUnit_->itemData(index).toDouble();
         if (!state.model || millimetres == state.model->unitScale) return;
-        emit panel->stlUnitChosen(millimetres);
+        emit panel->fileUnitChosen(millimetres);
         refresh(); // until the file has been read, if at all
     });
 }
@@ -165,17 +165,17 @@ void PartPanel::Fields::refreshRole() {
 }
 
 /// One that the list lacks is added: the command line takes any.
-void PartPanel::Fields::refreshStlUnit() {
+void PartPanel::Fields::refreshFileUnit() {
     const Model& model = *state.model;
-    stlUnitRow_->setVisible(model.format.starts_with("STL"));
-    setEnabledKeepingFocus(stlUnit_, !state.busy);
-    int index = stlUnit_->findData(model.unitScale);
+    fileUnitRow_->setVisible(model.lengthUnit == "none");
+    setEnabledKeepingFocus(fileUnit_, !state.busy);
+    int index = fileUnit_->findData(model.unitScale);
     if (index < 0) {
-        stlUnit_->addItem(QString::fromStdString(formatShortest(model.unitScale)) + QStringLiteral(" mm"),
-                          model.unitScale);
-        index = stlUnit_->count() - 1;
+        fileUnit_->addItem(QString::fromStdString(formatShortest(model.unitScale)) + QStringLiteral(" mm"),
+                           model.unitScale);
+        index = fileUnit_->count() - 1;
     }
-    stlUnit_->setCurrentIndex(index);
+    fileUnit_->setCurrentIndex(index);
 }
 
 void PartPanel::Fields::refresh() {
@@ -183,13 +183,13 @@ void PartPanel::Fields::refresh() {
     import_->setText(state.model ? PartPanel::tr("Import another part…") : PartPanel::tr("Import a part…"));
     setLook(import_, state.model ? "" : "primary");
     enableUnless(import_, state.busy ? PartPanel::tr("A part is being read.") : QString(),
-                 PartPanel::tr("Read a STEP, IGES, BREP or STL file"));
+                 PartPanel::tr("Read a CAD file (STEP, IGES, BREP) or a mesh (STL, 3MF, OBJ, PLY, AMF, OFF)"));
     setWrappedText(empty_, state.preview ? PartPanel::tr("This is a preview. The fine mesh, which is milled to, is "
                                                          "being made…")
                            : state.busy  ? PartPanel::tr("The part is being read…")
                            : shown       ? QString()
                                    : PartPanel::tr("The CAD solid that is to be made. STEP keeps the exact surfaces, "
-                                                   "an STL file has only triangles."));
+                                                   "a mesh (STL, 3MF, OBJ) has only triangles."));
     empty_->setVisible(state.busy || !shown);
     content_->setVisible(shown || state.preview);
     for (QWidget* row : {format_, size_, volume_}) row->setVisible(shown);
@@ -207,7 +207,7 @@ void PartPanel::Fields::refreshFile(const std::string& name) {
 void PartPanel::Fields::refreshPreview() {
     refreshFile(state.preview->sourceFile);
     bodies_->setRows(previewRows());
-    for (QWidget* row : {static_cast<QWidget*>(stlUnitRow_), static_cast<QWidget*>(roleRow_),
+    for (QWidget* row : {static_cast<QWidget*>(fileUnitRow_), static_cast<QWidget*>(roleRow_),
                          static_cast<QWidget*>(notesTitle_), static_cast<QWidget*>(notes_)})
         row->hide();
 }
@@ -221,7 +221,7 @@ void PartPanel::Fields::refreshModel() {
     const Box box = model.box();
     size_->setValue(box.empty() ? QString() : sizeText(box.size(), unit));
     volume_->setValue(volumeText(model.volume(), unit));
-    refreshStlUnit();
+    refreshFileUnit();
     bodies_->setRows(bodyRows());
     refreshRole();
     notes_->setRows(noteRows());

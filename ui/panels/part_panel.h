@@ -21,7 +21,7 @@ public:
 signals:
     void importRequested();
     void roleChosen(std::size_t body, burin::BodyRole role);
-    void stlUnitChosen(double millimetres); ///< a unit of the file means; it is to be read again
+    void fileUnitChosen(double millimetres); ///< a unit of the file means; it is to be read again
 
 private:
     class Fields;

@@ -29,6 +29,28 @@ struct PartState {
     bool locked = false;                           ///< there are recordings: roles stay as they are
 };
 
+/// A setup of the job, as lists show it.
+struct SetupRow {
+    SetupId id = firstSetup;
+    QString name;  ///< empty: nobody gave it one
+    QString title; ///< never empty
+};
+
+/// Where a face of the part that the user picks is to look.
+enum class FaceAim { none, down, up, alongX, alongY };
+
+struct SetupState {
+    std::shared_ptr<const Model> part; ///< as it lies; null: none yet
+    std::vector<SetupRow> setups;      ///< one at least
+    SetupId used = firstSetup;
+    Placement placement;
+    bool stockOutOfDate = false; ///< another setup left its stock, and has changed since
+    bool embedded = false;       ///< the workpiece is there
+    bool locked = false;         ///< there are recordings: the part stays as it lies
+    bool busy = false;           ///< a setup is being added, or a stock turned
+    FaceAim aim = FaceAim::none; ///< of the face that is being picked
+};
+
 struct StockState {
     bool hasPart = false;
     Setup setup;                       ///< as edited; `stock` filled by placeStock

@@ -135,12 +135,12 @@ void DocumentFlow::importFixture() {
     if (file.isEmpty()) return;
     keepFolder(file);
     const auto model = workbench_.model.model();
-    const bool partIsStl = model && model->format.starts_with("STL");
-    workbench_.surroundings.importFile(pathOf(file), partIsStl ? model->unitScale : 1.0);
+    const bool unstated = model && model->lengthUnit == "none";
+    workbench_.surroundings.importFile(pathOf(file), unstated ? model->unitScale : 1.0);
 }
 
-void DocumentFlow::importFile(const QString& file, double stlUnit) {
-    workbench_.model.read(pathOf(file), stlUnit, [this](const std::shared_ptr<const Model>& part) {
+void DocumentFlow::importFile(const QString& file, double fileUnit) {
+    workbench_.model.read(pathOf(file), fileUnit, [this](const std::shared_ptr<const Model>& part) {
         if (!workbench_.importNeedsNewProject()) {
             workbench_.adoptPart(part, false);
             return;
@@ -150,8 +150,8 @@ void DocumentFlow::importFile(const QString& file, double stlUnit) {
     });
 }
 
-void DocumentFlow::importAgain(double stlUnit) {
-    if (const auto model = workbench_.model.model()) importFile(QString::fromStdString(model->sourceFile), stlUnit);
+void DocumentFlow::importAgain(double fileUnit) {
+    if (const auto model = workbench_.model.model()) importFile(QString::fromStdString(model->sourceFile), fileUnit);
 }
 
 void DocumentFlow::importSample() {
@@ -214,7 +214,7 @@ void DocumentFlow::saveAsThen(std::function<void()> then) {
     if (!workbench_.document.isOpen()) return;
     workbench_.collectText();
     QString name = workbench_.document.title();
-    if (workbench_.document.isUnnamed()) name = QFileInfo(programName(workbench_)).completeBaseName();
+    if (workbench_.document.isUnnamed()) name = jobName(workbench_);
     const QString file = askProjectToSave(&window_, folder(), name + QStringLiteral(".burin"));
     if (file.isEmpty()) return;
     keepFolder(file);

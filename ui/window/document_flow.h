@@ -23,9 +23,10 @@ public:
     void createNew();
     void open();
     void import();
-    void importFile(const QString& file, double stlUnit = 1.0); ///< @param stlUnit mm per unit of an STL file
-    void importAgain(double stlUnit);                           ///< the part, whose file meant another unit
-    void importFixture();                                       ///< that the tool keeps out of
+    void importFile(const QString& file,
+                    double fileUnit = 1.0); ///< @param fileUnit mm per unit of a file that states none
+    void importAgain(double fileUnit);      ///< the part, whose file meant another unit
+    void importFixture();                   ///< that the tool keeps out of
     void importSample();
     void showSample(); ///< imports the sample part and lets the virtual operator mill it
     /// A project or a part, as its content says. The file is looked at, and read as a whole, before anything is asked

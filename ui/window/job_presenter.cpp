@@ -28,7 +28,10 @@ JobStepState JobPresenter::part() const {
     if (workbench_.model.preview()) return {StepProgress::current, tr("preview")};
     if (workbench_.model.importing()) return {StepProgress::current, tr("importing")};
     if (!model) return {StepProgress::ready, tr("import one")};
-    return {StepProgress::done, QFileInfo(QString::fromStdString(model->sourceFile)).fileName()};
+    const SetupsController& setups = workbench_.setups;
+    const QString file = QFileInfo(QString::fromStdString(model->sourceFile)).fileName();
+    return {StepProgress::done,
+            setups.setups().size() < 2 ? file : tr("%1, %2").arg(setups.title(setups.used()), file)};
 }
 
 JobStepState JobPresenter::stock() const {

@@ -70,6 +70,7 @@ std::string toJson(const LeftAt& left) {
     const QJsonObject all{{"step", stepIds[static_cast<std::size_t>(left.step)]},
                           {"embedded", left.embedded},
                           {"tool", QString::fromStdString(left.tool)},
+                          {"setup", static_cast<double>(left.setup)},
                           {"mill", mill},
                           {"camera", toObject(left.camera)},
                           {"shown", shown}};
@@ -85,6 +86,7 @@ std::optional<LeftAt> leftAtFromJson(const std::string& text) {
     // Older projects don't say it: whoever was at the tool's work had a workpiece.
     left.embedded = all[QLatin1String("embedded")].toBool(left.step >= JobStep::mill);
     left.tool = all[QLatin1String("tool")].toString().toStdString();
+    left.setup = static_cast<std::int64_t>(numberIn(all, "setup", 1.0, 1e9, 1.0));
     left.mill = millFrom(all[QLatin1String("mill")].toObject());
     left.camera = cameraFrom(all[QLatin1String("camera")].toObject());
     const QJsonObject shown = all[QLatin1String("shown")].toObject();

@@ -17,8 +17,9 @@ namespace burin {
 /// Where the user left a project: what the window shows and is set to, so that it is there again when it is opened.
 struct LeftAt {
     JobStep step = JobStep::part;
-    bool embedded = false; ///< the workpiece was there
-    std::string tool;      ///< id of the one that was chosen
+    bool embedded = false;  ///< the workpiece was there
+    std::string tool;       ///< id of the one that was chosen
+    std::int64_t setup = 1; ///< number of the one that was worked in
     MillToolSettings mill;
     CameraView camera;
     QMap<QString, bool> shown; ///< by the name of the action that switches it: what the view shows

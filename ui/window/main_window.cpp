@@ -217,7 +217,10 @@ void MainWindow::showStep(JobStep step) {
     presenters_->guideScene.setShown(step);
     presenters_->deviation.setShown(step == JobStep::program);
     // Who lets go of the pointer comes before who takes it.
-    if (step != JobStep::part) presenters_->part.setShown(false);
+    if (step != JobStep::part) {
+        presenters_->setups.leave();
+        presenters_->part.setShown(false);
+    }
     if (step == JobStep::program) presenters_->pathScene.setShown(step);
     presenters_->programScene.setShown(step);
     if (step != JobStep::program) presenters_->pathScene.setShown(step);
@@ -231,6 +234,7 @@ LeftAt MainWindow::leftAt() const {
     left.step = presenters_->job.shown();
     left.embedded = workbench_.workpiece.embedded();
     left.tool = workbench_.tool.current().id;
+    left.setup = numberOf(workbench_.setups.used());
     left.mill = presenters_->millMode.settings();
     left.camera = viewport_->cameraView();
     for (const ActionId id : shownByAction) left.shown[actions_[id]->objectName()] = actions_[id]->isChecked();
@@ -239,6 +243,9 @@ LeftAt MainWindow::leftAt() const {
 
 void MainWindow::goTo(const LeftAt& left) {
     if (workbench_.model.model()) showStep(left.step);
+    const std::vector<SetupName>& setups = workbench_.setups.setups();
+    if (std::ranges::find(setups, SetupId{left.setup}, &SetupName::id) != setups.end())
+        workbench_.setups.use(SetupId{left.setup});
     workbench_.tool.show(left.tool);
     presenters_->millMode.setSettings(left.mill);
     for (const ActionId id : shownByAction)

@@ -72,10 +72,13 @@ void MainWindow::connectActions() {
     on(ActionId::keyList, [this] { showKeys(); });
     on(ActionId::about, [this] { showAbout(this, QCoreApplication::applicationVersion()); });
     connect(panels_->part, &PartPanel::importRequested, &flow_, &DocumentFlow::import);
-    connect(panels_->part, &PartPanel::stlUnitChosen, &flow_, &DocumentFlow::importAgain);
+    connect(panels_->part, &PartPanel::fileUnitChosen, &flow_, &DocumentFlow::importAgain);
     connect(panels_->stock, &StockPanel::fileRequested, &flow_, &DocumentFlow::readStock);
     connect(panels_->program, &ProgramPanel::exportRequested, &flow_, &DocumentFlow::exportProgram);
     connect(&presenters_->millMode, &MillMode::refused, this,
+            [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
+    connect(&presenters_->setups, &SetupsPresenter::pickBegins, this, [this] { showStep(JobStep::part); });
+    connect(&presenters_->setups, &SetupsPresenter::refused, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
     connect(&presenters_->mill, &MillPresenter::takeRemovalRequested, this, &MainWindow::removeTake);
     connect(jobLine_, &JobLine::stepChosen, this, &MainWindow::showStep);
@@ -136,6 +139,13 @@ void MainWindow::connectWorkbench() {
     });
     connect(&workbench_.setup, &SetupController::unitUnknown, this, [this](const QString& file) {
         message_->tell(Notice::Kind::information, tr("“%1” gives no unit of length; it was read in mm.").arg(file));
+    });
+    connect(&workbench_.setup, &SetupController::stockTurnedAslant, this, [this](double by) {
+        message_->tell(
+            Notice::Kind::warning,
+            tr("The stock was turned by no quarter turns: its faces may lie up to %1 mm beside the true ones; "
+               "smaller voxels make that less.")
+                .arg(QString::fromStdString(formatLimit(by, 3))));
     });
     connect(&workbench_.tool, &ToolController::shaped, this, [this](const ShapedTool& made) {
         message_->tell(

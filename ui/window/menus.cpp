@@ -43,6 +43,8 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
              viewBack,     viewLeft,       viewRight,     parallelView,  line,       seeThrough,
              sectionPlane, flipSection,    line,          showWorkpiece, showPart,   showTool,
              showPath,     showOtherPaths, showGuides,    line,          nextStep,   previousStep});
+    addMenu(bar, tr("&Setup"), "setupMenu", actions,
+            {addSetup, nextSetup, previousSetup, line, faceDown, turnAboutX, turnAboutY, turnAboutZ});
     addMenu(bar, tr("&Mill"), "millMenu", actions,
             {embed,       stockFile,   toolShape,  addFixtureFile, axisOfView, line,      millMode,
              raster,      repeatLower, repeatLeft, repeatRight,    line,       guides,    nearestEdge,

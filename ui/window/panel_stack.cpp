@@ -41,6 +41,7 @@ QWidget* stacked(std::initializer_list<QWidget*> panels) {
 PanelStack::PanelStack(QWidget* parent)
     : QFrame(parent)
     , part(new PartPanel)
+    , setup(new SetupPanel)
     , stock(new StockPanel)
     , surroundings(new SurroundingsPanel)
     , findings(new EmbeddingFindings)
@@ -61,7 +62,7 @@ PanelStack::PanelStack(QWidget* parent)
     setMaximumWidth(mostWidth);
     stack_->setObjectName(QStringLiteral("panelPages"));
     const std::array<std::pair<QWidget*, const char*>, 8> panels{
-        {{part, "partPage"},
+        {{stacked({part, setup}), "partPage"},
          {stacked({stock, surroundings, findings}), "stockPage"},
          {stacked({material, layers}), "materialPage"},
          {tool, "toolPage"},

@@ -15,6 +15,7 @@
 #include "ui/panels/part_panel.h"
 #include "ui/panels/path_panel.h"
 #include "ui/panels/program_panel.h"
+#include "ui/panels/setup_panel.h"
 #include "ui/panels/stock_panel.h"
 #include "ui/panels/surroundings_panel.h"
 #include "ui/panels/tool_panel.h"
@@ -35,6 +36,7 @@ public:
     void showStep(JobStep step);
 
     PartPanel* part;
+    SetupPanel* setup; ///< below the part
     StockPanel* stock;
     SurroundingsPanel* surroundings; ///< below the stock
     EmbeddingFindings* findings;     ///< below the surroundings

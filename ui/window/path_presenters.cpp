@@ -47,15 +47,23 @@ QStringList toolNames(const Workbench& workbench, const std::vector<std::string>
 
 } // namespace
 
-QString programName(const Workbench& workbench) {
+QString jobName(const Workbench& workbench) {
     QString name = workbench.document.title();
     if (workbench.document.isUnnamed() && workbench.model.model())
         name = QFileInfo(QString::fromStdString(workbench.model.model()->sourceFile)).completeBaseName();
+    return name.isEmpty() ? QStringLiteral("program") : name;
+}
+
+QString programName(const Workbench& workbench) {
+    QString name = jobName(workbench);
+    // Each side has a program of its own: one must not take the place of another on the way to the machine.
+    if (workbench.setups.setups().size() > 1)
+        name += QLatin1Char('-') +
+                workbench.setups.title(workbench.setups.used()).replace(QLatin1Char('/'), QLatin1Char('-'));
     const TargetController& target = workbench.target;
     const auto dialect = std::ranges::find(target.dialects(), target.dialect(), &DialectDescription::id);
     const bool known = dialect != target.dialects().end() && !dialect->fileSuffix.empty();
-    return (name.isEmpty() ? QStringLiteral("program") : name) + QLatin1Char('.') +
-           (known ? QString::fromStdString(dialect->fileSuffix) : QStringLiteral("ngc"));
+    return name + QLatin1Char('.') + (known ? QString::fromStdString(dialect->fileSuffix) : QStringLiteral("ngc"));
 }
 
 PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePresenter& scene, QObject* parent)

@@ -40,7 +40,10 @@ private:
     ProgramPanel& panel_;
 };
 
-/// The name that a project's program gets: the project's, or that of the part as long as it has none.
+/// The project's name, or that of the part as long as it has none.
+QString jobName(const Workbench& workbench);
+/// The name of the file that a project's program gets: the job's, that of the setup where there are several, the suffix
+/// of its dialect.
 QString programName(const Workbench& workbench);
 
 } // namespace burin

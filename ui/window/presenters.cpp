@@ -10,6 +10,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     : QObject(parent)
     , millMode(workbench, stage.viewport, this)
     , part(workbench, stage.viewport, *stage.panels.part, this)
+    , setups(workbench, stage.viewport, *stage.panels.setup, this)
     , stock(workbench, *stage.panels.stock, *stage.panels.findings, this)
     , material(workbench, *stage.panels.material, this)
     , layers(workbench, *stage.panels.layers, this)
@@ -34,6 +35,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
 }
 
 void Presenters::connectActions(const Actions& actions, const Viewport& viewport) {
+    setups.connectActions(actions);
     stock.connectActions(actions);
     surroundings.connectActions(actions);
     guides.connectActions(actions);
@@ -45,9 +47,9 @@ void Presenters::connectActions(const Actions& actions, const Viewport& viewport
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{
-             &part,         &stock,  &material, &layers,     &tool,         &allowance, &mill,
-             &surroundings, &guides, &hand,     &pathScene,  &path,         &program,   &meters,
-             &status,       &job,    &scene,    &guideScene, &programScene, &deviation})
+             &part,   &setups,       &stock,  &material, &layers,     &tool,         &allowance,
+             &mill,   &surroundings, &guides, &hand,     &pathScene,  &path,         &program,
+             &meters, &status,       &job,    &scene,    &guideScene, &programScene, &deviation})
         presenter->setUnit(unit);
 }
 

@@ -14,6 +14,7 @@
 #include "ui/window/program_scene_presenter.h"
 #include "ui/window/scene_presenter.h"
 #include "ui/window/setup_presenters.h"
+#include "ui/window/setups_presenter.h"
 #include "ui/window/status_presenter.h"
 #include "ui/window/surroundings_presenter.h"
 
@@ -38,6 +39,7 @@ public:
 
     MillMode millMode;
     PartPresenter part;
+    SetupsPresenter setups;
     StockPresenter stock;
     MaterialPresenter material;
     LayerPresenter layers;

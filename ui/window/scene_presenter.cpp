@@ -57,7 +57,7 @@ void ScenePresenter::present() {
 void ScenePresenter::presentPart() {
     const auto& preview = workbench_.model.preview();
     // Where the workpiece stands, bodies of other roles are in it, around it or not there.
-    const auto& model = workbench_.model.model();
+    const auto& model = workbench_.setup.part();
     const auto wanted = workbench_.workpiece.embedded() ? workbench_.workpiece.milling()->partModel : model;
     if (part_ != wanted) {
         const bool same = model_ == model;

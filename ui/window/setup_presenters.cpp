@@ -28,8 +28,8 @@ void PartPresenter::setShown(bool shown) {
 }
 
 void PartPresenter::present() {
-    picker_.setModel(workbench_.model.preview() ? nullptr : workbench_.model.model());
-    PartState state{workbench_.model.model(), workbench_.model.importing(), workbench_.model.preview()};
+    picker_.setModel(workbench_.model.preview() ? nullptr : workbench_.setup.part());
+    PartState state{workbench_.setup.part(), workbench_.model.importing(), workbench_.model.preview()};
     state.roles = workbench_.setup.setup().roles;
     state.locked = workbench_.setup.locked();
     panel_.setState(state);

@@ -47,7 +47,7 @@ void ToolShapeDialog::layOut(LengthUnit unit) {
                    this);
     about->setWordWrap(true);
     column->addWidget(about);
-    flutes_ = addFile(tr("Flutes"), tr("One or more closed bodies: STEP, IGES, BREP or STL"),
+    flutes_ = addFile(tr("Flutes"), tr("One or more closed bodies: STEP, IGES, BREP, or a mesh"),
                       QStringLiteral("flutesFileButton"));
     shank_ = addFile(tr("Shank"), tr("The same of the shank; without it the new tool has the shank of the other"),
                      QStringLiteral("shankFileButton"));
@@ -125,7 +125,7 @@ ToolShapeRequest ToolShapeDialog::request() const {
     request.like.number = number_->value();
     request.name = name_->text().trimmed().toStdString();
     request.tolerance = tolerance_->value();
-    request.import.stlUnit = unit_->currentData().toDouble();
+    request.import.fileUnit = unit_->currentData().toDouble();
     return request;
 }
 

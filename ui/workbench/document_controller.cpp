@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/document_controller.h"
 
+#include "core/job/further_setup.h"
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -49,6 +50,18 @@ Result<void> readMilling(const Project& project, ProjectContents& contents) {
     return {};
 }
 
+Result<void> readSetups(const Project& project, ProjectContents& contents) {
+    Result<std::vector<SetupName>> setups = project.setups();
+    if (!setups) return std::move(setups).error();
+    contents.setups = std::move(*setups);
+    contents.usedSetup = project.usedSetup();
+    if (!contents.setup) return {};
+    const Result<bool> outOfDate = isStockOutOfDate(project);
+    if (!outOfDate) return outOfDate.error();
+    contents.stockOutOfDate = *outOfDate;
+    return {};
+}
+
 Result<ProjectContents> contentsOf(const Project& project) {
     ProjectContents contents;
     Result<std::optional<Model>> model = unlessMissing(project.model());
@@ -64,6 +77,7 @@ Result<ProjectContents> contentsOf(const Project& project) {
     Result<std::vector<Tool>> tools = project.tools();
     if (!tools) return std::move(tools).error();
     contents.tools = std::move(*tools);
+    if (Result<void> read = readSetups(project, contents); !read) return std::move(read).error();
     Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes) return std::move(takes).error();
     contents.takes = std::move(*takes);
@@ -169,6 +183,24 @@ void DocumentController::createNew(bool abandon, Then then) {
             return exchange(place, **made, abandon);
         },
         [this, then = std::move(then)](Result<Opened> outcome) { take(std::move(outcome), then); });
+}
+
+void DocumentController::useSetup(SetupId id, Then then) {
+    desk_.project.ask(
+        [id](Project& project) -> Result<ProjectContents> {
+            const SetupId before = project.usedSetup();
+            if (Result<void> used = project.useSetup(id); !used) return std::move(used).error();
+            Result<ProjectContents> contents = contentsOf(project);
+            if (!contents) static_cast<void>(project.useSetup(before)); // it is what the window shows
+            return contents;
+        },
+        [this, then = std::move(then)](const Result<ProjectContents>& contents) {
+            if (contents)
+                emit setupUsed(*contents);
+            else
+                emit failed(contents.error());
+            if (then) then(contents.hasValue());
+        });
 }
 
 bool DocumentController::holds(const fs::path& file) const {

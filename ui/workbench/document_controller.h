@@ -25,6 +25,9 @@ struct ProjectContents {
     ProgramTarget target;
     KeptGuides guides;
     std::vector<Tool> tools;
+    std::vector<SetupName> setups; ///< of the job; all else is of the one in use
+    SetupId usedSetup = firstSetup;
+    bool stockOutOfDate = false; ///< another setup left its stock, and has changed since
     std::vector<TakeInfo> takes;
     std::vector<GeneratedInfo> generated; ///< by planners
     std::vector<StoredPath> paths;
@@ -69,6 +72,8 @@ public:
     void save(Then then = {});
     void saveAs(const std::filesystem::path& file, Then then = {});
     void close(bool abandon, Then then = {});
+    /// Uses the open project in another setup, or reads the present one again.
+    void useSetup(SetupId id, Then then = {});
 
     /// Asked for what is kept with each save: where the user is. An empty text is not kept.
     void keepLeftAt(std::function<std::string()> now) { leftAt_ = std::move(now); }
@@ -83,6 +88,7 @@ signals:
     /// A save put a file of the present format in the place of an earlier one, which has this name now.
     void keptEarlier(const std::filesystem::path& file);
     void opened(const burin::ProjectContents& contents);
+    void setupUsed(const burin::ProjectContents& contents); ///< of the same project
     void closed();
 
 private:

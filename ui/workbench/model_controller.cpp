@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/model_controller.h"
 
+#include "ui/workbench/value_command.h"
+
 #include <QPointer>
 
 #include <utility>
 
 namespace burin {
 
-void ModelController::read(const std::filesystem::path& file, double stlUnit, Then then) {
+void ModelController::read(const std::filesystem::path& file, double fileUnit, Then then) {
     preview_.reset();
     const QString name = QString::fromStdString(file.filename().string());
     // The tasks outlive this; who waits for the end of one would wait for what it tells this.
@@ -24,9 +26,9 @@ void ModelController::read(const std::filesystem::path& file, double stlUnit, Th
     };
     desk_.tasks.start(
         TaskKind::importing, tr("Importing %1").arg(name),
-        [file, stlUnit, show](Progress& progress) -> Result<std::shared_ptr<const Model>> {
+        [file, fileUnit, show](Progress& progress) -> Result<std::shared_ptr<const Model>> {
             ImportOptions options;
-            options.stlUnit = stlUnit;
+            options.fileUnit = fileUnit;
             Result<Model> model = importModel(file, options, progress, show);
             if (!model) return std::move(model).error();
             return std::make_shared<const Model>(std::move(*model));
@@ -58,6 +60,18 @@ void ModelController::adopt(const std::shared_ptr<const Model>& model) {
     load(model);
     store([model](Project& project) { return project.setModel(*model); });
     emit imported();
+}
+
+void ModelController::mirror(int axis) {
+    if (!model_) return;
+    const auto other = placed(model_, mirroredAcross(axis, model_->box().centre()));
+    using Shared = std::shared_ptr<const Model>;
+    desk_.undo.push(new ValueCommand<Shared>(tr("mirrored part"), -1, model_, other, [this](const Shared& model) {
+        model_ = model;
+        store([model](Project& project) { return project.setModel(*model); });
+        emit mirrored();
+        emit changed();
+    }));
 }
 
 void ModelController::load(std::shared_ptr<const Model> model) {

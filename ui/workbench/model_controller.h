@@ -27,16 +27,20 @@ public:
     using Then = std::function<void(std::shared_ptr<const Model>)>;
     /// Reads a file and changes nothing but the preview; `then` is called where that went well, `failed` reports it
     /// otherwise. The preview goes with an end that is no success, `adopt` or `dropPreview`.
-    /// @param stlUnit mm per unit of an STL file, which states none
-    void read(const std::filesystem::path& file, double stlUnit, Then then);
+    /// @param fileUnit mm per unit of a file that states none
+    void read(const std::filesystem::path& file, double fileUnit, Then then);
     /// Makes a model that was read the part of the open project.
     void adopt(const std::shared_ptr<const Model>& model);
+    /// Makes the part its own mirror image across the middle of its box; an entry of the undo stack.
+    /// @param axis 0, 1, 2 for x, y, z of the model's frame
+    void mirror(int axis);
     /// What a project holds; stored already.
     void load(std::shared_ptr<const Model> model);
 
 signals:
     /// A new part is here; what was made for the one before is void.
     void imported();
+    void mirrored(); ///< the part is its mirror image
 
 private:
     void showPreview(quint64 read, std::shared_ptr<const ModelPreview> preview, const QString& title);

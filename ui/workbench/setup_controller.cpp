@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/setup_controller.h"
 
+#include "core/job/left_stock.h"
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
@@ -58,6 +59,13 @@ bool sharesMaterials(const Setup& setup) {
            std::ranges::find(setup.roles, BodyRole::insert) != setup.roles.end();
 }
 
+/// What another setup left is no stock of another form, and would not come back from it with its true faces.
+Setup withoutLeft(Setup setup) {
+    setup.leftBy.reset();
+    setup.volume = nullptr;
+    return setup;
+}
+
 } // namespace
 
 double suitableVoxel(const Box& part) {
@@ -77,9 +85,9 @@ double suitableVoxel(const Box& part) {
 }
 
 bool shapedAlike(const Setup& one, const Setup& other) {
-    return one.voxel == other.voxel && one.marginLow == other.marginLow && one.marginHigh == other.marginHigh &&
-           sameForm(one, other) && sameRoles(one, other) && one.regions == other.regions &&
-           (!sharesMaterials(one) || sameMaterials(one, other));
+    return one.voxel == other.voxel && one.placement == other.placement && one.marginLow == other.marginLow &&
+           one.marginHigh == other.marginHigh && sameForm(one, other) && sameRoles(one, other) &&
+           one.regions == other.regions && (!sharesMaterials(one) || sameMaterials(one, other));
 }
 
 bool embedAlike(const Setup& one, const Setup& other) {
@@ -126,7 +134,8 @@ void SetupController::setLocked(bool locked) {
 }
 
 void SetupController::placeAround(std::shared_ptr<const Model> model) {
-    model_ = std::move(model);
+    imported_ = std::move(model);
+    model_ = imported_;
     Setup setup;
     setup.voxel = suitableVoxel(model_->box());
     setup.marginLow = setup.marginHigh = glm::dvec3(firstMargin);
@@ -135,20 +144,29 @@ void SetupController::placeAround(std::shared_ptr<const Model> model) {
     apply(setup);
 }
 
+void SetupController::exchangeModel(std::shared_ptr<const Model> model) {
+    imported_ = std::move(model);
+    model_ = nullptr;
+    apply(setup_);
+}
+
 void SetupController::load(std::shared_ptr<const Model> model, const std::optional<Setup>& setup,
                            const std::vector<Property>& materials) {
-    model_ = std::move(model);
+    imported_ = std::move(model);
+    model_ = nullptr;
     readMaterials(materials);
-    if (model_ && !setup) {
-        placeAround(model_);
+    if (imported_ && !setup) {
+        placeAround(imported_);
         return;
     }
-    place(setup.value_or(Setup{}));
+    adopt(setup.value_or(Setup{}));
     emit changed();
 }
 
-void SetupController::edit(const Setup& setup) {
-    if (locked_ || embedAlike(setup, setup_)) return;
+void SetupController::edit(const Setup& edited) {
+    if (locked_ || embedAlike(edited, setup_)) return;
+    const bool leaves = edited.leftBy && edited.form != StockForm::file;
+    const Setup setup = leaves ? withoutLeft(edited) : edited;
     const ShapeChange change = changeFrom(setup_, setup);
     desk_.undo.push(new ValueCommand<Setup>(change.title, change.kind, setup_, setup,
                                             [this](const Setup& value) { apply(value); }));
@@ -203,6 +221,7 @@ void SetupController::takeStock(const StockFile& stock, const QString& name) {
     Setup setup = setup_;
     setup.form = StockForm::file;
     setup.volume = stock.volume;
+    setup.leftBy.reset();
     edit(setup);
     if (!stock.unitKnown) emit unitUnknown(name);
 }
@@ -215,13 +234,41 @@ void SetupController::setRegions(const std::vector<MaterialRegion>& regions) {
         new ValueCommand<Setup>(tr("layers"), -1, setup_, setup, [this](const Setup& value) { apply(value); }));
 }
 
+void SetupController::place(const Placement& by) {
+    if (locked_ || !model_ || placing() || isNone(by)) return;
+    if (!setup_.leftBy) {
+        Setup setup = setup_;
+        setup.placement = combined(setup.placement, by);
+        editPlacement(setup);
+        return;
+    }
+    desk_.tasks.start(
+        TaskKind::placing, tr("Turning the stock"),
+        [setup = setup_, by](Progress& progress) { return placedFurther(setup, by, progress); },
+        [this, by](const Result<Setup>& setup) {
+            if (setup && !locked_ && model_) {
+                editPlacement(*setup);
+                if (!alongAxes(by)) emit stockTurnedAslant(std::sqrt(0.5) * setup->voxel);
+            }
+            if (!setup && setup.error().code != ErrorCode::cancelled) emit failed(setup.error());
+            emit changed();
+        });
+    emit changed();
+}
+
+void SetupController::editPlacement(const Setup& setup) {
+    desk_.undo.push(new ValueCommand<Setup>(tr("placement of the part"), -1, setup_, setup,
+                                            [this](const Setup& value) { apply(value); }));
+}
+
 void SetupController::apply(const Setup& setup) {
-    place(setup);
+    adopt(setup);
     if (!problem_) storeSetup();
     emit changed();
 }
 
-void SetupController::place(const Setup& setup) {
+void SetupController::adopt(const Setup& setup) {
+    if (model_ == nullptr || setup.placement != setup_.placement) model_ = placed(imported_, setup.placement);
     setup_ = setup;
     size_.reset();
     problem_.reset();

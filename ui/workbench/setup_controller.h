@@ -20,6 +20,10 @@ public:
     SetupController(const Desk& desk, QObject* parent);
 
     bool hasPart() const noexcept { return model_ != nullptr; }
+    /// In its own frame; null: none yet.
+    const std::shared_ptr<const Model>& imported() const noexcept { return imported_; }
+    /// As it lies in the setup; null: none yet.
+    const std::shared_ptr<const Model>& part() const noexcept { return model_; }
     const Setup& setup() const noexcept { return setup_; } ///< as edited
     const std::optional<EmbeddingSize>& size() const noexcept { return size_; }
     const std::optional<Error>& problem() const noexcept { return problem_; } ///< why it can't be embedded
@@ -36,6 +40,8 @@ public:
     void readLibrary();
     /// A new part in a stock that suits its size.
     void placeAround(std::shared_ptr<const Model> model);
+    /// The part is another one of the same bodies.
+    void exchangeModel(std::shared_ptr<const Model> model);
     /// What a project holds.
     void load(std::shared_ptr<const Model> model, const std::optional<Setup>& setup,
               const std::vector<Property>& materials);
@@ -49,19 +55,26 @@ public:
     /// material. @param table of a voxel array
     void readStock(const std::filesystem::path& file, const std::filesystem::path& table);
     void setRegions(const std::vector<MaterialRegion>& regions);
+    /// Turns or moves the part from how it lies; a stock that another setup left goes with it, in the background.
+    void place(const Placement& by);
+    bool placing() const { return desk_.tasks.running(TaskKind::placing); }
 
 signals:
     /// A voxel array states no unit of length: mm were taken.
     void unitUnknown(const QString& file);
+    /// A stock that another setup left was turned by no quarter turns: its faces may lie beside the true ones.
+    /// @param by mm
+    void stockTurnedAslant(double by);
 
 private:
     void apply(const Setup& setup);
-    void place(const Setup& setup);
+    void adopt(const Setup& setup);
+    void editPlacement(const Setup& setup);
     void readMaterials(const std::vector<Property>& own);
     void storeSetup();
     void takeStock(const StockFile& stock, const QString& name);
 
-    std::shared_ptr<const Model> model_;
+    std::shared_ptr<const Model> imported_, model_; ///< in its own frame, and as it lies in the setup
     std::vector<Property> materials_;
     Setup setup_;
     std::optional<EmbeddingSize> size_;

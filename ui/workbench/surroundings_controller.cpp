@@ -79,14 +79,14 @@ void SurroundingsController::add(Obstacle obstacle) {
     setObstacles(tr("new fixture"), std::move(obstacles));
 }
 
-void SurroundingsController::importFile(const std::filesystem::path& file, double stlUnit) {
+void SurroundingsController::importFile(const std::filesystem::path& file, double fileUnit) {
     if (locked()) return;
     const std::string name = file.stem().string();
     desk_.tasks.start(
         TaskKind::fixture, tr("Importing %1").arg(QString::fromStdString(file.filename().string())),
-        [file, name, stlUnit](Progress& progress) -> Result<std::vector<Obstacle>> {
+        [file, name, fileUnit](Progress& progress) -> Result<std::vector<Obstacle>> {
             ImportOptions options;
-            options.stlUnit = stlUnit;
+            options.fileUnit = fileUnit;
             const Result<Model> model = importModel(file, options, progress);
             if (!model) return model.error();
             return fixturesOf(*model, name, fixtureMargin);

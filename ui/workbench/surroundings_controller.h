@@ -35,8 +35,8 @@ public:
     // Nothing happens while it is locked.
     void addBox(ObstacleKind kind);      ///< beside the stock
     void addCylinder(ObstacleKind kind); ///< likewise
-    /// Bodies of a model as fixtures, as they lie in its frame. @param stlUnit mm per unit of an STL file
-    void importFile(const std::filesystem::path& file, double stlUnit);
+    /// Bodies of a model as fixtures, as they lie in its frame. @param fileUnit mm per unit of a file that states none
+    void importFile(const std::filesystem::path& file, double fileUnit);
     void change(std::size_t place, const Obstacle& obstacle);
     void remove(std::size_t place);
     void setAxis(const AxisMode& axis); ///< @param axis its direction is made unit

@@ -116,7 +116,8 @@ void TaskRunner::abandon(TaskKind kind) {
 }
 
 bool TaskRunner::running(TaskKind kind) const {
-    return find(kind) != nullptr;
+    const auto isWanted = [kind](const auto& task) { return task->kind == kind && !task->superseded; };
+    return std::ranges::any_of(tasks_, isWanted) || std::ranges::any_of(waiting_, isWanted);
 }
 
 std::vector<TaskRow> TaskRunner::rows() const {

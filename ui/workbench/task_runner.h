@@ -31,7 +31,10 @@ enum class TaskKind {
     device,
     exporting,
     stock,
-    tool
+    tool,
+    placing,
+    face,
+    furtherSetup
 };
 
 /// A task as the status line shows it.
@@ -78,7 +81,7 @@ public:
     void abandon(TaskKind kind);
     /// Calls `then` once no task runs or waits: what tasks read may be changed there. At once where none does.
     void whenIdle(std::function<void()> then);
-    bool running(TaskKind kind) const;
+    bool running(TaskKind kind) const; ///< or waiting; one that was abandoned counts no more, though it still ends
     bool idle() const { return tasks_.empty() && waiting_.empty(); }
     std::vector<TaskRow> rows() const;
 

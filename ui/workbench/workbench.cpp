@@ -35,7 +35,8 @@ Workbench::Workbench(QObject* parent)
     , hand(desk_, workpiece, mill, session, styluses, guides, this)
     , showMe(desk_, workpiece, session, this)
     , path(desk_, workpiece, tool, this)
-    , program(desk_, workpiece, path, target, this) {
+    , program(desk_, workpiece, path, target, this)
+    , setups(desk_, {document, setup, workpiece, program, target}, this) {
     wire();
 }
 
@@ -47,14 +48,18 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document, &model, &setup,        &material, &tool, &target, &workpiece, &styluses,
-            &session,  &mill,  &surroundings, &guides,   &hand, &showMe, &path,      &program};
+    return {&document, &model,        &setup,  &material, &tool,   &target, &workpiece, &styluses, &session,
+            &mill,     &surroundings, &guides, &hand,     &showMe, &path,   &program,   &setups};
 }
 
 void Workbench::wire() {
     for (Controller* controller : controllers()) connect(controller, &Controller::failed, this, &Workbench::failed);
     connect(&document, &DocumentController::opened, this, &Workbench::load);
+    connect(&document, &DocumentController::setupUsed, this, &Workbench::load);
     connect(&document, &DocumentController::closed, this, &Workbench::clear);
+    connect(&setups, &SetupsController::added, this, &Workbench::ensureWorkpiece);
+    setups.setRest([this](std::function<void()> then) { comeToRest(std::move(then)); });
+    connect(&model, &ModelController::mirrored, this, [this] { setup.exchangeModel(model.model()); });
     connect(&model, &ModelController::imported, this, [this] {
         undo_.clear();
         workpiece.clear();
@@ -103,6 +108,7 @@ void Workbench::load(const ProjectContents& contents) {
     tool.load(contents.tools, contents.takes.empty() ? std::string() : contents.takes.back().toolId);
     setup.load(contents.model, contents.setup, contents.materials);
     setup.setLocked(!contents.takes.empty());
+    setups.load(contents);
     target.load(contents.target);
     surroundings.load(contents.obstacles, contents.axis, contents.travel);
     guides.load(contents.guides);
@@ -119,12 +125,12 @@ void Workbench::clear() {
 }
 
 void Workbench::updateWanted() {
-    workpiece.setWanted(model.model(), setup.setup(), setup.materials(), tool.current());
+    workpiece.setWanted(setup.part(), setup.setup(), setup.materials(), tool.current());
     path.useTool(tool.current().id);
 }
 
-void Workbench::importPart(const std::filesystem::path& file, bool abandon, double stlUnit) {
-    model.read(file, stlUnit, [this, abandon](const std::shared_ptr<const Model>& part) { adoptPart(part, abandon); });
+void Workbench::importPart(const std::filesystem::path& file, bool abandon, double fileUnit) {
+    model.read(file, fileUnit, [this, abandon](const std::shared_ptr<const Model>& part) { adoptPart(part, abandon); });
 }
 
 void Workbench::adoptPart(const std::shared_ptr<const Model>& part, bool abandon) {

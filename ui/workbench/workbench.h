@@ -10,6 +10,7 @@
 #include "ui/workbench/path_controller.h"
 #include "ui/workbench/program_controller.h"
 #include "ui/workbench/setup_controller.h"
+#include "ui/workbench/setups_controller.h"
 #include "ui/workbench/show_me.h"
 #include "ui/workbench/stylus_controller.h"
 #include "ui/workbench/surroundings_controller.h"
@@ -50,18 +51,22 @@ public:
     ShowMe showMe;
     PathController path;
     ProgramController program;
+    SetupsController setups;
 
     std::vector<Controller*> controllers();
     TaskRunner& tasks() noexcept { return tasks_; }
     QUndoStack& undo() noexcept { return undo_; }
 
     /// Reads `file`, and makes it the part as `adoptPart` does. What is open stays as it is where that fails.
-    /// @param stlUnit mm per unit of an STL file
-    void importPart(const std::filesystem::path& file, bool abandon, double stlUnit = 1.0);
-    /// Makes a model the part: in the open project as long as that has no recordings, in a new one otherwise.
+    /// @param fileUnit mm per unit of a file that states none
+    void importPart(const std::filesystem::path& file, bool abandon, double fileUnit = 1.0);
+    /// Makes a model the part: in the open project as long as that has no recordings and one setup, in a new one
+    /// otherwise.
     /// @param abandon what the project then had unsaved is not wanted
     void adoptPart(const std::shared_ptr<const Model>& part, bool abandon);
-    bool importNeedsNewProject() const { return !document.isOpen() || !mill.takes().empty(); }
+    bool importNeedsNewProject() const {
+        return !document.isOpen() || !mill.takes().empty() || setups.setups().size() > 1;
+    }
     /// Embeds where there is no workpiece yet and the setup allows one.
     void ensureWorkpiece();
     /// Shows how it is done as soon as part, workpiece and boundary are there; embeds where that is missing.

@@ -137,6 +137,8 @@ void WorkpieceController::exportTo(const std::filesystem::path& file) {
 }
 
 void WorkpieceController::clear() {
+    ++generation_;
+    reading_ = false;
     desk_.tasks.abandon(TaskKind::embedding);
     desk_.tasks.abandon(TaskKind::field);
     desk_.tasks.abandon(TaskKind::growth);
@@ -152,7 +154,8 @@ void WorkpieceController::embed() {
     reading_ = true;
     emit changed();
     desk_.project.ask([](Project& project) { return cutsOf(project); },
-                      [this](Result<std::vector<RecordedCuts>> takes) {
+                      [this, generation = generation_](Result<std::vector<RecordedCuts>> takes) {
+                          if (generation != generation_) return; // those of another project or setup
                           reading_ = false;
                           if (takes)
                               embedWith(std::move(*takes));
@@ -182,7 +185,8 @@ void WorkpieceController::embedWith(std::vector<RecordedCuts> takes) {
                 emit failed(outcome.error());
                 return;
             }
-            letGo([this, made = *outcome] {
+            letGo([this, made = *outcome, generation = generation_] {
+                if (generation != generation_) return; // it was cleared while the hand let go
                 adopt(made.milling);
                 emit replayed(made.strokes);
             });

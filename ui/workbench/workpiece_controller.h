@@ -100,8 +100,9 @@ private:
     WantedBounds wanted_, bound_;
     StrokeHistory strokes_;
     std::function<void(std::function<void()>)> guard_;
-    int changes_ = 0;      ///< that are about to come
-    bool reading_ = false; ///< the takes are being read
+    int changes_ = 0;        ///< that are about to come
+    bool reading_ = false;   ///< the takes are being read
+    quint64 generation_ = 0; ///< counts clear: what was begun before belongs to another project or setup
 };
 
 } // namespace burin

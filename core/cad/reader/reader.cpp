@@ -5,6 +5,7 @@
 #include "core/base/file.h"
 #include "core/cad/reader/edge_curve.h"
 #include "core/cad/reader/exact_distance.h"
+#include "core/cad/reader/face_at.h"
 #include "core/cad/reader/file_format.h"
 #include "core/cad/reader/measure.h"
 #include "core/cad/reader/model_size.h"
@@ -123,6 +124,14 @@ Result<std::vector<PartEdge>> followEdges(const EdgeRequest& request) {
         const Result<TopoDS_Shape> shape = shapeOf(request.brep, request.solids);
         if (!shape) return shape.error();
         return edgeCurves(*shape, request.chord);
+    });
+}
+
+Result<PartFace> findFace(const FaceRequest& request) {
+    return guarded<PartFace>([&]() -> Result<PartFace> {
+        const Result<TopoDS_Shape> shape = shapeOf(request.brep, request.solids);
+        if (!shape) return shape.error();
+        return faceAt(*shape, request.place);
     });
 }
 

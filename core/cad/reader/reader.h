@@ -26,4 +26,7 @@ Result<std::vector<double>> measureDistances(const DistanceRequest& request, con
 /// Errors, with an empty subject: fileDamaged, importOutOfMemory.
 Result<std::vector<PartEdge>> followEdges(const EdgeRequest& request);
 
+/// Errors, with an empty subject: fileDamaged, importOutOfMemory.
+Result<PartFace> findFace(const FaceRequest& request);
+
 } // namespace burin

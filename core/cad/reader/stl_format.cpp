@@ -24,7 +24,7 @@ FormatMatch matchFormat(StlFormat, std::string_view content) {
 }
 
 Result<Model> readFormat(StlFormat, ModelSource& source) {
-    return readStlModel(source.content, !isText(source.content), source.request.stlUnit);
+    return readStlModel(source.content, !isText(source.content), source.request.fileUnit);
 }
 
 } // namespace burin

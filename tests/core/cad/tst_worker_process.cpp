@@ -170,7 +170,7 @@ private slots:
         wrong.meshChord = 0.0;
         QVERIFY(errorOf(wrong).code == ErrorCode::argumentInvalid);
         wrong = options();
-        wrong.stlUnit = std::numeric_limits<double>::quiet_NaN();
+        wrong.fileUnit = std::numeric_limits<double>::quiet_NaN();
         QVERIFY(errorOf(wrong).code == ErrorCode::argumentInvalid);
     }
     void fileThatHangsCostsNothingElse() {

@@ -182,7 +182,15 @@ Setup setup(int version) {
     if (version < 6) return result;
     result.form = StockForm::file;
     result.volume = stockVolume();
+    if (version < 7) return result;
+    result.placement = combined(turnedAbout({0.0, 1.0, 0.0}, 0.5, {1.0 / 3.0, 2.0, 3.0}), movedBy({0.0, -1e-9, 7.7}));
+    result.leftBy = LeftBy{SetupId{2}, -1234567890123};
     return result;
+}
+
+static bool sameOrigin(const Setup& one, const Setup& other) {
+    if (!one.leftBy || !other.leftBy) return one.leftBy.has_value() == other.leftBy.has_value();
+    return one.leftBy->setup == other.leftBy->setup && one.leftBy->digest == other.leftBy->digest;
 }
 
 bool identical(const Setup& one, const Setup& other) {
@@ -191,7 +199,8 @@ bool identical(const Setup& one, const Setup& other) {
            one.stock.low == other.stock.low && one.stock.high == other.stock.high &&
            one.workOffset == other.workOffset && one.roles == other.roles && one.form == other.form &&
            one.stated == other.stated && one.cylinder == other.cylinder && one.freeCarving == other.freeCarving &&
-           one.regions == other.regions && one.runs == other.runs && sameVolume(one, other);
+           one.regions == other.regions && one.runs == other.runs && one.placement == other.placement &&
+           sameOrigin(one, other) && sameVolume(one, other);
 }
 
 std::vector<Property> materials() {

@@ -57,6 +57,7 @@ private slots:
         QTest::newRow("with several setups") << 4;
         QTest::newRow("with roles and layers") << 5;
         QTest::newRow("with a stock from a file") << 6;
+        QTest::newRow("with a turned part") << 7;
     }
     void aProjectOfEachVersionOpens() {
         QFETCH(int, version);
@@ -75,7 +76,7 @@ private slots:
         QVERIFY(*project->obstacles() == fixture::obstacles());
         // The file as it was is there for who still has the version that wrote it.
         const fs::path kept = project->keptEarlier();
-        QCOMPARE(kept.empty(), version == 6);
+        QCOMPARE(kept.empty(), version == 7);
         if (!kept.empty()) QCOMPARE(kept.filename().string(), "p.format-" + std::to_string(version) + ".burin");
         if (!kept.empty()) QCOMPARE(contentOf(kept), written);
         QVERIFY(project->setAxisMode({}) && project->save());
@@ -98,9 +99,111 @@ private slots:
         info.setup = unknown;
         QCOMPARE(project->beginTake(info).error().code, ErrorCode::nameUnknown);
         info.setup = second;
-        QVERIFY(project->beginTake(info) && project->takes()->back().setup == second);
+        QVERIFY(project->beginTake(info) && project->takes(second)->back().setup == second);
         QVERIFY(project->setObstacles({}, second) && *project->obstacles() == fixture::obstacles());
         QCOMPARE(project->setup(*project->addSetup("d")).error().code, ErrorCode::projectIncomplete);
+    }
+
+    /// What is asked without a setup's id is of the one in use, and so is what is stored.
+    void oneSetupIsInUse() {
+        const QTemporaryDir folder;
+        QVERIFY(fixture::fillProject(fileIn(folder)));
+        Result<Project> project = Project::open(fileIn(folder));
+        const SetupId second = project->setups()->back().id;
+        QCOMPARE(project->usedSetup(), firstSetup);
+        QCOMPARE(project->useSetup(SetupId{99}).error().code, ErrorCode::nameUnknown);
+        QCOMPARE(project->usedSetup(), firstSetup);
+        const std::int64_t digest = *project->jobDigest();
+        QVERIFY(project->setKeptProgram("front") && project->setProgramDraft("G0 X1"));
+        QVERIFY(project->useSetup(second));
+        QVERIFY(project->takes()->empty() && project->paths()->size() == 1 && project->programs()->size() == 1);
+        QVERIFY(project->keptProgram()->empty() && project->programDraft()->empty());
+        QVERIFY(project->setKeptProgram("back"));
+        QVERIFY(project->beginTake(fixture::takeInfo("c")) && project->takes()->front().setup == second);
+        QCOMPARE(project->addPath({0, "of the back", {{project->takes()->front().id}}, {}}).hasValue(), true);
+        QCOMPARE(project->paths()->back().setup, second);
+        QVERIFY(project->setObstacles({}) && project->obstacles(firstSetup)->size() == fixture::obstacles().size());
+        // What is done in one setup leaves what another one's program was judged by.
+        QCOMPARE(*project->jobDigest(firstSetup), digest);
+        QVERIFY(*project->jobDigest() != digest);
+        QVERIFY(project->useSetup(firstSetup) && *project->keptProgram() == "front");
+        QCOMPARE(*project->programDraft(), std::string("G0 X1"));
+    }
+
+    /// A setup goes when nothing that somebody made would go with it.
+    void aSetupIsNamedAndRemoved() {
+        const QTemporaryDir folder;
+        QVERIFY(fixture::fillProject(fileIn(folder)));
+        Result<Project> project = Project::open(fileIn(folder));
+        const SetupId second = project->setups()->back().id, third = *project->addSetup("third");
+        QVERIFY(project->nameSetup(third, "Seite") && project->setups()->back().name == "Seite");
+        QCOMPARE(project->removeSetup(firstSetup).error().code, ErrorCode::argumentInvalid); // in use
+        QCOMPARE(project->removeSetup(second).error().code, ErrorCode::argumentInvalid);     // has a path
+        Setup left = fixture::setup();
+        left.leftBy = LeftBy{third, 5};
+        QVERIFY(project->setSetup(left, firstSetup) && project->setObstacles(fixture::obstacles(), third) &&
+                project->setAxisMode({true, {0.0, 0.0, 1.0}}, third));
+        QCOMPARE(project->removeSetup(third).error().code, ErrorCode::argumentInvalid); // its workpiece is a stock
+        QVERIFY(project->setSetup(fixture::setup(), firstSetup));
+        QVERIFY(project->removeSetup(third));
+        QCOMPARE(project->setups()->size(), std::size_t{2});
+        QCOMPARE(project->setup(third).error().code, ErrorCode::nameUnknown);
+        QVERIFY(project->save() && Project::openForReading(fileIn(folder)));
+    }
+
+    /// Each setup's materials are there, whichever was stored last.
+    void materialsOfOtherSetupsStay() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        const std::vector<Property> all = fixture::materials();
+        Setup first = fixture::setup(), second = fixture::setup();
+        for (Setup* setup : {&first, &second}) {
+            setup->regions.clear();
+            setup->bodyMaterials.clear();
+            setup->form = StockForm::box; // one from a file brings its own
+            setup->volume = nullptr;
+        }
+        first.stockMaterial = all[0].id;
+        second.stockMaterial = all[1].id;
+        QVERIFY(project->setSetup(first) && project->setMaterials({all[0]}));
+        QVERIFY(project->useSetup(*project->addSetup("back")));
+        QVERIFY(project->setSetup(second) && project->setMaterials({all[1]}));
+        QCOMPARE(project->materials()->size(), std::size_t{2});
+        second.stockMaterial = all[0].id;
+        QVERIFY(project->setSetup(second) && project->setMaterials({all[0]}));
+        QCOMPARE(texts(*project->materials()), texts(std::vector{all[0]}));
+    }
+
+    /// A placement that does not keep lengths would be another part.
+    void aPlacementComesBackAndIsSound() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        QVERIFY(project->setModel(fixture::model()));
+        Setup setup = fixture::setup();
+        setup.placement = combined(turnedAbout({1.0, 2.0, 3.0}, 0.7, {4.0, 5.0, 6.0}), movedBy({0.1, -7.0, 1e-3}));
+        setup.leftBy = LeftBy{firstSetup, -42};
+        QVERIFY(project->setSetup(setup));
+        const Result<Setup> stored = project->setup();
+        QVERIFY(stored && stored->placement == setup.placement);
+        QVERIFY(stored->leftBy && stored->leftBy->setup == firstSetup && stored->leftBy->digest == -42);
+        const Result<Model> model = project->model();
+        const auto lying = project->placedModel();
+        QVERIFY(model && lying && (*lying)->brepPlacement == setup.placement);
+        QCOMPARE((*lying)->bodies[0].mesh.vertices[1], setup.placement.point(model->bodies[0].mesh.vertices[1]));
+        setup.placement.turn[0] *= 1.01;
+        QCOMPARE(project->setSetup(setup).error().code, ErrorCode::argumentInvalid);
+        QVERIFY(project->setup()->placement != setup.placement);
+    }
+
+    /// A mirrored part is stored as such: its exact surface is not the one of the file any more.
+    void aMirroredModelComesBack() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        const auto mirrored =
+            placed(std::make_shared<const Model>(fixture::model()), mirroredAcross(0, {1.0, 2.0, 3.0}));
+        QVERIFY(project->setModel(*mirrored) && project->save());
+        const Result<Project> again = Project::openForReading(fileIn(folder));
+        QVERIFY(again && again->model()->brepPlacement == mirrored->brepPlacement);
     }
 
     /// A loop that misses ticks has fewer samples than periods, in one chunk or in several.

@@ -82,18 +82,22 @@ bool holdsSetups(const Project& project, int version) {
     const Result<std::vector<StoredProgram>> programs = project.programs();
     if (!setups || !paths || !programs || setups->front().id != firstSetup || !setups->front().name.empty())
         return false;
+    if (paths->size() != 1 || programs->size() != 1) return false;
     if (paths->front().setup != firstSetup || programs->front().setup != firstSetup) return false;
-    if (version < 4) return setups->size() == 1 && paths->size() == 1 && programs->size() == 1;
-    if (setups->size() != 2 || paths->size() != 2 || programs->size() != 2) return false;
+    if (version < 4) return setups->size() == 1;
+    if (setups->size() != 2) return false;
     const SetupId second = setups->back().id;
+    const Result<std::vector<StoredPath>> ofSecond = project.paths(second);
+    const Result<std::vector<StoredProgram>> postedThere = project.programs(second);
+    if (!ofSecond || ofSecond->size() != 1 || !postedThere || postedThere->size() != 1) return false;
     const Result<Setup> turned = project.setup(second);
     const Result<std::vector<Obstacle>> stored = project.obstacles(second);
     const Result<ProgramTarget> target = project.programTarget(second);
-    const Result<GeneratedMoves> planned = project.generatedMoves(paths->back().sources.front().id);
+    const Result<GeneratedMoves> planned = project.generatedMoves(ofSecond->front().sources.front().id);
     if (!planned || planned->info.setup != second || !identical(*planned, generatedMoves())) return false;
     return setups->back().name == "Rückseite" && turned && turned->voxel == 0.5 * setup().voxel && stored &&
            *stored == std::vector<Obstacle>{obstacles().front()} && target && target->machine == "shapeoko-like" &&
-           paths->back().setup == second && programs->back().setup == second;
+           ofSecond->front().setup == second && postedThere->front().setup == second;
 }
 
 bool holdsTakes(const Project& project, int version) {

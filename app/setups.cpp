@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/setups.h"
+
+#include "app/chosen_setup.h"
+#include "app/wording.h"
+#include "core/base/numbers.h"
+#include "core/job/further_setup.h"
+#include "core/job/left_stock.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+/// How what was left was taken, where that is worth a line.
+void tellStock(const AddedSetup& added, CommandContext& context) {
+    context.message(added.byProgram
+                        ? worded(BURIN_TEXT("Command", "its stock is what the checked program leaves"))
+                        : worded(BURIN_TEXT("Command", "its stock is what the recordings leave, as there is no program "
+                                                       "that was checked and still holds")));
+    if (added.greatestDisplacement > 0.0)
+        context.message(worded(BURIN_TEXT("Command", "the part is turned by no quarter turns: faces of its stock may "
+                                                     "lie beside the true ones by %1 mm"),
+                               {formatFixed(added.greatestDisplacement, 3)}));
+}
+
+Result<void> add(Project& project, const SetupsArguments& arguments, CommandContext& context) {
+    FurtherSetup further;
+    further.name = *arguments.add;
+    further.leftStock = !arguments.newStock;
+    if (!arguments.after.empty()) {
+        const Result<SetupId> after = setupNamed(project, arguments.after);
+        if (!after) return after.error();
+        further.after = *after;
+    }
+    Result<std::shared_ptr<const Model>> part = project.placedModel(further.after);
+    if (!part) return std::move(part).error();
+    const Result<Placement> turn = placingOf(arguments.placing, std::move(*part), context.progress());
+    if (!turn) return turn.error();
+    further.turn = *turn;
+    context.stage(BURIN_TEXT("Command", "Milling the stock"));
+    const Result<AddedSetup> added = addFurtherSetup(project, further, context.progress());
+    if (!added) return added.error();
+    if (further.leftStock) tellStock(*added, context);
+    return project.useSetup(added->id);
+}
+
+/// What was milled was milled of the part as it lay.
+Result<void> requireUntouched(const Project& project) {
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    if (takes->empty()) return {};
+    return Error{ErrorCode::argumentInvalid, "setup",
+                 worded(BURIN_TEXT("Command", "%1 recordings"), {std::to_string(takes->size())}),
+                 worded(BURIN_TEXT("Command", "a setup in which nothing is milled yet, or --add-setup"))};
+}
+
+Result<void> place(Project& project, const SetupsArguments& arguments, CommandContext& context) {
+    if (Result<void> untouched = requireUntouched(project); !untouched) return untouched;
+    Result<std::shared_ptr<const Model>> part = project.placedModel();
+    if (!part) return std::move(part).error();
+    const Result<Placement> by = placingOf(arguments.placing, *part, context.progress());
+    if (!by) return by.error();
+    Result<Setup> setup = project.setup();
+    if (!setup) return std::move(setup).error();
+    Result<Setup> further = placedFurther(std::move(*setup), *by, context.progress());
+    if (!further) return std::move(further).error();
+    const Result<Setup> complete = placeStock(*placed(*part, *by), std::move(*further));
+    return complete ? project.setSetup(*complete) : Result<void>(complete.error());
+}
+
+Result<void> takeStock(Project& project, CommandContext& context) {
+    context.stage(BURIN_TEXT("Command", "Milling the stock"));
+    const Result<AddedSetup> taken = takeStockAnew(project, setupInUse, context.progress());
+    if (!taken) return taken.error();
+    tellStock(*taken, context);
+    return {};
+}
+
+/// Its placement and origin; nothing where nothing is embedded in it yet.
+Result<std::optional<Setup>> contentOf(const Project& project, SetupId id) {
+    Result<Setup> setup = project.setup(id);
+    if (setup) return std::optional(std::move(*setup));
+    if (setup.error().code == ErrorCode::projectIncomplete) return std::optional<Setup>();
+    return std::move(setup).error();
+}
+
+} // namespace
+
+void addSetups(CommandParser command, SetupsArguments& arguments) {
+    addPlacing(command, arguments.placing);
+    command.option("--add-setup", arguments.add,
+                   BURIN_TEXT("Help", "Add a setup of this name, in which the part lies as --align, --turn and --move "
+                                      "say, starting from how it lies in the one before; its stock is what that one "
+                                      "leaves"));
+    command.option("--after", arguments.after,
+                   BURIN_TEXT("Help", "Number or name of the setup that the new one comes after (default: --setup)"));
+    command.flag("--new-stock", arguments.newStock,
+                 BURIN_TEXT("Help", "The new setup has a stock of its own, with the same margins"));
+    command.flag("--take-stock", arguments.takeStock,
+                 BURIN_TEXT("Help", "Take the stock anew from the setup that leaves it"));
+    command.option("--name", arguments.name, BURIN_TEXT("Help", "Name of the setup"));
+    command.option("--delete-setup", arguments.remove,
+                   BURIN_TEXT("Help", "Number or name of a setup to delete; it must hold no recordings, paths and "
+                                      "programs"));
+}
+
+Result<void> changeSetups(Project& project, const SetupsArguments& arguments, CommandContext& context) {
+    if (!arguments.remove.empty()) {
+        const Result<SetupId> id = setupNamed(project, arguments.remove);
+        if (!id) return id.error();
+        if (Result<void> removed = project.removeSetup(*id); !removed) return removed;
+    }
+    if (arguments.add)
+        if (Result<void> added = add(project, arguments, context); !added) return added;
+    if (!arguments.add && !arguments.placing.empty())
+        if (Result<void> placed = place(project, arguments, context); !placed) return placed;
+    if (arguments.takeStock)
+        if (Result<void> taken = takeStock(project, context); !taken) return taken;
+    return arguments.name ? project.nameSetup(setupInUse, *arguments.name) : Result<void>();
+}
+
+Result<nlohmann::json> jsonOfSetups(const Project& project) {
+    const Result<std::vector<SetupName>> setups = project.setups();
+    if (!setups) return setups.error();
+    nlohmann::json list = nlohmann::json::array();
+    for (const SetupName& name : *setups) {
+        nlohmann::json record{
+            {"id", numberOf(name.id)}, {"name", name.name}, {"in_use", name.id == project.usedSetup()}};
+        const Result<std::optional<Setup>> setup = contentOf(project, name.id);
+        if (!setup) return setup.error();
+        if (*setup) {
+            const Result<bool> outOfDate = isStockOutOfDate(project, name.id);
+            if (!outOfDate) return outOfDate.error();
+            record["placement"] = jsonOf((*setup)->placement);
+            record["stock_left_by"] =
+                (*setup)->leftBy ? nlohmann::json(numberOf((*setup)->leftBy->setup)) : nlohmann::json();
+            record["stock_out_of_date"] = *outOfDate;
+        }
+        list.push_back(std::move(record));
+    }
+    return list;
+}
+
+Result<std::string> textOfSetups(const Project& project) {
+    const Result<std::vector<SetupName>> setups = project.setups();
+    if (!setups) return setups.error();
+    std::string text;
+    for (const SetupName& name : *setups) {
+        const Result<std::optional<Setup>> setup = contentOf(project, name.id);
+        if (!setup) return setup.error();
+        std::string line =
+            worded(BURIN_TEXT("Command", "setup    %1 %2"), {std::to_string(numberOf(name.id)), name.name});
+        const std::string lies = *setup ? textOf((*setup)->placement) : std::string();
+        if (!lies.empty()) line += ", " + lies;
+        if (*setup && (*setup)->leftBy) {
+            const Result<bool> outOfDate = isStockOutOfDate(project, name.id);
+            if (!outOfDate) return outOfDate.error();
+            line +=
+                "; " + worded(*outOfDate ? BURIN_TEXT("Command", "its stock is what setup %1 left; that has changed "
+                                                                 "since (--take-stock takes it anew)")
+                                         : BURIN_TEXT("Command", "its stock is what setup %1 left"),
+                              {std::to_string(numberOf((*setup)->leftBy->setup))});
+        }
+        if (name.id == project.usedSetup() && setups->size() > 1) line += " *";
+        text += "\n" + line;
+    }
+    const bool plain = setups->size() == 1 && text.find(',') == std::string::npos && setups->front().name.empty();
+    return plain ? std::string() : text;
+}
+
+} // namespace burin

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cad/part_face.h"
+
+#include "core/cad/worker_process.h"
+#include "core/geometry/pose.h"
+#include "core/geometry/triangle.h"
+
+#include <limits>
+#include <new>
+#include <variant>
+
+namespace burin {
+
+namespace {
+
+/// Of the triangle that is nearest.
+PartFace triangleAt(const Model& model, const glm::dvec3& place) {
+    PartFace found;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Body& body : model.bodies)
+        for (const auto& triangle : body.mesh.triangles) {
+            const Triangle corners{body.mesh.vertices[triangle[0]], body.mesh.vertices[triangle[1]],
+                                   body.mesh.vertices[triangle[2]]};
+            const glm::dvec3 normal = areaNormal(corners), foot = closestOnTriangle(corners, place).point;
+            const double distance = glm::distance(foot, place);
+            if (!(glm::length(normal) > 0.0) || distance >= nearest) continue;
+            nearest = distance;
+            found = {PartFace::Kind::plane, foot, glm::normalize(normal)};
+        }
+    return found;
+}
+
+} // namespace
+
+Result<PartFace> partFaceAt(const Model& model, const glm::dvec3& place, const ImportOptions& options,
+                            Progress& progress) try {
+    const std::string subject = "B-rep";
+    if (!isFinite(place)) return Error{ErrorCode::argumentInvalid, "place", {}, "a finite place"};
+    if (model.bodies.empty()) return Error{ErrorCode::argumentInvalid, "place", {}, "a model with a body"};
+    if (model.brep.empty()) return triangleAt(model, place);
+    const FaceRequest request{model.brep, model.brepSolids, inverse(model.brepPlacement).point(place)};
+    auto answers = runWorkers({request}, options, subject, progress);
+    if (!answers) return std::move(answers).error();
+    auto* face = std::get_if<PartFace>(&answers->front());
+    if (!face) return Error{ErrorCode::importCrashed, subject, {}, "it answered something else"};
+    face->place = model.brepPlacement.point(face->place);
+    face->direction = model.brepPlacement.direction(face->direction);
+    return *face;
+} catch (const std::bad_alloc&) {
+    return Error{ErrorCode::outOfMemory, "faces", {}, {}};
+}
+
+} // namespace burin
