@@ -45,6 +45,41 @@ struct IgesFormat {
 FormatMatch matchFormat(IgesFormat format, std::string_view content);
 Result<Model> readFormat(IgesFormat format, ModelSource& source);
 
+struct ThreeMfFormat {
+    static constexpr std::string_view name = "3MF";
+    static constexpr std::array<std::string_view, 1> suffixes{"3mf"};
+};
+FormatMatch matchFormat(ThreeMfFormat format, std::string_view content);
+Result<Model> readFormat(ThreeMfFormat format, ModelSource& source);
+
+struct AmfFormat {
+    static constexpr std::string_view name = "AMF";
+    static constexpr std::array<std::string_view, 1> suffixes{"amf"};
+};
+FormatMatch matchFormat(AmfFormat format, std::string_view content);
+Result<Model> readFormat(AmfFormat format, ModelSource& source);
+
+struct PlyFormat {
+    static constexpr std::string_view name = "PLY";
+    static constexpr std::array<std::string_view, 1> suffixes{"ply"};
+};
+FormatMatch matchFormat(PlyFormat format, std::string_view content);
+Result<Model> readFormat(PlyFormat format, ModelSource& source);
+
+struct OffFormat {
+    static constexpr std::string_view name = "OFF";
+    static constexpr std::array<std::string_view, 1> suffixes{"off"};
+};
+FormatMatch matchFormat(OffFormat format, std::string_view content);
+Result<Model> readFormat(OffFormat format, ModelSource& source);
+
+struct ObjFormat {
+    static constexpr std::string_view name = "OBJ";
+    static constexpr std::array<std::string_view, 1> suffixes{"obj"};
+};
+FormatMatch matchFormat(ObjFormat format, std::string_view content);
+Result<Model> readFormat(ObjFormat format, ModelSource& source);
+
 struct StlFormat {
     static constexpr std::string_view name = "STL";
     static constexpr std::array<std::string_view, 1> suffixes{"stl"};
@@ -53,7 +88,8 @@ FormatMatch matchFormat(StlFormat format, std::string_view content);
 Result<Model> readFormat(StlFormat format, ModelSource& source);
 
 /// In the order in which a file's content is asked. STL comes last: a binary file has no mark but its length.
-using ImportFormats = std::tuple<StepFormat, BrepFormat, IgesFormat, StlFormat>;
+using ImportFormats = std::tuple<StepFormat, BrepFormat, IgesFormat, ThreeMfFormat, AmfFormat, PlyFormat, OffFormat,
+                                 ObjFormat, StlFormat>;
 
 namespace import_formats {
 

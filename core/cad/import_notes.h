@@ -22,6 +22,10 @@ inline constexpr TextId brepWithoutUnit =
     BURIN_TEXT("ImportNote", "A BREP file states no unit; millimetres were taken.");
 inline constexpr TextId stlWithoutUnit =
     BURIN_TEXT("ImportNote", "An STL file states no unit; 1 unit = %1 mm was taken.");
+inline constexpr TextId fileWithoutUnit =
+    BURIN_TEXT("ImportNote", "The file states no unit; 1 unit = %1 mm was taken.");
+inline constexpr TextId coloursLeftOut =
+    BURIN_TEXT("ImportNote", "Colours are in another file, %1, and were left out.");
 inline constexpr TextId sizeDoubtful =
     BURIN_TEXT("ImportNote", "The part is %1 mm long: perhaps its unit is another one.");
 inline constexpr TextId repaired = BURIN_TEXT("ImportNote", "%1 was invalid and was repaired.");
@@ -58,11 +62,12 @@ inline constexpr TextId partsMissing =
     BURIN_TEXT("ImportNote", "Parts are missing because they are in other files: %1. Copy those files into the folder "
                              "of the model and import it again.");
 
-inline constexpr std::array all{
-    unitConverted, unitsMixed, brepWithoutUnit,   stlWithoutUnit, sizeDoubtful,    repaired,     notRepaired,
-    solidOpen,     insideOut,  faceSewn,          facesSewn,      faceLeftOut,     facesLeftOut, curvesLeftOut,
-    facesFilled,   meshOpen,   meshVolumeDiffers, facesApart,     trianglesTurned, stlOpen,      piecesApart,
-    restLeftOut,   endMissing, endMissingBefore,  noVolume,       partsMissing,    solidEmpty};
+inline constexpr std::array all{unitConverted,    unitsMixed,        brepWithoutUnit, stlWithoutUnit,  sizeDoubtful,
+                                repaired,         notRepaired,       solidOpen,       insideOut,       faceSewn,
+                                facesSewn,        faceLeftOut,       facesLeftOut,    curvesLeftOut,   facesFilled,
+                                meshOpen,         meshVolumeDiffers, facesApart,      trianglesTurned, stlOpen,
+                                piecesApart,      fileWithoutUnit,   coloursLeftOut,  restLeftOut,     endMissing,
+                                endMissingBefore, noVolume,          partsMissing,    solidEmpty};
 
 /// The names that are given where a file has none; %1: a number from 1.
 inline constexpr TextId unnamedBody = BURIN_TEXT("ImportNote", "Body %1");

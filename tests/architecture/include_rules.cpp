@@ -70,11 +70,14 @@ bool isAssimp(std::string_view header) {
 bool isZlib(std::string_view header) {
     return header == "zlib.h";
 }
+bool isLibzip(std::string_view header) {
+    return header == "zip.h";
+}
 bool isSqlite(std::string_view header) {
     return header.starts_with("sqlite3");
 }
 
-constexpr std::array<Foreign, 10> foreigners{Foreign{"Qt", isQt},
+constexpr std::array<Foreign, 11> foreigners{Foreign{"Qt", isQt},
                                              Foreign{"VTK", isVtk},
                                              Foreign{"OpenCASCADE", isOcct},
                                              Foreign{"SQLite", isSqlite},
@@ -83,7 +86,8 @@ constexpr std::array<Foreign, 10> foreigners{Foreign{"Qt", isQt},
                                              Foreign{"muParser", isMuParser},
                                              Foreign{"yaml-cpp", isYaml},
                                              Foreign{"assimp", isAssimp},
-                                             Foreign{"zlib", isZlib}};
+                                             Foreign{"zlib", isZlib},
+                                             Foreign{"libzip", isLibzip}};
 
 bool allowed(const Arrows& arrows, const std::string& library, const std::string& header, const std::string& source) {
     if (library == "plugins")

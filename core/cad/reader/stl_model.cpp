@@ -2,64 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/reader/stl_model.h"
 
-#include "core/base/numbers.h"
 #include "core/cad/import_notes.h"
-#include "core/cad/reader/mesh_repair.h"
+#include "core/cad/reader/mesh_model.h"
 #include "core/cad/reader/stl_file.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace burin {
-
-using import_notes::fill;
-
-namespace {
-
-/// With more of its edges open than this part, a mesh is a heap of triangles and no surface of a solid.
-constexpr double mostOpen = 1.0 / 3.0;
-/// Of the area to the power of 1.5: a plate with less volume has none but for rounding. A foil of 1 m and 1 µm has 400
-/// times as much.
-constexpr double flat = 1e-9;
-
-void note(Model& model, ImportNote::Kind kind, std::string text) {
-    model.notes.push_back({kind, std::move(text)});
-}
-
-std::string title(const Body& body) {
-    return "\"" + body.name + "\"";
-}
-
-void notePieces(Model& model, const Body& body, std::size_t pieces) {
-    if (pieces > 1)
-        note(model, ImportNote::Kind::warning, fill(import_notes::piecesApart, {title(body), std::to_string(pieces)}));
-}
-
-Body makeBody(Model& model, StlSolid solid, MeshConnection& connection) {
-    Body body;
-    body.name =
-        solid.name.empty() ? fill(import_notes::unnamedBody, {std::to_string(model.bodies.size() + 1)}) : solid.name;
-    body.mesh = std::move(solid.mesh);
-    for (glm::dvec3& vertex : body.mesh.vertices) vertex *= model.unitScale;
-    connection = separatePieces(body.mesh);
-    if (const std::size_t turned = orientConsistently(body.mesh); turned > 0)
-        note(model, ImportNote::Kind::healing,
-             fill(import_notes::trianglesTurned, {title(body), std::to_string(turned)}));
-    body.volume = signedVolume(body.mesh);
-    body.area = surfaceArea(body.mesh);
-    body.box = boundingBox(body.mesh);
-    body.openEdges = countOpenEdges(body.mesh);
-    if (body.openEdges > 0)
-        note(model, ImportNote::Kind::warning,
-             fill(import_notes::stlOpen, {title(body), std::to_string(body.openEdges)}));
-    if (!(std::abs(body.volume) > flat * std::pow(body.area, 1.5)))
-        note(model, ImportNote::Kind::warning, fill(import_notes::noVolume, {title(body)}));
-    notePieces(model, body, connection.pieces);
-    return body;
-}
-
-} // namespace
 
 Result<Model> readStlModel(std::string_view content, bool binary, double unit) {
     bool ended = true;
@@ -67,27 +16,13 @@ Result<Model> readStlModel(std::string_view content, bool binary, double unit) {
     if (!solids) return std::move(solids).error();
     Model model;
     model.format = binary ? "STL binary" : "STL ASCII";
-    model.lengthUnit = "none";
-    model.unitScale = unit;
-    note(model, ImportNote::Kind::unit, fill(import_notes::stlWithoutUnit, {formatShortest(unit)}));
+    takeUnit(model, unit);
     if (binary && !hasLengthOfBinaryStl(content))
-        note(model, ImportNote::Kind::warning, import_notes::restLeftOut.text);
-    if (!ended) note(model, ImportNote::Kind::warning, import_notes::endMissing.text);
-    std::size_t triangles = 0, edges = 0, boundary = 0;
-    for (StlSolid& solid : *solids) {
-        MeshConnection connection;
-        triangles += solid.mesh.triangles.size();
-        model.bodies.push_back(makeBody(model, std::move(solid), connection));
-        edges += connection.edges;
-        boundary += connection.boundaryEdges;
-    }
-    if (triangles == 0) return Error{ErrorCode::modelHasNoSolid, {}, "no triangles", {}};
-    if (static_cast<double>(boundary) > mostOpen * static_cast<double>(edges))
-        return Error{ErrorCode::modelHasNoSolid,
-                     {},
-                     std::to_string(triangles) + " triangles with " + std::to_string(boundary) + " open edges",
-                     {}};
-    return model;
+        addNote(model, ImportNote::Kind::warning, import_notes::restLeftOut.text);
+    if (!ended) addNote(model, ImportNote::Kind::warning, import_notes::endMissing.text);
+    std::vector<MeshSolid> meshes;
+    for (StlSolid& solid : *solids) meshes.push_back({std::move(solid.name), std::move(solid.mesh)});
+    return withBodies(std::move(model), std::move(meshes));
 }
 
 } // namespace burin

@@ -113,9 +113,13 @@ private slots:
         }
         std::apply(
             [](auto... formats) {
+                // Those that tst_mesh_formats.cpp writes and reads, in all their kinds.
+                static constexpr std::array<std::string_view, 5> written{"3MF", "AMF", "PLY", "OFF", "OBJ"};
                 const auto isRead = [](std::string_view name) {
-                    return std::ranges::any_of(
-                        table, [&](const Expected& one) { return std::string_view(one.format).starts_with(name); });
+                    return std::ranges::find(written, name) != written.end() ||
+                           std::ranges::any_of(table, [&](const Expected& one) {
+                               return std::string_view(one.format).starts_with(name);
+                           });
                 };
                 QVERIFY((isRead(formats.name) && ...));
             },
@@ -219,7 +223,7 @@ private slots:
     void unitOfAnStlFileScalesIt() {
         Progress progress;
         ImportOptions inches = options();
-        inches.stlUnit = 25.4;
+        inches.fileUnit = 25.4;
         const Result<Model> model = importModel(modelFile("featuretype.stl"), inches, progress);
         QVERIFY(model);
         QCOMPARE(model->unitScale, 25.4);

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.h"
+#include "core/cad/model.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// One solid of a mesh file.
+struct MeshSolid {
+    std::string name;  ///< may be empty
+    TriangleMesh mesh; ///< in the file's own unit; vertices are merged where they are bit-identical
+    std::optional<std::array<std::uint8_t, 3>> colour = std::nullopt; ///< sRGB
+};
+
+void addNote(Model& model, ImportNote::Kind kind, std::string text);
+
+/// Makes the bodies of a model whose format and unit stand already: measured in mm, pieces told apart, triangles turned
+/// where they disagree, all of it noted. Errors, with an empty subject: modelHasNoSolid (no triangles, or so many open
+/// edges that they enclose nothing).
+Result<Model> withBodies(Model model, std::vector<MeshSolid> solids);
+
+/// Takes a unit that the file does not state, with a note that says so. @param millimetres per unit
+void takeUnit(Model& model, double millimetres);
+
+} // namespace burin
