@@ -9,6 +9,8 @@ namespace burin {
 
 SetupsController::SetupsController(const Desk& desk, const Neighbours& neighbours, QObject* parent)
     : Controller(desk, parent), neighbours_(neighbours) {
+    connect(&neighbours_.document, &DocumentController::opened, this, &SetupsController::forget);
+    connect(&neighbours_.document, &DocumentController::closed, this, &SetupsController::forget);
     // What is read of the workpiece is read again once it has changed, as by the bounds that come behind it.
     connect(&neighbours_.workpiece, &WorkpieceController::readersStop, this, [this] {
         if (!again_) return;
@@ -37,6 +39,16 @@ void SetupsController::load(const ProjectContents& contents) {
     emit changed();
 }
 
+/// What was under way belongs to the project that was open.
+void SetupsController::forget() {
+    desk_.tasks.abandon(TaskKind::furtherSetup);
+    again_ = nullptr;
+    retaken_.reset();
+    adding_ = interrupted_ = false;
+    ++generation_;
+    emit changed();
+}
+
 void SetupsController::use(SetupId id) {
     if (id == used_ || adding()) return;
     rest_([this, id] { neighbours_.document.useSetup(id); });
@@ -55,7 +67,8 @@ void SetupsController::add(const QString& name, const Placement& turn, bool left
         }
         desk_.project.ask(
             [](Project& project) { return project.jobDigest(); },
-            [this, name, turn](const Result<std::int64_t>& digest) {
+            [this, name, turn, generation = generation_](const Result<std::int64_t>& digest) {
+                if (generation != generation_) return;
                 if (!digest) return keep(name, digest.error());
                 const Placement to = combined(neighbours_.setup.setup().placement, turn);
                 startTask(

@@ -59,6 +59,7 @@ private:
     using MakeSetup = std::function<Result<Setup>(const Setup& before, const LeftStock& stock)>;
     void startTask(const Placement& to, std::int64_t digest, const MakeSetup& make,
                    const std::function<void(const Result<Setup>&)>& done);
+    void forget();
     void goOnRetaking();
     void tellRetaken(const Result<Setup>& setup);
     void endRetaking();
@@ -77,6 +78,7 @@ private:
     std::optional<Retaken> retaken_;
     std::function<void()> again_; ///< starts the task that reads the workpiece once more; null: none is under way
     bool interrupted_ = false;    ///< the workpiece changed while it was read
+    quint64 generation_ = 0;      ///< counts projects
     bool stockOutOfDate_ = false, adding_ = false;
     std::function<void(std::function<void()>)> rest_ = [](const std::function<void()>& then) { then(); };
 };
