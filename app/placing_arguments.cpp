@@ -37,8 +37,9 @@ std::optional<glm::dvec3> directionOf(const std::string& text) {
 }
 
 Result<Placement> alignmentOf(const std::string& text, const Model& part, Progress& progress) {
-    const TextId allowed = BURIN_TEXT("Command", "X,Y,Z=AXIS: a place on a face in mm, and x, -x, y, -y, z, -z or a "
-                                                 "direction that the face is to look along");
+    const TextId allowed = BURIN_TEXT(
+        "Command",
+        "X,Y,Z=AXIS: a point on a face in mm, and x, -x, y, -y, z, -z or a direction that the face is to point along");
     const std::vector<std::string> parts = partsOf(text, '=');
     if (parts.size() != 2) return wrongArgument("--align", text, allowed);
     const std::optional<glm::dvec3> place = vectorOf(parts[0]), direction = directionOf(parts[1]);
@@ -74,15 +75,16 @@ glm::dvec3 rounded(const glm::dvec3& vector) {
 
 void addPlacing(CommandParser command, PlacingArguments& arguments) {
     command
-        .option("--align", arguments.align,
-                BURIN_TEXT("Help", "Turn the part so that a face looks along an axis: X,Y,Z=AXIS with a place on the "
-                                   "face in mm and x, -x, y, -y, z or -z; -z lays it down. Of a cylinder or cone its "
-                                   "axis counts; may be repeated"))
+        .option(
+            "--align", arguments.align,
+            BURIN_TEXT("Help",
+                       "Rotate the part so that a face points along an axis: X,Y,Z=AXIS with a point on the face in mm "
+                       "and x, -x, y, -y, z or -z (down). For a cylinder or cone its axis is used; may be repeated"))
         .oneAtATime();
     command
         .option("--turn", arguments.turn,
-                BURIN_TEXT("Help", "Turn the part about the middle of its box: AXIS:DEGREES with x, y, z or X,Y,Z; "
-                                   "after --align; may be repeated"))
+                BURIN_TEXT("Help", "Rotate the part about the centre of its bounding box: AXIS:DEGREES with x, y, z or "
+                                   "X,Y,Z; after --align; may be repeated"))
         .oneAtATime();
     command.option("--move", arguments.move, BURIN_TEXT("Help", "Move the part by X,Y,Z mm, after --turn"));
 }
@@ -115,7 +117,7 @@ std::string textOf(const Placement& placement) {
     const double angle = glm::angle(turn) / degree;
     std::string text;
     if (placement.turn != glm::dmat3(1.0))
-        text = worded(BURIN_TEXT("Command", "turned by %1 degrees about %2"),
+        text = worded(BURIN_TEXT("Command", "rotated by %1 degrees about %2"),
                       {formatFixed(angle, 3), vectorText(rounded(glm::axis(turn)))});
     if (placement.shift == glm::dvec3(0.0)) return text;
     return text + (text.empty() ? "" : ", ") +

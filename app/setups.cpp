@@ -18,13 +18,14 @@ namespace {
 /// How what was left was taken, where that is worth a line.
 void tellStock(const AddedSetup& added, CommandContext& context) {
     context.message(added.byProgram
-                        ? worded(BURIN_TEXT("Command", "its stock is what the checked program leaves"))
-                        : worded(BURIN_TEXT("Command", "its stock is what the recordings leave, as there is no program "
-                                                       "that was checked and still holds")));
+                        ? worded(BURIN_TEXT("Command", "its stock is the workpiece after the checked program"))
+                        : worded(BURIN_TEXT("Command", "its stock is the workpiece after the recordings, because there "
+                                                       "is no checked program that is up to date")));
     if (added.greatestDisplacement > 0.0)
-        context.message(worded(BURIN_TEXT("Command", "the part is turned by no quarter turns: faces of its stock may "
-                                                     "lie beside the true ones by %1 mm"),
-                               {formatFixed(added.greatestDisplacement, 3)}));
+        context.message(worded(
+            BURIN_TEXT("Command",
+                       "the rotation is not a multiple of 90 degrees: faces of the stock may be off by up to %1 mm"),
+            {formatFixed(added.greatestDisplacement, 3)}));
 }
 
 Result<void> add(Project& project, const SetupsArguments& arguments, CommandContext& context) {
@@ -41,7 +42,7 @@ Result<void> add(Project& project, const SetupsArguments& arguments, CommandCont
     const Result<Placement> turn = placingOf(arguments.placing, std::move(*part), context.progress());
     if (!turn) return turn.error();
     further.turn = *turn;
-    context.stage(BURIN_TEXT("Command", "Milling the stock"));
+    context.stage(BURIN_TEXT("Command", "Preparing the stock"));
     const Result<AddedSetup> added = addFurtherSetup(project, further, context.progress());
     if (!added) return added.error();
     if (further.leftStock) tellStock(*added, context);
@@ -55,7 +56,7 @@ Result<void> requireUntouched(const Project& project) {
     if (takes->empty()) return {};
     return Error{ErrorCode::argumentInvalid, "setup",
                  worded(BURIN_TEXT("Command", "%1 recordings"), {std::to_string(takes->size())}),
-                 worded(BURIN_TEXT("Command", "a setup in which nothing is milled yet, or --add-setup"))};
+                 worded(BURIN_TEXT("Command", "a setup without recordings, or --add-setup"))};
 }
 
 Result<void> place(Project& project, const SetupsArguments& arguments, CommandContext& context) {
@@ -73,7 +74,7 @@ Result<void> place(Project& project, const SetupsArguments& arguments, CommandCo
 }
 
 Result<void> takeStock(Project& project, CommandContext& context) {
-    context.stage(BURIN_TEXT("Command", "Milling the stock"));
+    context.stage(BURIN_TEXT("Command", "Preparing the stock"));
     const Result<AddedSetup> taken = takeStockAnew(project, setupInUse, context.progress());
     if (!taken) return taken.error();
     tellStock(*taken, context);
@@ -93,19 +94,18 @@ Result<std::optional<Setup>> contentOf(const Project& project, SetupId id) {
 void addSetups(CommandParser command, SetupsArguments& arguments) {
     addPlacing(command, arguments.placing);
     command.option("--add-setup", arguments.add,
-                   BURIN_TEXT("Help", "Add a setup of this name, in which the part lies as --align, --turn and --move "
-                                      "say, starting from how it lies in the one before; its stock is what that one "
-                                      "leaves"));
+                   BURIN_TEXT("Help", "Add a setup of this name. --align, --turn and --move place the part in it, "
+                                      "relative to the setup before; its stock is the workpiece of that setup"));
     command.option("--after", arguments.after,
-                   BURIN_TEXT("Help", "Number or name of the setup that the new one comes after (default: --setup)"));
+                   BURIN_TEXT("Help", "Number or name of the setup that precedes the new one (default: --setup)"));
     command.flag("--new-stock", arguments.newStock,
-                 BURIN_TEXT("Help", "The new setup has a stock of its own, with the same margins"));
-    command.flag("--take-stock", arguments.takeStock,
-                 BURIN_TEXT("Help", "Take the stock anew from the setup that leaves it"));
+                 BURIN_TEXT("Help", "Give the new setup a new stock with the same margins"));
+    command.flag("--update-stock", arguments.takeStock,
+                 BURIN_TEXT("Help", "Update the stock from the setup that it comes from"));
     command.option("--name", arguments.name, BURIN_TEXT("Help", "Name of the setup"));
-    command.option("--delete-setup", arguments.remove,
-                   BURIN_TEXT("Help", "Number or name of a setup to delete; it must hold no recordings, paths and "
-                                      "programs"));
+    command.option(
+        "--delete-setup", arguments.remove,
+        BURIN_TEXT("Help", "Number or name of a setup to delete; only one without recordings, paths and programs"));
 }
 
 Result<void> changeSetups(Project& project, const SetupsArguments& arguments, CommandContext& context) {
@@ -160,9 +160,9 @@ Result<std::string> textOfSetups(const Project& project) {
             const Result<bool> outOfDate = isStockOutOfDate(project, name.id);
             if (!outOfDate) return outOfDate.error();
             line +=
-                "; " + worded(*outOfDate ? BURIN_TEXT("Command", "its stock is what setup %1 left; that has changed "
-                                                                 "since (--take-stock takes it anew)")
-                                         : BURIN_TEXT("Command", "its stock is what setup %1 left"),
+                "; " + worded(*outOfDate ? BURIN_TEXT("Command", "its stock is the workpiece of setup %1, which has "
+                                                                 "changed since (update it with --update-stock)")
+                                         : BURIN_TEXT("Command", "its stock is the workpiece of setup %1"),
                               {std::to_string(numberOf((*setup)->leftBy->setup))});
         }
         if (name.id == project.usedSetup() && setups->size() > 1) line += " *";

@@ -21,7 +21,7 @@ struct SetupsArguments {
     bool changes() const { return add || name || !remove.empty() || takeStock || !placing.empty(); }
 };
 
-/// Declares --add-setup, --after, --new-stock, --take-stock, --name, --delete-setup, --align, --turn and --move.
+/// Declares --add-setup, --after, --new-stock, --update-stock, --name, --delete-setup, --align, --turn and --move.
 void addSetups(CommandParser command, SetupsArguments& arguments);
 
 /// Adds, deletes, names and places setups, in this order. The one that was added is used then; else the one in use is

@@ -556,55 +556,55 @@
         <translation>Aufspannung &amp;hinzufügen …</translation>
     </message>
     <message>
-        <source>Add a setup for another side of the part; its stock is what this one leaves.</source>
-        <translation>Fügt eine Aufspannung für eine andere Seite des Teils hinzu; ihr Rohteil ist, was diese übrig lässt.</translation>
+        <source>Add a setup for another side of the part. Its stock is the workpiece that this setup leaves.</source>
+        <translation>Fügt eine Aufspannung für eine andere Seite des Teils hinzu. Ihr Rohteil ist das Werkstück, das diese übrig lässt.</translation>
     </message>
     <message>
         <source>&amp;Next setup</source>
         <translation>&amp;Nächste Aufspannung</translation>
     </message>
     <message>
-        <source>Work in the setup after this one.</source>
-        <translation>In der Aufspannung nach dieser arbeiten.</translation>
+        <source>Switch to the next setup.</source>
+        <translation>Wechselt zur nächsten Aufspannung.</translation>
     </message>
     <message>
         <source>Pre&amp;vious setup</source>
         <translation>&amp;Vorige Aufspannung</translation>
     </message>
     <message>
-        <source>Work in the setup before this one.</source>
-        <translation>In der Aufspannung vor dieser arbeiten.</translation>
+        <source>Switch to the previous setup.</source>
+        <translation>Wechselt zur vorigen Aufspannung.</translation>
     </message>
     <message>
-        <source>Turn a face &amp;down</source>
-        <translation>Eine Fläche nach &amp;unten drehen</translation>
+        <source>Orient a face &amp;down</source>
+        <translation>Eine Fläche nach &amp;unten ausrichten</translation>
     </message>
     <message>
-        <source>Click a face of the part in the view; it is turned down.</source>
-        <translation>Klicken Sie in der Ansicht auf eine Fläche des Teils; sie wird nach unten gedreht.</translation>
+        <source>Click a face of the part in the view. The part is rotated so that this face points down.</source>
+        <translation>Klicken Sie in der Ansicht auf eine Fläche des Teils. Das Teil wird so gedreht, dass sie nach unten zeigt.</translation>
     </message>
     <message>
-        <source>Turn by 90° about &amp;X</source>
+        <source>Rotate by 90° about &amp;X</source>
         <translation>Um 90° um &amp;X drehen</translation>
     </message>
     <message>
-        <source>Turn the part by 90° about X, through its middle.</source>
+        <source>Rotate the part by 90° about X, through its centre.</source>
         <translation>Dreht das Teil um 90° um X, durch seine Mitte.</translation>
     </message>
     <message>
-        <source>Turn by 90° about &amp;Y</source>
+        <source>Rotate by 90° about &amp;Y</source>
         <translation>Um 90° um &amp;Y drehen</translation>
     </message>
     <message>
-        <source>Turn the part by 90° about Y, through its middle.</source>
+        <source>Rotate the part by 90° about Y, through its centre.</source>
         <translation>Dreht das Teil um 90° um Y, durch seine Mitte.</translation>
     </message>
     <message>
-        <source>Turn by 90° about &amp;Z</source>
+        <source>Rotate by 90° about &amp;Z</source>
         <translation>Um 90° um &amp;Z drehen</translation>
     </message>
     <message>
-        <source>Turn the part by 90° about Z, through its middle.</source>
+        <source>Rotate the part by 90° about Z, through its centre.</source>
         <translation>Dreht das Teil um 90° um Z, durch seine Mitte.</translation>
     </message>
     <message>
@@ -1526,8 +1526,8 @@
         <translation>die Nummer einer Aufspannung</translation>
     </message>
     <message>
-        <source>X,Y,Z=AXIS: a place on a face in mm, and x, -x, y, -y, z, -z or a direction that the face is to look along</source>
-        <translation>X,Y,Z=ACHSE: eine Stelle auf einer Fläche in mm, und x, -x, y, -y, z, -z oder eine Richtung, in die die Fläche zeigen soll</translation>
+        <source>X,Y,Z=AXIS: a point on a face in mm, and x, -x, y, -y, z, -z or a direction that the face is to point along</source>
+        <translation>X,Y,Z=ACHSE: ein Punkt auf einer Fläche in mm, und x, -x, y, -y, z, -z oder eine Richtung, in die die Fläche zeigen soll</translation>
     </message>
     <message>
         <source>AXIS:DEGREES: x, y, z or X,Y,Z, and an angle</source>
@@ -1538,7 +1538,7 @@
         <translation>X,Y,Z in mm</translation>
     </message>
     <message>
-        <source>turned by %1 degrees about %2</source>
+        <source>rotated by %1 degrees about %2</source>
         <translation>um %1 Grad um %2 gedreht</translation>
     </message>
     <message>
@@ -1546,40 +1546,40 @@
         <translation>um %1 mm verschoben</translation>
     </message>
     <message>
-        <source>its stock is what the checked program leaves</source>
-        <translation>ihr Rohteil ist, was das geprüfte Programm übrig lässt</translation>
+        <source>its stock is the workpiece after the checked program</source>
+        <translation>ihr Rohteil ist das Werkstück nach dem geprüften Programm</translation>
     </message>
     <message>
-        <source>its stock is what the recordings leave, as there is no program that was checked and still holds</source>
-        <translation>ihr Rohteil ist, was die Aufnahmen übrig lassen, denn es gibt kein geprüftes Programm, das noch gilt</translation>
+        <source>its stock is the workpiece after the recordings, because there is no checked program that is up to date</source>
+        <translation>ihr Rohteil ist das Werkstück nach den Aufnahmen, denn es gibt kein geprüftes Programm, das noch gilt</translation>
     </message>
     <message>
-        <source>the part is turned by no quarter turns: faces of its stock may lie beside the true ones by %1 mm</source>
-        <translation>das Teil ist nicht um Vierteldrehungen gedreht: Flächen seines Rohteils können um %1 mm neben den wahren liegen</translation>
+        <source>the rotation is not a multiple of 90 degrees: faces of the stock may be off by up to %1 mm</source>
+        <translation>die Drehung ist kein Vielfaches von 90 Grad: Flächen des Rohteils können um bis zu %1 mm abweichen</translation>
     </message>
     <message>
-        <source>Milling the stock</source>
-        <translation>Rohteil wird gefräst</translation>
+        <source>Preparing the stock</source>
+        <translation>Rohteil wird vorbereitet</translation>
     </message>
     <message>
         <source>%1 recordings</source>
         <translation>%1 Aufnahmen</translation>
     </message>
     <message>
-        <source>a setup in which nothing is milled yet, or --add-setup</source>
-        <translation>eine Aufspannung, in der noch nichts gefräst ist, oder --add-setup</translation>
+        <source>a setup without recordings, or --add-setup</source>
+        <translation>eine Aufspannung ohne Aufnahmen, oder --add-setup</translation>
     </message>
     <message>
         <source>setup    %1 %2</source>
         <translation>Aufspannung %1 %2</translation>
     </message>
     <message>
-        <source>its stock is what setup %1 left; that has changed since (--take-stock takes it anew)</source>
-        <translation>ihr Rohteil ist, was Aufspannung %1 übrig ließ; die hat sich seither geändert (--take-stock übernimmt es neu)</translation>
+        <source>its stock is the workpiece of setup %1, which has changed since (update it with --update-stock)</source>
+        <translation>ihr Rohteil ist das Werkstück von Aufspannung %1, die sich seither geändert hat (--update-stock aktualisiert es)</translation>
     </message>
     <message>
-        <source>its stock is what setup %1 left</source>
-        <translation>ihr Rohteil ist, was Aufspannung %1 übrig ließ</translation>
+        <source>its stock is the workpiece of setup %1</source>
+        <translation>ihr Rohteil ist das Werkstück von Aufspannung %1</translation>
     </message>
 </context>
 <context>
@@ -4920,8 +4920,8 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Datei im Format STEP, IGES, BREP, STL, 3MF, OBJ, PLY, AMF oder OFF; mit --free-carving kann sie fehlen</translation>
     </message>
     <message>
-        <source>Mirror the part across x, y or z first: it is then another part than the file has</source>
-        <translation>Das Teil zuerst an x, y oder z spiegeln: es ist dann ein anderes Teil als das der Datei</translation>
+        <source>Mirror the part across x, y or z first. It is then another part than the one in the file</source>
+        <translation>Das Teil zuerst an x, y oder z spiegeln. Es ist dann ein anderes Teil als das der Datei</translation>
     </message>
     <message>
         <source>Millimetres per unit of a file that states none (STL, OBJ, PLY, OFF)</source>
@@ -4932,19 +4932,19 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Datei im Format STEP, IGES, BREP, STL, 3MF, OBJ, PLY, AMF oder OFF</translation>
     </message>
     <message>
-        <source>Show and change the setups of a project, how the part lies in them, their fixtures, keep-out volumes, tool axis, machine and travel</source>
-        <translation>Die Aufspannungen eines Projekts, die Lage des Teils darin, Spannmittel, Sperrvolumen, Werkzeugachse, Maschine und Verfahrweg zeigen und ändern</translation>
+        <source>Show and change the setups of a project: placement of the part, fixtures, keep-out volumes, tool axis, machine and travel</source>
+        <translation>Die Aufspannungen eines Projekts zeigen und ändern: Lage des Teils, Spannmittel, Sperrvolumen, Werkzeugachse, Maschine und Verfahrweg</translation>
     </message>
     <message>
         <source>STEP, IGES, BREP or mesh file of the flutes, closed</source>
         <translation>STEP-, IGES-, BREP- oder Netzdatei der Schneiden, geschlossen</translation>
     </message>
     <message>
-        <source>Turn the part so that a face looks along an axis: X,Y,Z=AXIS with a place on the face in mm and x, -x, y, -y, z or -z; -z lays it down. Of a cylinder or cone its axis counts; may be repeated</source>
-        <translation>Das Teil so drehen, dass eine Fläche entlang einer Achse zeigt: X,Y,Z=ACHSE mit einer Stelle auf der Fläche in mm und x, -x, y, -y, z oder -z; -z legt sie nach unten. Bei Zylinder und Kegel zählt ihre Achse; darf wiederholt werden</translation>
+        <source>Rotate the part so that a face points along an axis: X,Y,Z=AXIS with a point on the face in mm and x, -x, y, -y, z or -z (down). For a cylinder or cone its axis is used; may be repeated</source>
+        <translation>Das Teil so drehen, dass eine Fläche entlang einer Achse zeigt: X,Y,Z=ACHSE mit einem Punkt auf der Fläche in mm und x, -x, y, -y, z oder -z (nach unten). Bei Zylinder und Kegel gilt die Achse; darf wiederholt werden</translation>
     </message>
     <message>
-        <source>Turn the part about the middle of its box: AXIS:DEGREES with x, y, z or X,Y,Z; after --align; may be repeated</source>
+        <source>Rotate the part about the centre of its bounding box: AXIS:DEGREES with x, y, z or X,Y,Z; after --align; may be repeated</source>
         <translation>Das Teil um die Mitte seiner Hülle drehen: ACHSE:GRAD mit x, y, z oder X,Y,Z; nach --align; darf wiederholt werden</translation>
     </message>
     <message>
@@ -4952,28 +4952,28 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Das Teil um X,Y,Z mm verschieben, nach --turn</translation>
     </message>
     <message>
-        <source>Add a setup of this name, in which the part lies as --align, --turn and --move say, starting from how it lies in the one before; its stock is what that one leaves</source>
-        <translation>Eine Aufspannung dieses Namens hinzufügen, in der das Teil so liegt, wie --align, --turn und --move sagen, ausgehend von seiner Lage in der vorigen; ihr Rohteil ist, was diese übrig lässt</translation>
+        <source>Add a setup of this name. --align, --turn and --move place the part in it, relative to the setup before; its stock is the workpiece of that setup</source>
+        <translation>Eine Aufspannung dieses Namens hinzufügen. --align, --turn und --move setzen die Lage des Teils darin, bezogen auf die vorige; ihr Rohteil ist das Werkstück der vorigen</translation>
     </message>
     <message>
-        <source>Number or name of the setup that the new one comes after (default: --setup)</source>
-        <translation>Nummer oder Name der Aufspannung, auf die die neue folgt (Vorgabe: --setup)</translation>
+        <source>Number or name of the setup that precedes the new one (default: --setup)</source>
+        <translation>Nummer oder Name der Aufspannung, die der neuen vorangeht (Vorgabe: --setup)</translation>
     </message>
     <message>
-        <source>The new setup has a stock of its own, with the same margins</source>
-        <translation>Die neue Aufspannung hat ein eigenes Rohteil mit denselben Aufmaßen</translation>
+        <source>Give the new setup a new stock with the same margins</source>
+        <translation>Der neuen Aufspannung ein neues Rohteil mit denselben Aufmaßen geben</translation>
     </message>
     <message>
-        <source>Take the stock anew from the setup that leaves it</source>
-        <translation>Das Rohteil neu von der Aufspannung übernehmen, die es übrig lässt</translation>
+        <source>Update the stock from the setup that it comes from</source>
+        <translation>Das Rohteil aus der Aufspannung aktualisieren, aus der es stammt</translation>
     </message>
     <message>
         <source>Name of the setup</source>
         <translation>Name der Aufspannung</translation>
     </message>
     <message>
-        <source>Number or name of a setup to delete; it must hold no recordings, paths and programs</source>
-        <translation>Nummer oder Name einer Aufspannung, die gelöscht wird; sie darf keine Aufnahmen, Bahnen und Programme enthalten</translation>
+        <source>Number or name of a setup to delete; only one without recordings, paths and programs</source>
+        <translation>Nummer oder Name einer Aufspannung, die gelöscht wird; nur eine ohne Aufnahmen, Bahnen und Programme</translation>
     </message>
     <message>
         <source>Model of a fixture in the setup&apos;s frame (STEP, IGES, BREP, or a mesh); may be repeated</source>
@@ -5110,12 +5110,12 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>%1 hat keine Flächen und wurde ausgelassen.</translation>
     </message>
     <message>
-        <source>The file states no unit; 1 unit = %1 mm was taken.</source>
+        <source>The file states no unit; 1 unit = %1 mm was assumed.</source>
         <translation>Die Datei gibt keine Einheit an; 1 Einheit = %1 mm wurde angenommen.</translation>
     </message>
     <message>
-        <source>Colours are in another file, %1, and were left out.</source>
-        <translation>Farben stehen in einer anderen Datei, %1, und wurden weggelassen.</translation>
+        <source>Colours are stored in another file, %1, and were not imported.</source>
+        <translation>Farben stehen in einer anderen Datei, %1, und wurden nicht importiert.</translation>
     </message>
 </context>
 <context>
@@ -5407,8 +5407,8 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Das Rohteil darf aus einer Datei kommen.</translation>
     </message>
     <message>
-        <source>A part may be turned, and each setup has a program of its own.</source>
-        <translation>Ein Teil kann gedreht sein, und jede Aufspannung hat ihr eigenes Programm.</translation>
+        <source>The part can be rotated, and each setup has its own program.</source>
+        <translation>Das Teil kann gedreht werden, und jede Aufspannung hat ihr eigenes Programm.</translation>
     </message>
 </context>
 <context>
@@ -5768,16 +5768,16 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
 <context>
     <name>PlacementWords</name>
     <message>
-        <source>As in its file.</source>
-        <translation>Wie in seiner Datei.</translation>
+        <source>As in the file.</source>
+        <translation>Wie in der Datei.</translation>
     </message>
     <message>
         <source>Moved by %1.</source>
         <translation>Um %1 verschoben.</translation>
     </message>
     <message>
-        <source>Turned by %1° about %2 of its file, then moved by %3.</source>
-        <translation>Um %1° um %2 seiner Datei gedreht, dann um %3 verschoben.</translation>
+        <source>Rotated by %1° about %2, then moved by %3.</source>
+        <translation>Um %1° um %2 gedreht, dann um %3 verschoben.</translation>
     </message>
 </context>
 <context>
@@ -6624,64 +6624,64 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>SetupDialog</name>
     <message>
-        <source>Turned over about X</source>
-        <translation>um X gewendet</translation>
+        <source>rotated by 180° about X</source>
+        <translation>um 180° um X gedreht</translation>
     </message>
     <message>
-        <source>Turned over about Y</source>
-        <translation>um Y gewendet</translation>
+        <source>rotated by 180° about Y</source>
+        <translation>um 180° um Y gedreht</translation>
     </message>
     <message>
-        <source>Tilted to the front (90° about X)</source>
-        <translation>nach vorn gekippt (90° um X)</translation>
+        <source>rotated by 90° about X</source>
+        <translation>um 90° um X gedreht</translation>
     </message>
     <message>
-        <source>Tilted to the back (-90° about X)</source>
-        <translation>nach hinten gekippt (-90° um X)</translation>
+        <source>rotated by -90° about X</source>
+        <translation>um -90° um X gedreht</translation>
     </message>
     <message>
-        <source>Tilted to the right (90° about Y)</source>
-        <translation>nach rechts gekippt (90° um Y)</translation>
+        <source>rotated by 90° about Y</source>
+        <translation>um 90° um Y gedreht</translation>
     </message>
     <message>
-        <source>Tilted to the left (-90° about Y)</source>
-        <translation>nach links gekippt (-90° um Y)</translation>
+        <source>rotated by -90° about Y</source>
+        <translation>um -90° um Y gedreht</translation>
     </message>
     <message>
-        <source>As it lies</source>
-        <translation>wie es liegt</translation>
+        <source>not rotated</source>
+        <translation>nicht gedreht</translation>
     </message>
     <message>
         <source>Add a setup</source>
         <translation>Aufspannung hinzufügen</translation>
     </message>
     <message>
-        <source>Name of the setup, for lists and programs</source>
-        <translation>Name der Aufspannung, für Listen und Programme</translation>
+        <source>Name of the setup, shown in lists and in the file name of its program</source>
+        <translation>Name der Aufspannung, in Listen und im Dateinamen ihres Programms</translation>
     </message>
     <message>
         <source>Name</source>
         <translation>Name</translation>
     </message>
     <message>
-        <source>How the part is turned from how it lies now; its middle stays where it is. It can be turned further later</source>
-        <translation>Wie das Teil gedreht wird, ausgehend von seiner jetzigen Lage; seine Mitte bleibt, wo sie ist. Später kann es weiter gedreht werden</translation>
+        <source>Rotation about the centre of the part, relative to this setup. You can change it later</source>
+        <translation>Drehung um die Mitte des Teils, bezogen auf diese Aufspannung. Sie können sie später ändern</translation>
     </message>
     <message>
         <source>The part is</source>
         <translation>Das Teil ist</translation>
     </message>
     <message>
-        <source>what this setup leaves</source>
-        <translation>was diese Aufspannung übrig lässt</translation>
+        <source>the workpiece of this setup</source>
+        <translation>das Werkstück dieser Aufspannung</translation>
     </message>
     <message>
-        <source>new, with the same margins</source>
-        <translation>neu, mit denselben Aufmaßen</translation>
+        <source>new stock with the same margins</source>
+        <translation>ein neues mit denselben Aufmaßen</translation>
     </message>
     <message>
-        <source>What this setup leaves: as its checked program does, or else its recordings</source>
-        <translation>Was diese Aufspannung übrig lässt: nach ihrem geprüften Programm, sonst nach ihren Aufnahmen</translation>
+        <source>The workpiece after the checked program of this setup. Without one: after its recordings</source>
+        <translation>Das Werkstück nach dem geprüften Programm dieser Aufspannung. Ohne eines: nach ihren Aufnahmen</translation>
     </message>
     <message>
         <source>Its stock is</source>
@@ -6692,8 +6692,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Hinzufügen</translation>
     </message>
     <message>
-        <source>Add the setup and work in it</source>
-        <translation>Die Aufspannung hinzufügen und in ihr arbeiten</translation>
+        <source>Add the setup and switch to it</source>
+        <translation>Die Aufspannung hinzufügen und zu ihr wechseln</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -7345,8 +7345,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::FacePicker</name>
     <message>
-        <source>Esc: pick no face</source>
-        <translation>Esc: keine Fläche wählen</translation>
+        <source>Esc: cancel the selection of a face</source>
+        <translation>Esc: Auswahl der Fläche abbrechen</translation>
     </message>
 </context>
 <context>
@@ -8769,8 +8769,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Das Werkzeug „%1“ ist in der Bibliothek. Sein Profil ist höchstens %2 mm weiter als das, was seine Schneiden überstreichen, und nie enger.</translation>
     </message>
     <message>
-        <source>The stock was turned by no quarter turns: its faces may lie up to %1 mm beside the true ones; smaller voxels make that less.</source>
-        <translation>Das Rohteil wurde nicht um Vierteldrehungen gedreht: Seine Flächen können bis zu %1 mm neben den wahren liegen; kleinere Voxel verringern das.</translation>
+        <source>The stock was rotated by an angle that is not a multiple of 90°. Its faces may be off by up to %1 mm; use smaller voxels to reduce this.</source>
+        <translation>Das Rohteil wurde um einen Winkel gedreht, der kein Vielfaches von 90° ist. Seine Flächen können um bis zu %1 mm abweichen; kleinere Voxel verringern das.</translation>
     </message>
 </context>
 <context>
@@ -10539,7 +10539,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Das Rohteil wird aus %1 gelesen</translation>
     </message>
     <message>
-        <source>Turning the stock</source>
+        <source>Rotating the stock</source>
         <translation>Rohteil wird gedreht</translation>
     </message>
     <message>
@@ -10550,24 +10550,24 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::SetupPanel</name>
     <message>
-        <source>How the part lies</source>
-        <translation>Lage des Teils</translation>
+        <source>Placement</source>
+        <translation>Lage</translation>
     </message>
     <message>
         <source>Setup</source>
         <translation>Aufspannung</translation>
     </message>
     <message>
-        <source>The setup that is worked in: stock, fixtures, recordings, paths and programs are those of this setup</source>
-        <translation>Die Aufspannung, in der gearbeitet wird: Rohteil, Spannmittel, Aufnahmen, Bahnen und Programme gehören zu ihr</translation>
+        <source>The current setup. Each setup has its own stock, fixtures, recordings, paths and programs</source>
+        <translation>Die aktuelle Aufspannung. Jede hat ihr eigenes Rohteil, ihre Spannmittel, Aufnahmen, Bahnen und Programme</translation>
     </message>
     <message>
         <source>Name</source>
         <translation>Name</translation>
     </message>
     <message>
-        <source>Name of this setup, for lists and programs</source>
-        <translation>Name dieser Aufspannung, für Listen und Programme</translation>
+        <source>Name of this setup, shown in lists and in the file name of its program</source>
+        <translation>Name dieser Aufspannung, in Listen und im Dateinamen ihres Programms</translation>
     </message>
     <message>
         <source>Add…</source>
@@ -10578,8 +10578,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Löschen</translation>
     </message>
     <message>
-        <source>Take the stock anew</source>
-        <translation>Rohteil neu übernehmen</translation>
+        <source>Update the stock</source>
+        <translation>Rohteil aktualisieren</translation>
     </message>
     <message>
         <source>Face down</source>
@@ -10602,28 +10602,28 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>90° %1</translation>
     </message>
     <message>
-        <source>Turn about</source>
+        <source>Rotation axis</source>
+        <translation>Drehachse</translation>
+    </message>
+    <message>
+        <source>Axis of the rotation below; it passes through the centre of the part</source>
+        <translation>Achse der Drehung darunter; sie geht durch die Mitte des Teils</translation>
+    </message>
+    <message>
+        <source>Rotate by</source>
         <translation>Drehen um</translation>
     </message>
     <message>
-        <source>Axis through the middle of the part that the angle below turns it about</source>
-        <translation>Achse durch die Mitte des Teils, um die der Winkel darunter es dreht</translation>
+        <source>Rotates the part by this angle. Positive: counter-clockwise, seen from the tip of the axis</source>
+        <translation>Dreht das Teil um diesen Winkel. Positiv: gegen den Uhrzeigersinn, von der Spitze der Achse gesehen</translation>
     </message>
     <message>
-        <source>Turn by</source>
-        <translation>Drehwinkel</translation>
-    </message>
-    <message>
-        <source>Enter an angle to turn the part by it, counter-clockwise seen against the axis</source>
-        <translation>Geben Sie einen Winkel ein, um den das Teil gedreht wird, gegen den Uhrzeigersinn, wenn die Achse auf Sie zeigt</translation>
-    </message>
-    <message>
-        <source>Low corner %1</source>
+        <source>Lower corner %1</source>
         <translation>Untere Ecke %1</translation>
     </message>
     <message>
-        <source>Where the box around the part begins; another value moves it</source>
-        <translation>Wo die Hülle des Teils beginnt; ein anderer Wert verschiebt es</translation>
+        <source>Lower corner of the part&apos;s bounding box. A new value moves the part</source>
+        <translation>Untere Ecke der Hülle des Teils. Ein neuer Wert verschiebt das Teil</translation>
     </message>
     <message>
         <source>Mirror %1</source>
@@ -10638,75 +10638,75 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Es wird noch gerechnet.</translation>
     </message>
     <message>
-        <source>Embed the part first: the next setup begins with what this one leaves.</source>
-        <translation>Betten Sie zuerst das Teil ein: Die nächste Aufspannung beginnt mit dem, was diese übrig lässt.</translation>
+        <source>Embed the part first: the next setup starts with the workpiece of this one.</source>
+        <translation>Betten Sie zuerst das Teil ein: Die nächste Aufspannung beginnt mit dem Werkstück dieser.</translation>
     </message>
     <message>
-        <source>Add a setup for another side of the part; its stock is what this one leaves</source>
-        <translation>Fügt eine Aufspannung für eine andere Seite des Teils hinzu; ihr Rohteil ist, was diese übrig lässt</translation>
+        <source>Add a setup for another side of the part. Its stock is the workpiece that this setup leaves</source>
+        <translation>Fügt eine Aufspannung für eine andere Seite des Teils hinzu. Ihr Rohteil ist das Werkstück, das diese übrig lässt</translation>
     </message>
     <message>
-        <source>A job has one setup at least.</source>
-        <translation>Ein Auftrag hat mindestens eine Aufspannung.</translation>
+        <source>A job needs at least one setup.</source>
+        <translation>Ein Auftrag braucht mindestens eine Aufspannung.</translation>
     </message>
     <message>
-        <source>Delete this setup; it must hold no recordings, paths and programs</source>
-        <translation>Diese Aufspannung löschen; sie darf keine Aufnahmen, Bahnen und Programme enthalten</translation>
+        <source>Delete this setup. Only a setup without recordings, paths and programs can be deleted</source>
+        <translation>Diese Aufspannung löschen. Nur eine ohne Aufnahmen, Bahnen und Programme kann gelöscht werden</translation>
     </message>
     <message>
-        <source>The setup that left this stock was changed since; the stock is as it was.</source>
-        <translation>Die Aufspannung, die dieses Rohteil übrig ließ, wurde seither geändert; das Rohteil ist, wie es war.</translation>
+        <source>The setup that this stock comes from has changed. The stock is not up to date.</source>
+        <translation>Die Aufspannung, aus der dieses Rohteil stammt, hat sich geändert. Das Rohteil ist nicht aktuell.</translation>
     </message>
     <message>
-        <source>This stock has been milled; delete the recordings first.</source>
-        <translation>Dieses Rohteil ist schon gefräst; löschen Sie zuerst die Aufnahmen.</translation>
+        <source>Delete the recordings of this setup first.</source>
+        <translation>Löschen Sie zuerst die Aufnahmen dieser Aufspannung.</translation>
     </message>
     <message>
-        <source>Mill the setup before this one again and take what it leaves</source>
-        <translation>Die Aufspannung vor dieser noch einmal fräsen und übernehmen, was sie übrig lässt</translation>
+        <source>Replay the setup that this stock comes from, and use its workpiece</source>
+        <translation>Die Aufspannung, aus der dieses Rohteil stammt, nachfräsen und ihr Werkstück verwenden</translation>
     </message>
     <message>
-        <source>This part has been milled as it lies; add a setup to turn it.</source>
-        <translation>Dieses Teil ist so gefräst, wie es liegt; fügen Sie eine Aufspannung hinzu, um es zu drehen.</translation>
+        <source>This setup has recordings. Add a setup to rotate the part.</source>
+        <translation>Diese Aufspannung hat Aufnahmen. Fügen Sie eine Aufspannung hinzu, um das Teil zu drehen.</translation>
     </message>
     <message>
-        <source>Click a face of the part: it is turned down. Of a cylinder its axis is turned upright</source>
-        <translation>Klicken Sie auf eine Fläche des Teils: Sie wird nach unten gedreht. Bei einem Zylinder wird seine Achse senkrecht gestellt</translation>
+        <source>Click a face: the part is rotated so that it points down. A cylinder or cone: so that its axis is vertical</source>
+        <translation>Klicken Sie auf eine Fläche: Das Teil wird so gedreht, dass sie nach unten zeigt. Zylinder oder Kegel: dass die Achse senkrecht steht</translation>
     </message>
     <message>
-        <source>Click a face of the part: it is turned up. Of a cylinder its axis is turned upright</source>
-        <translation>Klicken Sie auf eine Fläche des Teils: Sie wird nach oben gedreht. Bei einem Zylinder wird seine Achse senkrecht gestellt</translation>
+        <source>Click a face: the part is rotated so that it points up. A cylinder or cone: so that its axis is vertical</source>
+        <translation>Klicken Sie auf eine Fläche: Das Teil wird so gedreht, dass sie nach oben zeigt. Zylinder oder Kegel: dass die Achse senkrecht steht</translation>
     </message>
     <message>
-        <source>Click a face of the part: it is turned towards X. Of a cylinder its axis is laid along X</source>
-        <translation>Klicken Sie auf eine Fläche des Teils: Sie wird nach X gedreht. Bei einem Zylinder wird seine Achse entlang X gelegt</translation>
+        <source>Click a face: the part is rotated so that it points along X. A cylinder or cone: so that its axis is parallel to X</source>
+        <translation>Klicken Sie auf eine Fläche: Das Teil wird so gedreht, dass sie entlang X zeigt. Zylinder oder Kegel: dass die Achse parallel zu X ist</translation>
     </message>
     <message>
-        <source>Click a face of the part: it is turned towards Y. Of a cylinder its axis is laid along Y</source>
-        <translation>Klicken Sie auf eine Fläche des Teils: Sie wird nach Y gedreht. Bei einem Zylinder wird seine Achse entlang Y gelegt</translation>
+        <source>Click a face: the part is rotated so that it points along Y. A cylinder or cone: so that its axis is parallel to Y</source>
+        <translation>Klicken Sie auf eine Fläche: Das Teil wird so gedreht, dass sie entlang Y zeigt. Zylinder oder Kegel: dass die Achse parallel zu Y ist</translation>
     </message>
     <message>
         <source>Click a face of the part in the view.</source>
         <translation>Klicken Sie in der Ansicht auf eine Fläche des Teils.</translation>
     </message>
     <message>
-        <source>Turn the part by 90° about %1, through its middle</source>
+        <source>Rotate the part by 90° about %1, through its centre</source>
         <translation>Das Teil um 90° um %1 drehen, durch seine Mitte</translation>
     </message>
     <message>
-        <source>A part of several setups stays as it is.</source>
-        <translation>Ein Teil mit mehreren Aufspannungen bleibt, wie es ist.</translation>
+        <source>A part with several setups can&apos;t be mirrored.</source>
+        <translation>Ein Teil mit mehreren Aufspannungen kann nicht gespiegelt werden.</translation>
     </message>
     <message>
-        <source>Make the part its mirror image across %1: another part than the file has</source>
-        <translation>Das Teil an %1 spiegeln: ein anderes Teil als das der Datei</translation>
+        <source>Mirror the part across %1. It is then another part than the one in the file</source>
+        <translation>Spiegelt das Teil an %1. Es ist dann ein anderes Teil als das der Datei</translation>
     </message>
 </context>
 <context>
     <name>burin::SetupsController</name>
     <message>
-        <source>Taking over the workpiece</source>
-        <translation>Werkstück wird übernommen</translation>
+        <source>Preparing the stock</source>
+        <translation>Rohteil wird vorbereitet</translation>
     </message>
     <message>
         <source>Setup %1</source>
@@ -10720,12 +10720,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Aufspannung %1</translation>
     </message>
     <message>
-        <source>Looking at the face</source>
+        <source>Examining the face</source>
         <translation>Fläche wird untersucht</translation>
     </message>
     <message>
-        <source>This face is curved, so it has no direction. Click a plane face, a cylinder or a cone.</source>
-        <translation>Diese Fläche ist gekrümmt und hat keine Richtung. Klicken Sie auf eine ebene Fläche, einen Zylinder oder einen Kegel.</translation>
+        <source>This face is curved and has no direction. Click a plane, a cylinder or a cone.</source>
+        <translation>Diese Fläche ist gekrümmt und hat keine Richtung. Klicken Sie auf eine Ebene, einen Zylinder oder einen Kegel.</translation>
     </message>
 </context>
 <context>

@@ -210,7 +210,8 @@ void registerEmbed(CommandParser program, CommandContext& context, int& status) 
     addPlacing(command, arguments->placing);
     command
         .option("--mirror", arguments->mirror,
-                BURIN_TEXT("Help", "Mirror the part across x, y or z first: it is then another part than the file has"))
+                BURIN_TEXT("Help",
+                           "Mirror the part across x, y or z first. It is then another part than the one in the file"))
         .choices({"x", "y", "z"});
     command
         .option("--file-unit,--stl-unit", arguments->fileUnit,

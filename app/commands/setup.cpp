@@ -158,11 +158,9 @@ int runSetup(const SetupArguments& arguments, CommandContext& context) {
 
 void registerSetup(CommandParser program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<SetupArguments>();
-    const CommandParser command = program.command(
-        "setup",
-        BURIN_TEXT("Help",
-                   "Show and change the setups of a project, how the part lies in them, their fixtures, keep-out "
-                   "volumes, tool axis, machine and travel"));
+    const CommandParser command =
+        program.command("setup", BURIN_TEXT("Help", "Show and change the setups of a project: placement of the part, "
+                                                    "fixtures, keep-out volumes, tool axis, machine and travel"));
     command
         .positional(BURIN_TEXT("Argument", "PROJECT"), arguments->project, BURIN_TEXT("Help", "Project file (.burin)"))
         .required();

@@ -23,9 +23,9 @@ inline constexpr TextId brepWithoutUnit =
 inline constexpr TextId stlWithoutUnit =
     BURIN_TEXT("ImportNote", "An STL file states no unit; 1 unit = %1 mm was taken.");
 inline constexpr TextId fileWithoutUnit =
-    BURIN_TEXT("ImportNote", "The file states no unit; 1 unit = %1 mm was taken.");
+    BURIN_TEXT("ImportNote", "The file states no unit; 1 unit = %1 mm was assumed.");
 inline constexpr TextId coloursLeftOut =
-    BURIN_TEXT("ImportNote", "Colours are in another file, %1, and were left out.");
+    BURIN_TEXT("ImportNote", "Colours are stored in another file, %1, and were not imported.");
 inline constexpr TextId sizeDoubtful =
     BURIN_TEXT("ImportNote", "The part is %1 mm long: perhaps its unit is another one.");
 inline constexpr TextId repaired = BURIN_TEXT("ImportNote", "%1 was invalid and was repaired.");

@@ -33,7 +33,7 @@ inline constexpr std::array projectMigrations{
     Migration{3, BURIN_TEXT("Migration", "A job may have several setups."), addSetups},
     Migration{4, BURIN_TEXT("Migration", "Bodies have roles, and the stock a form and layers."), addRoles},
     Migration{5, BURIN_TEXT("Migration", "The stock may come from a file."), addStockVolumes},
-    Migration{6, BURIN_TEXT("Migration", "A part may be turned, and each setup has a program of its own."),
+    Migration{6, BURIN_TEXT("Migration", "The part can be rotated, and each setup has its own program."),
               addPlacements},
 };
 inline constexpr int projectVersion = static_cast<int>(projectMigrations.size()) + 1;

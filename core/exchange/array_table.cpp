@@ -3,6 +3,7 @@
 #include "core/exchange/array_table.h"
 
 #include "core/base/numbers.h"
+#include "core/volume/runs/property_entry.h"
 
 #include <nlohmann/json.hpp>
 
@@ -24,12 +25,6 @@ std::optional<double> numberOf(const json& entry, const char* key) {
     if (found == entry.end() || !found->is_number()) return std::nullopt;
     const double number = found->get<double>();
     return std::isfinite(number) ? std::optional(number) : std::nullopt;
-}
-
-std::optional<PropertyIndex> entryOf(const PropertyList& list, const std::string& id) {
-    for (int i = 1; i < list.size(); ++i)
-        if (list[static_cast<PropertyIndex>(i)].id == id) return static_cast<PropertyIndex>(i);
-    return std::nullopt;
 }
 
 } // namespace

@@ -8,6 +8,12 @@
 
 namespace burin {
 
+/// The frame's axis that a direction lies nearest to: 0, 1, 2 for x, y, z; of equal ones the last.
+inline int nearestAxis(const glm::dvec3& direction) noexcept {
+    const glm::dvec3 share = glm::abs(direction);
+    return share.z >= share.x && share.z >= share.y ? 2 : share.y >= share.x ? 1 : 0;
+}
+
 /// A direction square to one; the same one for the same. @param axis unit
 inline glm::dvec3 anyAcross(const glm::dvec3& axis) noexcept {
     const glm::dvec3 other = std::abs(axis.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/placement.h"
 
+#include "core/geometry/frame_along.h"
 #include "core/geometry/pose.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -95,10 +96,9 @@ Placement mirroredAcross(int axis, const glm::dvec3& through) noexcept {
 }
 
 Box boxAround(const Box& box, const Placement& placement) noexcept {
-    Box around;
-    if (box.empty()) return around;
-    for (unsigned i = 0; i < 8; ++i) around.include(placement.point(box.corner(i)));
-    return around;
+    if (box.empty()) return box;
+    const Box turned = boxAround(box, placement.turn);
+    return {turned.low + placement.shift, turned.high + placement.shift};
 }
 
 } // namespace burin

@@ -5,6 +5,7 @@
 #include "core/job/kept_program.h"
 #include "core/volume/operations/moved.h"
 #include "core/volume/runs/assembly.h"
+#include "core/volume/runs/property_entry.h"
 
 #include <algorithm>
 #include <array>
@@ -62,12 +63,6 @@ Box withKnownFaces(Box material, const Box& stock, double voxel) {
         if (std::abs(material.high[axis] - stock.high[axis]) <= voxel) material.high[axis] = stock.high[axis];
     }
     return material;
-}
-
-std::optional<PropertyIndex> entryOf(const PropertyList& list, const std::string& id) {
-    for (int i = 1; i < list.size(); ++i)
-        if (list[static_cast<PropertyIndex>(i)].id == id) return static_cast<PropertyIndex>(i);
-    return std::nullopt;
 }
 
 Result<Property> materialOf(const MillingContext& milling, const std::string& id) {

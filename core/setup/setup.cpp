@@ -4,6 +4,7 @@
 
 #include "core/base/available_memory.h"
 #include "core/base/numbers.h"
+#include "core/geometry/frame_along.h"
 #include "core/geometry/pose.h"
 
 #include <algorithm>
@@ -40,11 +41,6 @@ Box boxOf(const Model& model, const Setup& setup, Judge wanted) {
     for (std::size_t i = 0; i < model.bodies.size(); ++i)
         if (wanted(roleOf(setup, i))) box.include(model.bodies[i].box);
     return box;
-}
-
-int nearestAxis(const glm::dvec3& direction) {
-    const glm::dvec3 share = glm::abs(direction);
-    return share.z >= share.x && share.z >= share.y ? 2 : share.y >= share.x ? 1 : 0;
 }
 
 /// Round all embedded bodies, without margins: where it begins and ends along its axis, and how far they reach.

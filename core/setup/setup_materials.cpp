@@ -3,6 +3,7 @@
 #include "core/setup/setup_materials.h"
 
 #include "core/setup/material_change.h"
+#include "core/volume/runs/property_entry.h"
 
 #include <algorithm>
 #include <utility>
@@ -24,12 +25,6 @@ Result<Property> materialOf(const std::string& id, const std::vector<Property>& 
     if (found != known.end()) return *found;
     const Property* own = volume ? ofStock(*volume, id) : nullptr;
     return own ? Result<Property>(*own) : loadMaterial(id);
-}
-
-std::optional<PropertyIndex> entryOf(const PropertyList& list, const std::string& id) {
-    for (int i = 1; i < list.size(); ++i)
-        if (list[static_cast<PropertyIndex>(i)].id == id) return static_cast<PropertyIndex>(i);
-    return std::nullopt;
 }
 
 /// Ids of a property list are unique; bodies of one name get numbers.

@@ -73,11 +73,14 @@ bool isZlib(std::string_view header) {
 bool isLibzip(std::string_view header) {
     return header == "zip.h";
 }
+bool isPugixml(std::string_view header) {
+    return header == "pugixml.hpp";
+}
 bool isSqlite(std::string_view header) {
     return header.starts_with("sqlite3");
 }
 
-constexpr std::array<Foreign, 11> foreigners{Foreign{"Qt", isQt},
+constexpr std::array<Foreign, 12> foreigners{Foreign{"Qt", isQt},
                                              Foreign{"VTK", isVtk},
                                              Foreign{"OpenCASCADE", isOcct},
                                              Foreign{"SQLite", isSqlite},
@@ -87,7 +90,8 @@ constexpr std::array<Foreign, 11> foreigners{Foreign{"Qt", isQt},
                                              Foreign{"yaml-cpp", isYaml},
                                              Foreign{"assimp", isAssimp},
                                              Foreign{"zlib", isZlib},
-                                             Foreign{"libzip", isLibzip}};
+                                             Foreign{"libzip", isLibzip},
+                                             Foreign{"pugixml", isPugixml}};
 
 bool allowed(const Arrows& arrows, const std::string& library, const std::string& header, const std::string& source) {
     if (library == "plugins")

@@ -112,7 +112,7 @@ private slots:
         QVERIFY(!setupsOf()[2].toObject()["stock_out_of_date"].toBool());
         QCOMPARE(runBurin({"mill", in("p.burin"), "--fast", "--seconds", "3", "--seed", "5"}).status, 0);
         QVERIFY(setupsOf()[2].toObject()["stock_out_of_date"].toBool());
-        const ProgramRun taken = runBurin({"setup", in("p.burin"), "--setup", "3", "--take-stock"});
+        const ProgramRun taken = runBurin({"setup", in("p.burin"), "--setup", "3", "--update-stock"});
         QVERIFY2(taken.status == 0, taken.messages.constData());
         QVERIFY2(taken.messages.contains("recordings"), taken.messages.constData()); // its program is out of date now
         QVERIFY(!setupsOf()[2].toObject()["stock_out_of_date"].toBool());
@@ -128,7 +128,7 @@ private slots:
         QTest::newRow("in use") << QStringList{"--delete-setup", "1"} << QByteArray("not in use");
         QTest::newRow("no angle") << QStringList{"--setup", "3", "--turn", "x"} << QByteArray("AXIS:DEGREES");
         QTest::newRow("no place") << QStringList{"--setup", "3", "--align", "x=-z"} << QByteArray("X,Y,Z=AXIS");
-        QTest::newRow("no stock to take") << QStringList{"--take-stock"} << QByteArray("another one left");
+        QTest::newRow("no stock to take") << QStringList{"--update-stock"} << QByteArray("another one left");
         QTest::newRow("a curved face") << QStringList{"--setup", "3", "--align", "0,0,60=-z"} << QByteArray("plane");
     }
     void refusalsSayWhy() {

@@ -33,13 +33,13 @@ struct Turn {
 };
 
 std::array<Turn, 7> turns() {
-    return {{{SetupDialog::tr("Turned over about X"), 0, pi},
-             {SetupDialog::tr("Turned over about Y"), 1, pi},
-             {SetupDialog::tr("Tilted to the front (90° about X)"), 0, 0.5 * pi},
-             {SetupDialog::tr("Tilted to the back (-90° about X)"), 0, -0.5 * pi},
-             {SetupDialog::tr("Tilted to the right (90° about Y)"), 1, 0.5 * pi},
-             {SetupDialog::tr("Tilted to the left (-90° about Y)"), 1, -0.5 * pi},
-             {SetupDialog::tr("As it lies"), 2, 0.0}}};
+    return {{{SetupDialog::tr("rotated by 180° about X"), 0, pi},
+             {SetupDialog::tr("rotated by 180° about Y"), 1, pi},
+             {SetupDialog::tr("rotated by 90° about X"), 0, 0.5 * pi},
+             {SetupDialog::tr("rotated by -90° about X"), 0, -0.5 * pi},
+             {SetupDialog::tr("rotated by 90° about Y"), 1, 0.5 * pi},
+             {SetupDialog::tr("rotated by -90° about Y"), 1, -0.5 * pi},
+             {SetupDialog::tr("not rotated"), 2, 0.0}}};
 }
 
 Placement placementOf(const Turn& turn, const glm::dvec3& middle) {
@@ -62,20 +62,20 @@ std::optional<WantedSetup> askSetup(QWidget* parent, const QString& name, const 
     auto* nameField = new QLineEdit(name, &dialog);
     nameField->setObjectName(QStringLiteral("setupNameField"));
     nameField->setMaxLength(60);
-    nameField->setToolTip(SetupDialog::tr("Name of the setup, for lists and programs"));
+    nameField->setToolTip(SetupDialog::tr("Name of the setup, shown in lists and in the file name of its program"));
     form->addRow(SetupDialog::tr("Name"), nameField);
     auto* turn = new QComboBox(&dialog);
     turn->setObjectName(QStringLiteral("setupTurn"));
     turn->setToolTip(
-        SetupDialog::tr("How the part is turned from how it lies now; its middle stays where it is. It can "
-                        "be turned further later"));
+        SetupDialog::tr("Rotation about the centre of the part, relative to this setup. You can change it later"));
     for (const Turn& offered : turns()) turn->addItem(offered.text);
     form->addRow(SetupDialog::tr("The part is"), turn);
     auto* stock = new QComboBox(&dialog);
     stock->setObjectName(QStringLiteral("setupStock"));
-    stock->addItem(SetupDialog::tr("what this setup leaves"));
-    stock->addItem(SetupDialog::tr("new, with the same margins"));
-    stock->setToolTip(SetupDialog::tr("What this setup leaves: as its checked program does, or else its recordings"));
+    stock->addItem(SetupDialog::tr("the workpiece of this setup"));
+    stock->addItem(SetupDialog::tr("new stock with the same margins"));
+    stock->setToolTip(
+        SetupDialog::tr("The workpiece after the checked program of this setup. Without one: after its recordings"));
     if (!leaves) {
         stock->setCurrentIndex(1);
         stock->setEnabled(false);
@@ -85,7 +85,7 @@ std::optional<WantedSetup> askSetup(QWidget* parent, const QString& name, const 
     auto* buttons = new QDialogButtonBox(&dialog);
     QPushButton* confirm = buttons->addButton(SetupDialog::tr("Add"), QDialogButtonBox::AcceptRole);
     confirm->setObjectName(QStringLiteral("confirmButton"));
-    confirm->setToolTip(SetupDialog::tr("Add the setup and work in it"));
+    confirm->setToolTip(SetupDialog::tr("Add the setup and switch to it"));
     confirm->setDefault(true);
     QPushButton* cancel = buttons->addButton(SetupDialog::tr("Cancel"), QDialogButtonBox::RejectRole);
     cancel->setObjectName(QStringLiteral("cancelButton"));

@@ -13,7 +13,7 @@ bool BodyPicker::press(const ViewportEvent& event) {
     if (event.button != Qt::LeftButton || !model_) return false;
     const std::optional<SeenBody> seen = bodyOn(sightOf(event), *model_);
     taken_ = seen.has_value();
-    if (seen) emit chosen(seen->body);
+    if (seen) emit chosen(seen->body, seen->place);
     return taken_;
 }
 

@@ -14,7 +14,7 @@ namespace burin {
 
 /// Chooses the body of a model that is nearest to the eye under a click, whatever stock hides it; every other click and
 /// drag is the camera's. Thread: user interface.
-class BodyPicker final : public QObject, public InteractiveTool {
+class BodyPicker : public QObject, public InteractiveTool {
     Q_OBJECT
 public:
     using QObject::QObject;
@@ -24,7 +24,8 @@ public:
     bool release(const ViewportEvent& event) override;
 
 signals:
-    void chosen(std::size_t body); ///< its place in the model
+    /// @param body its index in the model @param point on it, mm, setup frame
+    void chosen(std::size_t body, const glm::dvec3& point);
 
 private:
     std::shared_ptr<const Model> model_;

@@ -39,7 +39,7 @@ QString axisText(const glm::dvec3& axis) {
 
 QString placementText(const Placement& placement, LengthUnit unit) {
     const bool turned = placement.turn != glm::dmat3(1.0), shifted = placement.shift != glm::dvec3(0.0);
-    if (!turned && !shifted) return PlacementWords::tr("As in its file.");
+    if (!turned && !shifted) return PlacementWords::tr("As in the file.");
     const double scale = unit == LengthUnit::inch ? 1.0 / millimetresPerInch : 1.0;
     const int digits = unit == LengthUnit::inch ? 5 : 4;
     const QString way =
@@ -48,7 +48,7 @@ QString placementText(const Placement& placement, LengthUnit unit) {
                  numberText(placement.shift.z * scale, digits), unitText(unit));
     if (!turned) return PlacementWords::tr("Moved by %1.").arg(way);
     const glm::dquat turn = glm::quat_cast(placement.turn);
-    return PlacementWords::tr("Turned by %1° about %2 of its file, then moved by %3.")
+    return PlacementWords::tr("Rotated by %1° about %2, then moved by %3.")
         .arg(numberText(glm::angle(turn) * 180.0 / pi, 4), axisText(glm::axis(turn)), way);
 }
 

@@ -65,7 +65,7 @@ private:
 
 SetupPanel::Fields::Fields(SetupPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
     makeSetups();
-    column_->addWidget(makeSectionTitle(SetupPanel::tr("How the part lies"), panel));
+    column_->addWidget(makeSectionTitle(SetupPanel::tr("Placement"), panel));
     lies_ = makeWrappedLabel(panel);
     lies_->setObjectName(QStringLiteral("placementText"));
     lies_->setProperty("look", "quiet");
@@ -88,8 +88,8 @@ void SetupPanel::Fields::makeSetups() {
     setups_ = new ChoiceBox(panel_);
     setups_->setObjectName(QStringLiteral("setupChoice"));
     setups_->setAccessibleName(SetupPanel::tr("Setup"));
-    setups_->setToolTip(SetupPanel::tr("The setup that is worked in: stock, fixtures, recordings, paths and programs "
-                                       "are those of this setup"));
+    setups_->setToolTip(
+        SetupPanel::tr("The current setup. Each setup has its own stock, fixtures, recordings, paths and programs"));
     column_->addWidget(setups_);
     connect(setups_, &QComboBox::activated, this, [this](int index) {
         if (index < 0 || static_cast<std::size_t>(index) >= state.setups.size()) return;
@@ -98,10 +98,10 @@ void SetupPanel::Fields::makeSetups() {
     name_ = new QLineEdit(panel_);
     name_->setObjectName(QStringLiteral("setupName"));
     name_->setMaxLength(60);
-    column_->addWidget(new FieldRow(SetupPanel::tr("Name"), name_,
-                                    SetupPanel::tr("Name of this setup, for lists and "
-                                                   "programs"),
-                                    panel_, FieldRow::choiceWidth));
+    column_->addWidget(
+        new FieldRow(SetupPanel::tr("Name"), name_,
+                     SetupPanel::tr("Name of this setup, shown in lists and in the file name of its program"), panel_,
+                     FieldRow::choiceWidth));
     connect(name_, &QLineEdit::editingFinished, this, [this] { emit panel_->named(name_->text().trimmed()); });
     QHBoxLayout* row = makeRow();
     add_ = makeButton(SetupPanel::tr("Add…"), QStringLiteral("add"), QStringLiteral("addSetupButton"), panel_);
@@ -115,7 +115,7 @@ void SetupPanel::Fields::makeSetups() {
     outOfDate_ = new Notice(panel_);
     outOfDate_->setObjectName(QStringLiteral("stockOutOfDate"));
     column_->addWidget(outOfDate_);
-    stock_ = makeButton(SetupPanel::tr("Take the stock anew"), QStringLiteral("refresh"),
+    stock_ = makeButton(SetupPanel::tr("Update the stock"), QStringLiteral("refresh"),
                         QStringLiteral("takeStockButton"), panel_);
     column_->addWidget(stock_);
     connect(stock_, &QPushButton::clicked, panel_, &SetupPanel::stockWanted);
@@ -154,17 +154,17 @@ void SetupPanel::Fields::makeTurns() {
     turnAxis_->setObjectName(QStringLiteral("turnAxis"));
     turnAxis_->addItems({axisText(0), axisText(1), axisText(2)});
     turnAxis_->setCurrentIndex(2);
-    column_->addWidget(new FieldRow(SetupPanel::tr("Turn about"), turnAxis_,
-                                    SetupPanel::tr("Axis through the middle of the part that the angle below turns it "
-                                                   "about"),
-                                    panel_, FieldRow::choiceWidth));
+    column_->addWidget(
+        new FieldRow(SetupPanel::tr("Rotation axis"), turnAxis_,
+                     SetupPanel::tr("Axis of the rotation below; it passes through the centre of the part"), panel_,
+                     FieldRow::choiceWidth));
     angle_ = new QuantityField(Quantity::angle, panel_);
     angle_->setObjectName(QStringLiteral("turnAngle"));
     angle_->limit(-pi, pi);
-    column_->addWidget(new FieldRow(SetupPanel::tr("Turn by"), angle_,
-                                    SetupPanel::tr("Enter an angle to turn the part by it, counter-clockwise seen "
-                                                   "against the axis"),
-                                    panel_));
+    column_->addWidget(new FieldRow(
+        SetupPanel::tr("Rotate by"), angle_,
+        SetupPanel::tr("Rotates the part by this angle. Positive: counter-clockwise, seen from the tip of the axis"),
+        panel_));
     connect(angle_, &QuantityField::valueEdited, this, [this](double angle) {
         angle_->showValue(0.0); // it is a step, not a state
         if (angle != 0.0) emit panel_->turned(turnAxis_->currentIndex(), angle);
@@ -176,9 +176,9 @@ void SetupPanel::Fields::makePosition() {
         position_[axis] = new LengthField(panel_);
         position_[axis]->setObjectName(QStringLiteral("position%1").arg(axisText(axis)));
         position_[axis]->limit(-farthest, farthest);
-        column_->addWidget(new FieldRow(SetupPanel::tr("Low corner %1").arg(axisText(axis)), position_[axis],
-                                        SetupPanel::tr("Where the box around the part begins; another value moves it"),
-                                        panel_));
+        column_->addWidget(new FieldRow(
+            SetupPanel::tr("Lower corner %1").arg(axisText(axis)), position_[axis],
+            SetupPanel::tr("Lower corner of the part's bounding box. A new value moves the part"), panel_));
         connect(position_[axis], &QuantityField::valueEdited, this,
                 [this, axis](double place) { emit panel_->positioned(static_cast<int>(axis), place); });
     }
@@ -205,33 +205,36 @@ void SetupPanel::Fields::refreshSetups() {
     setups_->offer(texts, ids, chosen);
     setEnabledKeepingFocus(setups_, !state.busy);
     setEnabledKeepingFocus(name_, !state.busy && state.part != nullptr);
-    enableUnless(add_,
-                 !state.part       ? SetupPanel::tr("Import a part first.")
-                 : state.busy      ? SetupPanel::tr("Work is under way.")
-                 : !state.embedded ? SetupPanel::tr("Embed the part first: the next setup begins with what this one "
-                                                    "leaves.")
-                                   : QString(),
-                 SetupPanel::tr("Add a setup for another side of the part; its stock is what this one leaves"));
-    enableUnless(remove_,
-                 state.setups.size() < 2 ? SetupPanel::tr("A job has one setup at least.")
-                 : state.busy            ? SetupPanel::tr("Work is under way.")
-                                         : QString(),
-                 SetupPanel::tr("Delete this setup; it must hold no recordings, paths and programs"));
-    outOfDate_->tell(Notice::Kind::warning,
-                     state.stockOutOfDate
-                         ? SetupPanel::tr("The setup that left this stock was changed since; the stock is as it was.")
-                         : QString());
+    enableUnless(
+        add_,
+        !state.part  ? SetupPanel::tr("Import a part first.")
+        : state.busy ? SetupPanel::tr("Work is under way.")
+        : !state.embedded
+            ? SetupPanel::tr("Embed the part first: the next setup starts with the workpiece of this one.")
+            : QString(),
+        SetupPanel::tr("Add a setup for another side of the part. Its stock is the workpiece that this setup leaves"));
+    enableUnless(
+        remove_,
+        state.setups.size() < 2 ? SetupPanel::tr("A job needs at least one setup.")
+        : state.busy            ? SetupPanel::tr("Work is under way.")
+                                : QString(),
+        SetupPanel::tr("Delete this setup. Only a setup without recordings, paths and programs can be deleted"));
+    outOfDate_->tell(
+        Notice::Kind::warning,
+        state.stockOutOfDate
+            ? SetupPanel::tr("The setup that this stock comes from has changed. The stock is not up to date.")
+            : QString());
     stock_->setVisible(state.stockOutOfDate);
     enableUnless(stock_,
-                 state.locked ? SetupPanel::tr("This stock has been milled; delete the recordings first.")
+                 state.locked ? SetupPanel::tr("Delete the recordings of this setup first.")
                  : state.busy ? SetupPanel::tr("Work is under way.")
                               : QString(),
-                 SetupPanel::tr("Mill the setup before this one again and take what it leaves"));
+                 SetupPanel::tr("Replay the setup that this stock comes from, and use its workpiece"));
 }
 
 QString SetupPanel::Fields::reasonAgainstPlacing() const {
     return !state.part    ? SetupPanel::tr("Import a part first.")
-           : state.locked ? SetupPanel::tr("This part has been milled as it lies; add a setup to turn it.")
+           : state.locked ? SetupPanel::tr("This setup has recordings. Add a setup to rotate the part.")
            : state.busy   ? SetupPanel::tr("Work is under way.")
                           : QString();
 }
@@ -240,10 +243,14 @@ void SetupPanel::Fields::refreshPlacement() {
     setWrappedText(lies_, state.part ? placementText(state.placement, unit_) : QString());
     const QString reason = reasonAgainstPlacing();
     const std::array tips{
-        SetupPanel::tr("Click a face of the part: it is turned down. Of a cylinder its axis is turned upright"),
-        SetupPanel::tr("Click a face of the part: it is turned up. Of a cylinder its axis is turned upright"),
-        SetupPanel::tr("Click a face of the part: it is turned towards X. Of a cylinder its axis is laid along X"),
-        SetupPanel::tr("Click a face of the part: it is turned towards Y. Of a cylinder its axis is laid along Y")};
+        SetupPanel::tr("Click a face: the part is rotated so that it points down. A cylinder or cone: so that its axis "
+                       "is vertical"),
+        SetupPanel::tr(
+            "Click a face: the part is rotated so that it points up. A cylinder or cone: so that its axis is vertical"),
+        SetupPanel::tr("Click a face: the part is rotated so that it points along X. A cylinder or cone: so that its "
+                       "axis is parallel to X"),
+        SetupPanel::tr("Click a face: the part is rotated so that it points along Y. A cylinder or cone: so that its "
+                       "axis is parallel to Y")};
     for (std::size_t i = 0; i < aims_.size(); ++i) {
         enableUnless(aims_[i], reason, tips[i]);
         aims_[i]->setChecked(state.aim == static_cast<FaceAim>(i + 1));
@@ -252,12 +259,12 @@ void SetupPanel::Fields::refreshPlacement() {
                  state.aim == FaceAim::none ? QString() : SetupPanel::tr("Click a face of the part in the view."));
     for (std::size_t axis = 0; axis < 3; ++axis) {
         enableUnless(turns_[axis], reason,
-                     SetupPanel::tr("Turn the part by 90° about %1, through its middle").arg(axisText(axis)));
+                     SetupPanel::tr("Rotate the part by 90° about %1, through its centre").arg(axisText(axis)));
         enableUnless(mirrors_[axis],
                      !reason.isEmpty()         ? reason
-                     : state.setups.size() > 1 ? SetupPanel::tr("A part of several setups stays as it is.")
+                     : state.setups.size() > 1 ? SetupPanel::tr("A part with several setups can't be mirrored.")
                                                : QString(),
-                     SetupPanel::tr("Make the part its mirror image across %1: another part than the file has")
+                     SetupPanel::tr("Mirror the part across %1. It is then another part than the one in the file")
                          .arg(axisText(axis)));
         setEnabledKeepingFocus(position_[axis], reason.isEmpty());
         if (state.part && !state.part->box().empty())

@@ -141,11 +141,9 @@ void MainWindow::connectWorkbench() {
         message_->tell(Notice::Kind::information, tr("“%1” gives no unit of length; it was read in mm.").arg(file));
     });
     connect(&workbench_.setup, &SetupController::stockTurnedAslant, this, [this](double by) {
-        message_->tell(
-            Notice::Kind::warning,
-            tr("The stock was turned by no quarter turns: its faces may lie up to %1 mm beside the true ones; "
-               "smaller voxels make that less.")
-                .arg(QString::fromStdString(formatLimit(by, 3))));
+        message_->tell(Notice::Kind::warning, tr("The stock was rotated by an angle that is not a multiple of 90°. Its "
+                                                 "faces may be off by up to %1 mm; use smaller voxels to reduce this.")
+                                                  .arg(QString::fromStdString(formatLimit(by, 3))));
     });
     connect(&workbench_.tool, &ToolController::shaped, this, [this](const ShapedTool& made) {
         message_->tell(

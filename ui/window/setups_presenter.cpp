@@ -49,7 +49,7 @@ SetupsPresenter::SetupsPresenter(Workbench& workbench, Viewport& viewport, Setup
     });
     connect(&panel, &SetupPanel::mirrored, &workbench.model, &ModelController::mirror);
     connect(&panel, &SetupPanel::facePickRequested, this, &SetupsPresenter::pick);
-    connect(&picker_, &FacePicker::picked, this, &SetupsPresenter::turnTo);
+    connect(&picker_, &FacePicker::chosen, this, [this](std::size_t, const glm::dvec3& point) { turnTo(point); });
     connect(&picker_, &FacePicker::cancelled, this, &SetupsPresenter::leave);
 }
 
@@ -121,7 +121,7 @@ void SetupsPresenter::turnTo(const glm::dvec3& place) {
     const FaceAim aim = aim_;
     QMetaObject::invokeMethod(this, &SetupsPresenter::leave, Qt::QueuedConnection); // the press is still under way
     workbench_.tasks().start(
-        TaskKind::face, tr("Looking at the face"),
+        TaskKind::face, tr("Examining the face"),
         [part = workbench_.setup.part(), place](Progress& progress) { return partFaceAt(*part, place, {}, progress); },
         [this, aim](const Result<PartFace>& face) {
             if (face)
@@ -138,7 +138,7 @@ void SetupsPresenter::align(FaceAim aim, const PartFace& face) {
     if (turn)
         workbench_.setup.place(*turn);
     else
-        emit refused(tr("This face is curved, so it has no direction. Click a plane face, a cylinder or a cone."));
+        emit refused(tr("This face is curved and has no direction. Click a plane, a cylinder or a cone."));
 }
 
 void SetupsPresenter::turn(int axis, double angle) {

@@ -243,7 +243,7 @@ void SetupController::place(const Placement& by) {
         return;
     }
     desk_.tasks.start(
-        TaskKind::placing, tr("Turning the stock"),
+        TaskKind::placing, tr("Rotating the stock"),
         [setup = setup_, by](Progress& progress) { return placedFurther(setup, by, progress); },
         [this, by](const Result<Setup>& setup) {
             if (setup && !locked_ && model_) {

@@ -95,7 +95,7 @@ void SetupsController::startTask(const Placement& to, std::int64_t digest, const
     const VolumeSnapshot recorded = milling->embedded.workpiece.snapshot();
     const auto program = neighbours_.program.exportable() ? neighbours_.program.program() : nullptr;
     desk_.tasks.start(
-        TaskKind::furtherSetup, tr("Taking over the workpiece"),
+        TaskKind::furtherSetup, tr("Preparing the stock"),
         [=, by = LeftBy{used_, digest}, name = title(used_).toStdString()](Progress& progress) -> Result<Setup> {
             VolumeSnapshot left = recorded;
             if (program) {

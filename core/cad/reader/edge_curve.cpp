@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/reader/edge_curve.h"
 
+#include "core/cad/reader/occt_vectors.h"
+
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 #include <GCPnts_TangentialDeflection.hxx>
@@ -18,10 +20,6 @@ namespace {
 constexpr double largestTurn = 0.1; // rad between neighbouring points' tangents
 constexpr int fewestPoints = 2;
 constexpr double nothing = 1e-9; // mm
-
-glm::dvec3 toVector(const gp_XYZ& v) {
-    return {v.X(), v.Y(), v.Z()};
-}
 
 /// A face that closes upon itself has its seam on both sides.
 bool isSeam(const TopoDS_Edge& edge, const TopTools_ListOfShape& faces) {

@@ -3,6 +3,7 @@
 #include "core/cad/reader/exact_distance.h"
 
 #include "core/cad/reader/measure.h"
+#include "core/cad/reader/occt_vectors.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
@@ -28,13 +29,6 @@
 namespace burin {
 
 namespace {
-
-gp_Pnt toPoint(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
-glm::dvec3 toVector(const gp_XYZ& v) {
-    return {v.X(), v.Y(), v.Z()};
-}
 
 double distanceTo(const Box& box, const glm::dvec3& point) {
     return glm::length(glm::max(glm::max(box.low - point, point - box.high), glm::dvec3(0.0)));

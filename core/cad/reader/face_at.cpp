@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/reader/face_at.h"
 
+#include "core/cad/reader/occt_vectors.h"
+
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
@@ -22,10 +24,6 @@
 namespace burin {
 
 namespace {
-
-glm::dvec3 toVector(const gp_XYZ& v) {
-    return {v.X(), v.Y(), v.Z()};
-}
 
 struct NearestFace {
     TopoDS_Face face;
@@ -64,7 +62,7 @@ glm::dvec3 normalAt(const NearestFace& nearest) {
 } // namespace
 
 Result<PartFace> faceAt(const TopoDS_Shape& shape, const glm::dvec3& place) {
-    const NearestFace nearest = nearestFace(shape, {place.x, place.y, place.z});
+    const NearestFace nearest = nearestFace(shape, toPoint(place));
     if (nearest.face.IsNull()) return Error{ErrorCode::fileDamaged, {}, {}, "no face that can be measured"};
     PartFace found;
     found.place = toVector(nearest.foot.XYZ());

@@ -8,6 +8,8 @@
 #include "core/cad/reader/scene_file.h"
 #include "core/cad/reader/text_lines.h"
 
+#include <pugixml.hpp>
+
 #include <array>
 #include <cmath>
 #include <optional>
@@ -18,31 +20,20 @@ namespace burin {
 
 namespace {
 
-/// Value of an attribute of an XML text's first element of a name; empty: it has none.
-std::string attributeOf(std::string_view xml, std::string_view element, std::string_view attribute) {
-    const std::size_t start = xml.find("<" + std::string(element));
-    if (start == std::string_view::npos) return {};
-    const std::string_view tag = xml.substr(start, xml.find('>', start) - start);
-    for (std::size_t at = tag.find(attribute); at != std::string_view::npos; at = tag.find(attribute, at + 1)) {
-        std::string_view rest = tag.substr(at + attribute.size());
-        while (!rest.empty() && file_text::isSpace(rest.front())) rest.remove_prefix(1);
-        if (at == 0 || !file_text::isSpace(tag[at - 1]) || !rest.starts_with('=')) continue;
-        rest.remove_prefix(1);
-        while (!rest.empty() && file_text::isSpace(rest.front())) rest.remove_prefix(1);
-        if (rest.empty() || (rest.front() != '"' && rest.front() != '\'')) return {};
-        return std::string(rest.substr(1, rest.find(rest.front(), 1) - 1));
-    }
-    return {};
+/// Errors: fileDamaged (place: the byte).
+Result<void> parse(std::string_view text, pugi::xml_document& xml) {
+    const pugi::xml_parse_result parsed = xml.load_buffer(text.data(), text.size());
+    if (parsed) return {};
+    return Error{ErrorCode::fileDamaged, {}, "byte " + std::to_string(parsed.offset), parsed.description()};
 }
 
 /// assimp calls an object of a 3MF by its number alone: "Object_7".
-void nameObjects(std::string_view xml, std::vector<MeshSolid>& solids) {
-    for (std::size_t at = xml.find("<object"); at != std::string_view::npos; at = xml.find("<object", at + 1)) {
-        const std::string_view tag = xml.substr(at);
-        const std::string name = attributeOf(tag, "object", "name"), id = "Object_" + attributeOf(tag, "object", "id");
-        if (name.empty()) continue;
+void nameObjects(const pugi::xml_node& model, std::vector<MeshSolid>& solids) {
+    for (const pugi::xml_node& object : model.child("resources").children("object")) {
+        const std::string name = object.attribute("name").value();
+        const std::string byNumber = std::string("Object_") + object.attribute("id").value();
         for (MeshSolid& solid : solids)
-            if (solid.name == id) solid.name = name;
+            if (!name.empty() && solid.name == byNumber) solid.name = name;
     }
 }
 
@@ -95,13 +86,15 @@ FormatMatch matchFormat(ThreeMfFormat, std::string_view content) {
 Result<Model> readFormat(ThreeMfFormat, ModelSource& source) {
     const std::optional<std::string> xml = unzippedFile(source.content, ".model");
     if (!xml) return Error{ErrorCode::fileDamaged, {}, "the archive can't be unpacked", {}};
+    pugi::xml_document document;
+    if (Result<void> parsed = parse(*xml, document); !parsed) return std::move(parsed).error();
+    const pugi::xml_node root = document.child("model");
     Model model;
     model.format = "3MF";
-    if (Result<void> taken = takeUnit(model, attributeOf(*xml, "model", "unit")); !taken)
-        return std::move(taken).error();
+    if (Result<void> taken = takeUnit(model, root.attribute("unit").value()); !taken) return std::move(taken).error();
     Result<std::vector<MeshSolid>> solids = readScene(source.content, "3mf");
     if (!solids) return std::move(solids).error();
-    nameObjects(*xml, *solids);
+    nameObjects(root, *solids);
     return withBodies(std::move(model), std::move(*solids));
 }
 
@@ -119,9 +112,11 @@ Result<Model> readFormat(AmfFormat, ModelSource& source) {
         if (!xml) return Error{ErrorCode::fileDamaged, {}, "the archive can't be unpacked", {}};
         content = std::move(*xml);
     }
+    pugi::xml_document document;
+    if (Result<void> parsed = parse(content, document); !parsed) return std::move(parsed).error();
     Model model;
     model.format = "AMF";
-    if (Result<void> taken = takeUnit(model, attributeOf(content, "amf", "unit")); !taken)
+    if (Result<void> taken = takeUnit(model, document.child("amf").attribute("unit").value()); !taken)
         return std::move(taken).error();
     return withScene(std::move(model), content, "amf");
 }
@@ -155,7 +150,7 @@ std::string missingOfOff(std::string_view content) {
     if (counts.empty()) counts = nextLine();
     const auto [places, behind] = firstWord(counts);
     const std::optional<double> vertices = parseNumber(places), faces = parseNumber(firstWord(behind).first);
-    if (!vertices || !faces) return "the counts of places and faces";
+    if (!vertices || !faces || *vertices < 0.0 || *faces < 0.0) return "the counts of places and faces";
     double rows = 0.0;
     while (rows < *vertices + *faces && !nextLine().empty()) ++rows;
     if (rows >= *vertices + *faces) return {};

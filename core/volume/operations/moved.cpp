@@ -3,6 +3,7 @@
 #include "core/volume/operations/moved.h"
 
 #include "core/base/parallel_progress.h"
+#include "core/geometry/frame_along.h"
 #include "core/volume/runs/assembly.h"
 
 #include <algorithm>
@@ -17,11 +18,6 @@ namespace burin {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-
-int nearestAxis(const glm::dvec3& direction) noexcept {
-    const glm::dvec3 share = glm::abs(direction);
-    return share.z >= share.x && share.z >= share.y ? 2 : share.y >= share.x ? 1 : 0;
-}
 
 glm::dvec3 unit(int axis) noexcept {
     glm::dvec3 direction(0.0);
