@@ -5,7 +5,7 @@
 #include "app/chosen_setup.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
-#include "core/job/further_setup.h"
+#include "core/base/steps.h"
 #include "core/job/left_stock.h"
 
 #include <algorithm>
@@ -15,20 +15,7 @@ namespace burin {
 
 namespace {
 
-/// How what was left was taken, where that is worth a line.
-void tellStock(const AddedSetup& added, CommandContext& context) {
-    context.message(added.byProgram
-                        ? worded(BURIN_TEXT("Command", "its stock is the workpiece after the checked program"))
-                        : worded(BURIN_TEXT("Command", "its stock is the workpiece after the recordings, because there "
-                                                       "is no checked program that is up to date")));
-    if (added.greatestDisplacement > 0.0)
-        context.message(worded(
-            BURIN_TEXT("Command",
-                       "the rotation is not a multiple of 90 degrees: faces of the stock may be off by up to %1 mm"),
-            {formatFixed(added.greatestDisplacement, 3)}));
-}
-
-Result<void> add(Project& project, const SetupsArguments& arguments, CommandContext& context) {
+Result<TakenStock> add(Project& project, const SetupsArguments& arguments, CommandContext& context) {
     FurtherSetup further;
     further.name = *arguments.add;
     further.leftStock = !arguments.newStock;
@@ -45,8 +32,8 @@ Result<void> add(Project& project, const SetupsArguments& arguments, CommandCont
     context.stage(BURIN_TEXT("Command", "Preparing the stock"));
     const Result<AddedSetup> added = addFurtherSetup(project, further, context.progress());
     if (!added) return added.error();
-    if (further.leftStock) tellStock(*added, context);
-    return project.useSetup(added->id);
+    if (Result<void> used = project.useSetup(added->id); !used) return std::move(used).error();
+    return further.leftStock ? TakenStock(*added) : std::nullopt;
 }
 
 /// What was milled was milled of the part as it lay.
@@ -73,12 +60,10 @@ Result<void> place(Project& project, const SetupsArguments& arguments, CommandCo
     return complete ? project.setSetup(*complete) : Result<void>(complete.error());
 }
 
-Result<void> takeStock(Project& project, CommandContext& context) {
+Result<TakenStock> takeStock(Project& project, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Preparing the stock"));
     const Result<AddedSetup> taken = takeStockAnew(project, setupInUse, context.progress());
-    if (!taken) return taken.error();
-    tellStock(*taken, context);
-    return {};
+    return taken ? Result<TakenStock>(*taken) : taken.error();
 }
 
 /// Its placement and origin; nothing where nothing is embedded in it yet.
@@ -108,19 +93,38 @@ void addSetups(CommandParser command, SetupsArguments& arguments) {
         BURIN_TEXT("Help", "Number or name of a setup to delete; only one without recordings, paths and programs"));
 }
 
-Result<void> changeSetups(Project& project, const SetupsArguments& arguments, CommandContext& context) {
-    if (!arguments.remove.empty()) {
+Result<TakenStock> changeSetups(Project& project, const SetupsArguments& arguments, CommandContext& context) {
+    TakenStock left;
+    const auto keep = [&left](const Result<TakenStock>& stock) {
+        if (!stock) return Result<void>(stock.error());
+        left = *stock;
+        return Result<void>();
+    };
+    const auto remove = [&] {
         const Result<SetupId> id = setupNamed(project, arguments.remove);
-        if (!id) return id.error();
-        if (Result<void> removed = project.removeSetup(*id); !removed) return removed;
-    }
-    if (arguments.add)
-        if (Result<void> added = add(project, arguments, context); !added) return added;
-    if (!arguments.add && !arguments.placing.empty())
-        if (Result<void> placed = place(project, arguments, context); !placed) return placed;
-    if (arguments.takeStock)
-        if (Result<void> taken = takeStock(project, context); !taken) return taken;
-    return arguments.name ? project.nameSetup(setupInUse, *arguments.name) : Result<void>();
+        return id ? project.removeSetup(*id) : Result<void>(id.error());
+    };
+    const bool places = !arguments.add && !arguments.placing.empty();
+    const Result<void> done =
+        inOrder([&] { return arguments.remove.empty() ? Result<void>() : remove(); },
+                [&] { return arguments.add ? keep(add(project, arguments, context)) : Result<void>(); },
+                [&] { return places ? place(project, arguments, context) : Result<void>(); },
+                [&] { return arguments.takeStock ? keep(takeStock(project, context)) : Result<void>(); },
+                [&] { return arguments.name ? project.nameSetup(setupInUse, *arguments.name) : Result<void>(); });
+    return done ? Result<TakenStock>(std::move(left)) : done.error();
+}
+
+void tellStock(const TakenStock& stock, CommandContext& context) {
+    if (!stock) return;
+    context.message(stock->byProgram
+                        ? worded(BURIN_TEXT("Command", "its stock is the workpiece after the checked program"))
+                        : worded(BURIN_TEXT("Command", "its stock is the workpiece after the recordings, because there "
+                                                       "is no checked program that is up to date")));
+    if (stock->greatestDisplacement > 0.0)
+        context.message(worded(
+            BURIN_TEXT("Command",
+                       "the rotation is not a multiple of 90 degrees: faces of the stock may be off by up to %1 mm"),
+            {formatFixed(stock->greatestDisplacement, 3)}));
 }
 
 Result<nlohmann::json> jsonOfSetups(const Project& project) {

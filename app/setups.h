@@ -5,6 +5,7 @@
 #include "app/command.h"
 #include "app/placing_arguments.h"
 #include "core/document/project.h"
+#include "core/job/further_setup.h"
 
 #include <optional>
 #include <string>
@@ -24,9 +25,15 @@ struct SetupsArguments {
 /// Declares --add-setup, --after, --new-stock, --update-stock, --name, --delete-setup, --align, --turn and --move.
 void addSetups(CommandParser command, SetupsArguments& arguments);
 
-/// Adds, deletes, names and places setups, in this order. The one that was added is used then; else the one in use is
-/// meant. Errors: those of addFurtherSetup, takeStockAnew, placingOf and Project.
-Result<void> changeSetups(Project& project, const SetupsArguments& arguments, CommandContext& context);
+/// How the stock that an earlier setup leaves was taken, where one was.
+using TakenStock = std::optional<AddedSetup>;
+
+/// Deletes, adds, places, updates and names setups, in this order. The one that was added is used then; else the one in
+/// use is meant. Errors: those of addFurtherSetup, takeStockAnew, placingOf and Project.
+Result<TakenStock> changeSetups(Project& project, const SetupsArguments& arguments, CommandContext& context);
+
+/// Says in a message how the stock was taken, for after it was saved: a command that fails says its one sentence only.
+void tellStock(const TakenStock& stock, CommandContext& context);
 
 /// Each setup with its number, how its part lies and where its stock comes from. Errors: fileDamaged.
 Result<nlohmann::json> jsonOfSetups(const Project& project);

@@ -112,12 +112,14 @@ Result<Answer> answerOf(const Project& project, Around around) {
 Result<Answer> changed(const SetupArguments& arguments, CommandContext& context) {
     Result<ProjectChange> project = projectToChange(arguments.project, context);
     if (!project) return std::move(project).error();
-    if (Result<void> done = changeSetups(**project, arguments.setups, context); !done) return std::move(done).error();
+    const Result<TakenStock> left = changeSetups(**project, arguments.setups, context);
+    if (!left) return left.error();
     Result<Around> around = aroundOf(**project);
     if (!around) return std::move(around).error();
     context.stage(BURIN_TEXT("Command", "Reading fixtures"));
     if (Result<void> done = change(*project, *around, arguments, context.progress()); !done)
         return std::move(done).error();
+    tellStock(*left, context);
     tellKeptEarlier(context, **project);
     return answerOf(**project, std::move(*around));
 }

@@ -19,6 +19,7 @@ QList<FaultCommand> faultCommands() {
          false,
          "burin",
          true},
+        {"a further setup", {"setup", "p.burin", "--add-setup", "Back", "--turn", "x:180"}, {}},
         {"mill", {"mill", "p.burin", "--intent", "scribble", "--seconds", "1"}, {}, true},
         {"mill a trace",
          {"mill", "p.burin", "--stylus", "trace:hand.csv", "--trace", "again.csv", "--felt", "1", "--seconds", "1"},

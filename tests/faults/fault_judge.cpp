@@ -92,7 +92,7 @@ ProjectContent contentOfProject(const QString& file) {
     if (sqlite3_open_v2(file.toUtf8().constData(), &database, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK) {
         content.sound = isSound(database);
         for (const char* table : {"model", "body", "setup", "material", "obstacle", "milling_setting", "setup_setting",
-                                  "tool", "take", "path", "path_edit", "program"})
+                                  "stock_volume", "tool", "take", "path", "path_edit", "program"})
             content.rows[table] = count(database, QString("SELECT count(*) FROM ") + table);
         content.rows["samples"] = count(database, "SELECT coalesce(sum(count), 0) FROM sample_chunk");
     }
