@@ -22,12 +22,12 @@
 
 namespace {
 
-constexpr std::array commands{burin::registerImport,  burin::registerEmbed,    burin::registerSetup,
-                              burin::registerMill,    burin::registerPath,     burin::registerPost,
-                              burin::registerVerify,  burin::registerInfo,     burin::registerCalibrate,
-                              burin::registerDemo,    burin::registerBench,    burin::registerDevices,
-                              burin::registerPicture, burin::registerMachines, burin::registerMaterials,
-                              burin::registerTools,   burin::registerVolume};
+constexpr std::array commands{burin::registerImport,    burin::registerEmbed, burin::registerSetup,
+                              burin::registerMill,      burin::registerPath,  burin::registerPost,
+                              burin::registerVerify,    burin::registerInfo,  burin::registerCalibrate,
+                              burin::registerDemo,      burin::registerBench, burin::registerDevices,
+                              burin::registerPicture,   burin::registerSheet, burin::registerMachines,
+                              burin::registerMaterials, burin::registerTools, burin::registerVolume};
 
 void addCommands(const burin::CommandLine& line, burin::CommandContext& context, int& status) {
     for (const burin::Register registerCommand : commands) registerCommand(line.program(), context, status);
@@ -56,7 +56,8 @@ bool isCommand(const std::string& word) {
 /// Translations need an application; the letters in a picture Qt's fonts as well, but no display.
 std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv) {
     const std::string_view command = argc > 1 ? argv[1] : "";
-    if (command != "demo" && command != "picture") return std::make_unique<QCoreApplication>(argc, argv);
+    if (command != "demo" && command != "picture" && command != "sheet")
+        return std::make_unique<QCoreApplication>(argc, argv);
     qputenv("QT_QPA_PLATFORM", "offscreen");
     // What Qt misses without a desktop (a folder for the session) is nothing to trouble a user of commands with.
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {

@@ -611,6 +611,30 @@
         <source>Import a fixture in the coordinates of the setup; the tool keeps clear of it.</source>
         <translation>Importiert ein Spannmittel in den Koordinaten der Aufspannung; das Werkzeug weicht ihm aus.</translation>
     </message>
+    <message>
+        <source>&amp;Pick program zero</source>
+        <translation>Nullpunkt &amp;anklicken</translation>
+    </message>
+    <message>
+        <source>Click a vertex, an edge or a circle of the part, or a corner of the stock.</source>
+        <translation>Klicken Sie auf einen Eckpunkt, eine Kante oder einen Kreis des Teils oder auf eine Ecke des Rohteils.</translation>
+    </message>
+    <message>
+        <source>&amp;Touch program zero</source>
+        <translation>Nullpunkt an&amp;tasten</translation>
+    </message>
+    <message>
+        <source>The face of the part that the tool touches becomes zero along its axis, as with an edge finder.</source>
+        <translation>Die Fläche des Teils, die das Werkzeug berührt, wird Null auf ihrer Achse, wie mit einem Kantentaster.</translation>
+    </message>
+    <message>
+        <source>Export the setup s&amp;heet…</source>
+        <translation>Einric&amp;hteblatt exportieren…</translation>
+    </message>
+    <message>
+        <source>Write a page for the machine: pictures, zero, fixtures, tools, times, findings.</source>
+        <translation>Eine Seite für die Maschine schreiben: Bilder, Nullpunkt, Spannmittel, Werkzeuge, Zeiten, Befunde.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -1580,6 +1604,50 @@
     <message>
         <source>its stock is the workpiece of setup %1</source>
         <translation>ihr Rohteil ist das Werkstück von Aufspannung %1</translation>
+    </message>
+    <message>
+        <source>0 to %1 mm, the travel of the machine &quot;%2&quot;</source>
+        <translation>0 bis %1 mm, der Verfahrweg der Maschine „%2“</translation>
+    </message>
+    <message>
+        <source>zero     %1</source>
+        <translation>Null     %1</translation>
+    </message>
+    <message>
+        <source>stock:X,Y,Z or part:X,Y,Z with low, middle or high for each axis, near:X,Y,Z or X,Y,Z in mm</source>
+        <translation>stock:X,Y,Z oder part:X,Y,Z mit low, middle oder high für jede Achse, near:X,Y,Z oder X,Y,Z in mm</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>unteres Ende</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>oberes Ende</translation>
+    </message>
+    <message>
+        <source>G54 to G59, G59.1 to G59.3, or P1 to P300</source>
+        <translation>G54 bis G59, G59.1 bis G59.3 oder P1 bis P300</translation>
+    </message>
+    <message>
+        <source>%1, at X %2, Y %3, Z %4 mm</source>
+        <translation>%1, bei X %2, Y %3, Z %4 mm</translation>
+    </message>
+    <message>
+        <source>%1, on the stock: X %2, Y %3, Z %4</source>
+        <translation>%1, am Rohteil: X %2, Y %3, Z %4</translation>
+    </message>
+    <message>
+        <source>%1, on the part: X %2, Y %3, Z %4</source>
+        <translation>%1, am Teil: X %2, Y %3, Z %4</translation>
+    </message>
+    <message>
+        <source>setup sheet  %1</source>
+        <translation>Einrichteblatt  %1</translation>
     </message>
 </context>
 <context>
@@ -3769,6 +3837,14 @@
         <source>FreeCAD tool bits, LinuxCNC tool tables, tools (*.fctb *.tbl *.json)</source>
         <translation>Werkzeug-Bits von FreeCAD, Werkzeugtabellen von LinuxCNC, Werkzeuge (*.fctb *.tbl *.json)</translation>
     </message>
+    <message>
+        <source>Export the setup sheet</source>
+        <translation>Einrichteblatt exportieren</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Webseiten (*.html)</translation>
+    </message>
 </context>
 <context>
     <name>FileUnits</name>
@@ -3801,7 +3877,7 @@
     </message>
     <message>
         <source>mill the material around it first, or use a tool with a longer stick-out</source>
-        <translation>zuerst das Material ringsum fräsen oder ein Werkzeug mit größerer Auskraglänge nehmen</translation>
+        <translation>zuerst das Material ringsum fräsen oder ein Werkzeug mit größerer Auskragung nehmen</translation>
     </message>
     <message>
         <source>start the spindle before this move</source>
@@ -4983,6 +5059,26 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>Box that the tool must not enter, X0,Y0,Z0,X1,Y1,Z1 in the setup&apos;s frame, mm; may be repeated</source>
         <translation>Quader, den das Werkzeug nicht berühren darf, X0,Y0,Z0,X1,Y1,Z1 in den Koordinaten der Aufspannung, mm; darf wiederholt werden</translation>
     </message>
+    <message>
+        <source>Program zero: stock:X,Y,Z or part:X,Y,Z, each low, middle or high of its bounding box (stock:low,low,high is a corner of its top face); near:X,Y,Z, the part&apos;s vertex, middle of an edge or centre of a circle that is nearest; or coordinates X,Y,Z; all in the setup&apos;s frame, mm</source>
+        <translation>Nullpunkt des Programms: stock:X,Y,Z oder part:X,Y,Z, jeweils low, middle oder high des umschließenden Quaders (stock:low,low,high ist eine Ecke der Oberseite); near:X,Y,Z, der nächste Eckpunkt, die nächste Kantenmitte oder Kreismitte des Teils; oder Koordinaten X,Y,Z; alles im Koordinatensystem der Aufspannung, mm</translation>
+    </message>
+    <message>
+        <source>Work offset that stores program zero: G54 to G59, G59.1 to G59.3, or P1 to P300 (G54.1 P or G154 P)</source>
+        <translation>Nullpunktverschiebung, in der der Nullpunkt steht: G54 bis G59, G59.1 bis G59.3 oder P1 bis P300 (G54.1 P oder G154 P)</translation>
+    </message>
+    <message>
+        <source>Write the setup sheet of a project as one HTML page: pictures, zero, stock, fixtures, tools, times and findings</source>
+        <translation>Das Einrichteblatt eines Projekts als eine HTML-Seite schreiben: Bilder, Nullpunkt, Rohteil, Spannmittel, Werkzeuge, Zeiten und Befunde</translation>
+    </message>
+    <message>
+        <source>Page to write (.html)</source>
+        <translation>Zu schreibende Seite (.html)</translation>
+    </message>
+    <message>
+        <source>Units of the page: mm or inch (default: the program&apos;s)</source>
+        <translation>Einheit der Seite: mm oder inch (Vorgabe: die des Programms)</translation>
+    </message>
 </context>
 <context>
     <name>ImportFormat</name>
@@ -5409,6 +5505,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>The part can be rotated, and each setup has its own program.</source>
         <translation>Das Teil kann gedreht werden, und jede Aufspannung hat ihr eigenes Programm.</translation>
+    </message>
+    <message>
+        <source>Program zero and its work offset can be chosen.</source>
+        <translation>Nullpunkt und Nullpunktverschiebung sind wählbar.</translation>
     </message>
 </context>
 <context>
@@ -8772,6 +8872,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>The stock was rotated by an angle that is not a multiple of 90°. Its faces may be off by up to %1 mm; use smaller voxels to reduce this.</source>
         <translation>Das Rohteil wurde um einen Winkel gedreht, der kein Vielfaches von 90° ist. Seine Flächen können um bis zu %1 mm abweichen; kleinere Voxel verringern das.</translation>
     </message>
+    <message>
+        <source>The setup sheet was written to “%1”.</source>
+        <translation>Das Einrichteblatt steht in „%1“.</translation>
+    </message>
 </context>
 <context>
     <name>burin::MaterialController</name>
@@ -10546,6 +10650,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>placement of the part</source>
         <translation>Lage des Teils</translation>
     </message>
+    <message>
+        <source>program zero</source>
+        <translation>Nullpunkt</translation>
+    </message>
 </context>
 <context>
     <name>burin::SetupPanel</name>
@@ -10726,6 +10834,332 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>This face is curved and has no direction. Click a plane, a cylinder or a cone.</source>
         <translation>Diese Fläche ist gekrümmt und hat keine Richtung. Klicken Sie auf eine Ebene, einen Zylinder oder einen Kegel.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::SheetController</name>
+    <message>
+        <source>Preparing the setup sheet</source>
+        <translation>Das Einrichteblatt wird vorbereitet</translation>
+    </message>
+</context>
+<context>
+    <name>burin::SheetText</name>
+    <message>
+        <source>Project %1, %2</source>
+        <translation>Projekt %1, %2</translation>
+    </message>
+    <message>
+        <source>Setup sheet: %1</source>
+        <translation>Einrichteblatt: %1</translation>
+    </message>
+    <message>
+        <source>Setup sheet: %1, setup %2</source>
+        <translation>Einrichteblatt: %1, Aufspannung %2</translation>
+    </message>
+    <message>
+        <source>There is no checked program for this setup yet.</source>
+        <translation>Für diese Aufspannung gibt es noch kein geprüftes Programm.</translation>
+    </message>
+    <message>
+        <source>The setup has changed since the program was checked. Check it again.</source>
+        <translation>Die Aufspannung hat sich seit der Prüfung des Programms geändert. Prüfen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The program failed its check and was exported with a reason. See below.</source>
+        <translation>Das Programm hat die Prüfung nicht bestanden und wurde mit einer Begründung exportiert. Siehe unten.</translation>
+    </message>
+    <message>
+        <source>The program failed its check. Do not run it.</source>
+        <translation>Das Programm hat die Prüfung nicht bestanden. Nicht ausführen.</translation>
+    </message>
+    <message>
+        <source>Stock with the part, as clamped</source>
+        <translation>Rohteil mit dem Teil, wie gespannt</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>at a stated place</source>
+        <translation>an angegebenen Koordinaten</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>on the stock</source>
+        <translation>am Rohteil</translation>
+    </message>
+    <message>
+        <source>on the part</source>
+        <translation>am Teil</translation>
+    </message>
+    <message>
+        <source>%1: X %2, Y %3, Z %4</source>
+        <translation>%1: X %2, Y %3, Z %4</translation>
+    </message>
+    <message>
+        <source>Machine and zero</source>
+        <translation>Maschine und Nullpunkt</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Units of the program</source>
+        <translation>Einheit des Programms</translation>
+    </message>
+    <message>
+        <source>Work offset</source>
+        <translation>Nullpunktverschiebung</translation>
+    </message>
+    <message>
+        <source>Program zero</source>
+        <translation>Nullpunkt des Programms</translation>
+    </message>
+    <message>
+        <source>Zero from the left, front and bottom of the stock</source>
+        <translation>Null von links, vorn und unten am Rohteil</translation>
+    </message>
+    <message>
+        <source>Zero from the right, back and top of the stock</source>
+        <translation>Null von rechts, hinten und oben am Rohteil</translation>
+    </message>
+    <message>
+        <source>Tool axis</source>
+        <translation>Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Rohteil</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Round bar</source>
+        <translation>Rundstab</translation>
+    </message>
+    <message>
+        <source>diameter %1, length %2</source>
+        <translation>Durchmesser %1, Länge %2</translation>
+    </message>
+    <message>
+        <source>Comes from</source>
+        <translation>Stammt aus</translation>
+    </message>
+    <message>
+        <source>setup %1</source>
+        <translation>Aufspannung %1</translation>
+    </message>
+    <message>
+        <source>, %1 g</source>
+        <translation>, %1 g</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Fixtures and keep-out volumes</source>
+        <translation>Spannmittel und Sperrräume</translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation>Keine.</translation>
+    </message>
+    <message>
+        <source>fixture</source>
+        <translation>Spannmittel</translation>
+    </message>
+    <message>
+        <source>keep out</source>
+        <translation>Sperrraum</translation>
+    </message>
+    <message>
+        <source>%1, off</source>
+        <translation>%1, aus</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>None yet.</source>
+        <translation>Noch keine.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Cutter</source>
+        <translation>Schneide</translation>
+    </message>
+    <message>
+        <source>Stick-out</source>
+        <translation>Auskragung</translation>
+    </message>
+    <message>
+        <source>Speed, 1/min</source>
+        <translation>Drehzahl, 1/min</translation>
+    </message>
+    <message>
+        <source>Feed, in/min</source>
+        <translation>Vorschub, in/min</translation>
+    </message>
+    <message>
+        <source>Feed, mm/min</source>
+        <translation>Vorschub, mm/min</translation>
+    </message>
+    <message>
+        <source>Lowest Z, %1</source>
+        <translation>Tiefstes Z, %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>failed, exported with a reason</source>
+        <translation>nicht bestanden, mit Begründung exportiert</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Deepest gouge</source>
+        <translation>Tiefste Konturverletzung</translation>
+    </message>
+    <message>
+        <source>%1 (tolerance %2)</source>
+        <translation>%1 (Toleranz %2)</translation>
+    </message>
+    <message>
+        <source>Machining time</source>
+        <translation>Bearbeitungszeit</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Sätze</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>The check found nothing.</source>
+        <translation>Die Prüfung hat nichts gefunden.</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Befund</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>flutes %1</source>
+        <translation>Schneiden %1</translation>
+    </message>
+    <message>
+        <source>stick-out %1</source>
+        <translation>Auskragung %1</translation>
     </message>
 </context>
 <context>
@@ -12067,6 +12501,115 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Exporting the workpiece</source>
         <translation>Werkstück wird exportiert</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ZeroPanel</name>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>Program zero</source>
+        <translation>Nullpunkt des Programms</translation>
+    </message>
+    <message>
+        <source>Work offset</source>
+        <translation>Nullpunktverschiebung</translation>
+    </message>
+    <message>
+        <source>The control stores program zero in this work offset; the program calls it</source>
+        <translation>Die Steuerung speichert den Nullpunkt in dieser Nullpunktverschiebung; das Programm ruft sie auf</translation>
+    </message>
+    <message>
+        <source>stock</source>
+        <translation>Rohteil</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>coordinates</source>
+        <translation>Koordinaten</translation>
+    </message>
+    <message>
+        <source>Zero on</source>
+        <translation>Null am</translation>
+    </message>
+    <message>
+        <source>On a place of the bounding box of stock or part, or at coordinates</source>
+        <translation>An einer Stelle des umschließenden Quaders von Rohteil oder Teil oder an Koordinaten</translation>
+    </message>
+    <message>
+        <source>Which place of the bounding box along %1</source>
+        <translation>Welche Stelle des umschließenden Quaders auf %1</translation>
+    </message>
+    <message>
+        <source>Program zero in the frame of the setup</source>
+        <translation>Nullpunkt im Koordinatensystem der Aufspannung</translation>
+    </message>
+    <message>
+        <source>Pick in the view</source>
+        <translation>In der Ansicht anklicken</translation>
+    </message>
+    <message>
+        <source>Click a vertex, the middle of an edge or a circle of the part, or a corner of the stock: program zero is placed there</source>
+        <translation>Klicken Sie auf einen Eckpunkt, eine Kantenmitte oder einen Kreis des Teils oder auf eine Ecke des Rohteils: dort liegt dann der Nullpunkt</translation>
+    </message>
+    <message>
+        <source>Click a vertex, an edge or a circle of the part, or a corner of the stock.</source>
+        <translation>Klicken Sie auf einen Eckpunkt, eine Kante oder einen Kreis des Teils oder auf eine Ecke des Rohteils.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ZeroPicker</name>
+    <message>
+        <source>Esc: leave program zero where it is</source>
+        <translation>Esc: den Nullpunkt lassen, wo er ist</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ZeroPresenter</name>
+    <message>
+        <source>Examining the face</source>
+        <translation>Die Fläche wird untersucht</translation>
+    </message>
+    <message>
+        <source>The tool touches nothing. Hold it against a face of the part.</source>
+        <translation>Das Werkzeug berührt nichts. Halten Sie es an eine Fläche des Teils.</translation>
+    </message>
+    <message>
+        <source>Zero can be touched with a vertical tool, on a face that is parallel to two axes.</source>
+        <translation>Antasten geht mit senkrechtem Werkzeug, an einer Fläche, die zu zwei Achsen parallel ist.</translation>
+    </message>
+    <message>
+        <source>The tool does not touch the part. Hold it against a face of the part.</source>
+        <translation>Das Werkzeug berührt das Teil nicht. Halten Sie es an eine Fläche des Teils.</translation>
     </message>
 </context>
 </TS>

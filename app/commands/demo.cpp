@@ -51,7 +51,7 @@ Result<Setup> blockSetup(const DemoArguments& arguments) {
     setup.marginLow = setup.marginHigh = glm::dvec3(0.0);
     setup.stockMaterial = arguments.material;
     setup.stock = {glm::dvec3(0.0), glm::dvec3(40.0, 32.0, 40.0) * setup.voxel};
-    setup.workOffset = {setup.stock.centre().x, setup.stock.centre().y, setup.stock.high.z};
+    setup.workOffset = topOf(setup);
     return setup;
 }
 

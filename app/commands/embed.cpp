@@ -7,6 +7,7 @@
 #include "app/surroundings.h"
 #include "app/volume_files.h"
 #include "app/wording.h"
+#include "app/zero_arguments.h"
 #include "core/base/numbers.h"
 #include "core/base/steps.h"
 #include "core/cad/import.h"
@@ -27,6 +28,7 @@ struct EmbedArguments {
     StockArguments stock;
     SurroundingsArguments around;
     PlacingArguments placing;
+    ZeroArguments zero;
     std::string mirror;
     bool replace = false, overrides = false;
 };
@@ -126,6 +128,9 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
     if (!wanted) return context.fail(wanted.error());
     if (const Result<void> added = addStockFile(arguments, *wanted, context); !added)
         return context.fail(added.error());
+    const Result<ProgramZero> zero = changedZero({}, arguments.zero, *model, context.progress());
+    if (!zero) return context.fail(zero.error());
+    wanted->zero = *zero;
     const Result<Setup> setup = placeStock(*model, *wanted);
     if (!setup) return context.fail(setup.error());
     const Result<std::vector<Property>> materials = materialsOf(*setup);
@@ -172,6 +177,7 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
                                 {"part_volume_mm3", embedded->partVolume},
                                 {"model_volume_mm3", model->volume()},
                                 {"stock_volume_mm3", embedded->stockVolume},
+                                {"zero", burin::jsonOf(setup->zero)},
                                 {"work_offset_mm", burin::jsonOf(setup->workOffset)},
                                 {"placement", burin::jsonOf(setup->placement)},
                                 {"material", setup->stockMaterial},
@@ -218,6 +224,7 @@ void registerEmbed(CommandParser program, CommandContext& context, int& status) 
                 BURIN_TEXT("Help", "Millimetres per unit of a file that states none (STL, OBJ, PLY, OFF)"))
         .range(1e-6, 1e6)
         .showDefault();
+    addZero(command, arguments->zero);
     addSurroundings(command, arguments->around);
     addJsonFlag(command, context);
     command.run([arguments, &context, &status] { status = runEmbed(*arguments, context); });

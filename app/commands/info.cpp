@@ -8,6 +8,7 @@
 #include "app/stock_arguments.h"
 #include "app/surroundings.h"
 #include "app/wording.h"
+#include "app/zero_arguments.h"
 #include "core/base/numbers.h"
 #include "core/job/kept_program.h"
 #include "ui/panels/texts.h"
@@ -124,6 +125,7 @@ int runInfo(const std::string& file, CommandContext& context) {
                                     {"free_carving", setup->freeCarving},
                                     {"roles", model ? jsonOfRoles(*model, *setup) : json::object()},
                                     {"layers", jsonOfLayers(*setup)},
+                                    {"zero", burin::jsonOf(setup->zero)},
                                     {"work_offset_mm", burin::jsonOf(setup->workOffset)}};
     std::uint64_t samples = 0;
     std::ostringstream text;

@@ -12,6 +12,7 @@
 #include "core/document/project_change.h"
 #include "core/job/job_paths.h"
 #include "core/job/kept_program.h"
+#include "core/job/setup_title.h"
 
 #include <algorithm>
 #include <span>
@@ -81,6 +82,9 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     request.name = std::filesystem::path(arguments.output).filename().string();
     const Result<ProgramTarget> target = (*project)->programTarget();
     if (!target) return context.fail(target.error());
+    const Result<std::string> title = setupTitle(**project);
+    if (!title) return context.fail(title.error());
+    request.setupName = *title;
     request.dialect = dialectFor(arguments.dialect, *target, milling->machine);
     request.gougeTolerance = arguments.tolerance;
     request.units = ncUnitsFromId(arguments.units).value_or(target->units);

@@ -10,6 +10,7 @@
 #include "core/base/numbers.h"
 #include "core/job/kept_program.h"
 #include "core/job/restart_job.h"
+#include "core/job/setup_title.h"
 
 #include <filesystem>
 
@@ -91,6 +92,9 @@ int runRestart(const RestartArguments& arguments, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Restarting and checking"));
     ProgramRequest request;
     request.name = std::filesystem::path(arguments.output).filename().string();
+    const Result<std::string> title = setupTitle(*project);
+    if (!title) return context.fail(title.error());
+    request.setupName = *title;
     request.dialect =
         dialectFor(arguments.dialect.empty() ? interrupted->dialect : arguments.dialect, *target, milling->machine);
     request.gougeTolerance = arguments.tolerance;

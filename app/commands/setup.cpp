@@ -5,6 +5,8 @@
 #include "app/setups.h"
 #include "app/surroundings.h"
 #include "app/wording.h"
+#include "app/zero_arguments.h"
+#include "core/base/numbers.h"
 #include "core/base/steps.h"
 #include "core/document/project_change.h"
 #include "core/machine/machine_library.h"
@@ -21,14 +23,16 @@ struct SetupArguments {
     std::string project;
     SurroundingsArguments around;
     SetupsArguments setups;
+    ZeroArguments zero;
     std::vector<std::string> remove, switchOn, switchOff;
     double fileUnit = 1.0;
     std::string machine, dialect, units;
 
     bool changes() const {
-        return setups.changes() || !(machine.empty() && dialect.empty() && units.empty() && around.fixtures.empty() &&
-                                     around.keepOuts.empty() && around.axis.empty() && around.travel.empty() &&
-                                     remove.empty() && switchOn.empty() && switchOff.empty());
+        return setups.changes() || !zero.empty() ||
+               !(machine.empty() && dialect.empty() && units.empty() && around.fixtures.empty() &&
+                 around.keepOuts.empty() && around.axis.empty() && around.travel.empty() && remove.empty() &&
+                 switchOn.empty() && switchOff.empty());
     }
 };
 
@@ -74,6 +78,35 @@ Result<void> changeTarget(ProgramTarget& target, const SetupArguments& arguments
     return {};
 }
 
+/// Program zero is no part of what recordings are of: it may change at any time.
+Result<void> changeZero(Project& project, const ZeroArguments& arguments, Progress& progress) {
+    if (arguments.empty()) return {};
+    Result<Setup> setup = project.setup();
+    if (!setup) return std::move(setup).error();
+    const Result<std::shared_ptr<const Model>> part = project.placedModel();
+    if (!part) return part.error();
+    const Result<ProgramZero> zero = changedZero(setup->zero, arguments, **part, progress);
+    if (!zero) return zero.error();
+    setup->zero = *zero;
+    const Result<Setup> complete = placeZero(**part, std::move(*setup));
+    return complete ? project.setSetup(*complete) : Result<void>(complete.error());
+}
+
+/// A zero that the tool's tip can't reach can't be touched. Errors: argumentInvalid.
+Result<void> checkTravel(const Around& around) {
+    if (!around.travel.on || !around.travel.zero) return {};
+    const Result<MachineProfile> machine = loadMachine(around.target.machine);
+    if (!machine) return machine.error();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double place = (*around.travel.zero)[axis];
+        if (place >= 0.0 && place <= machine->travel[axis]) continue;
+        return Error{ErrorCode::argumentInvalid, "--travel", std::string(1, "XYZ"[axis]) + formatShortest(place),
+                     worded(BURIN_TEXT("Command", "0 to %1 mm, the travel of the machine \"%2\""),
+                            {formatShortest(machine->travel[axis]), around.target.machine})};
+    }
+    return {};
+}
+
 /// What is wrong with the arguments is found before anything is kept.
 Result<void> change(ProjectChange& project, Around& around, const SetupArguments& arguments, Progress& progress) {
     if (Result<void> done = changeObstacles(around.obstacles, arguments, progress); !done) return done;
@@ -88,7 +121,10 @@ Result<void> change(ProjectChange& project, Around& around, const SetupArguments
         around.travel = *travel;
     }
     if (Result<void> done = changeTarget(around.target, arguments); !done) return done;
-    return inOrder([&] { return project->setObstacles(around.obstacles); },
+    if (!arguments.around.travel.empty())
+        if (Result<void> reached = checkTravel(around); !reached) return reached;
+    return inOrder([&] { return changeZero(*project, arguments.zero, progress); },
+                   [&] { return project->setObstacles(around.obstacles); },
                    [&] { return project->setAxisMode(around.axis); },
                    [&] { return project->setTravelPlacement(around.travel); },
                    [&] { return project->setProgramTarget(around.target); }, [&] { return project.save(); });
@@ -97,6 +133,7 @@ Result<void> change(ProjectChange& project, Around& around, const SetupArguments
 /// What a project says of its setups, and of the one in use.
 struct Answer {
     Around around;
+    std::optional<Setup> setup; ///< nothing: nothing is embedded yet
     nlohmann::json setups;
     std::string setupsText;
 };
@@ -106,7 +143,10 @@ Result<Answer> answerOf(const Project& project, Around around) {
     if (!setups) return std::move(setups).error();
     Result<std::string> text = textOfSetups(project);
     if (!text) return std::move(text).error();
-    return Answer{std::move(around), std::move(*setups), std::move(*text)};
+    Result<Setup> setup = project.setup();
+    if (!setup && setup.error().code != ErrorCode::projectIncomplete) return std::move(setup).error();
+    return Answer{std::move(around), setup ? std::optional(std::move(*setup)) : std::nullopt, std::move(*setups),
+                  std::move(*text)};
 }
 
 Result<Answer> changed(const SetupArguments& arguments, CommandContext& context) {
@@ -142,6 +182,7 @@ int runSetup(const SetupArguments& arguments, CommandContext& context) {
                 ? worded(BURIN_TEXT("Command", "machine  %1"), {target.machine})
                 : worded(BURIN_TEXT("Command", "machine  %1, dialect %2"), {target.machine, target.dialect});
     text += "\n" + worded(BURIN_TEXT("Command", "units    %1"), {idOf(target.units)});
+    if (told->setup) text += "\n" + worded(BURIN_TEXT("Command", "zero     %1"), {textOf(told->setup->zero)});
     for (const Obstacle& obstacle : around->obstacles) text += "\n" + textOf(obstacle);
     text += told->setupsText;
     context.answer({{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},
@@ -151,6 +192,8 @@ int runSetup(const SetupArguments& arguments, CommandContext& context) {
                     {"machine", target.machine},
                     {"dialect", target.dialect.empty() ? nlohmann::json() : nlohmann::json(target.dialect)},
                     {"units", idOf(target.units)},
+                    {"zero", told->setup ? jsonOf(told->setup->zero) : nlohmann::json()},
+                    {"work_offset_mm", told->setup ? jsonOf(told->setup->workOffset) : nlohmann::json()},
                     {"obstacles", jsonOf(around->obstacles)}},
                    text);
     return 0;
@@ -167,6 +210,7 @@ void registerSetup(CommandParser program, CommandContext& context, int& status) 
         .positional(BURIN_TEXT("Argument", "PROJECT"), arguments->project, BURIN_TEXT("Help", "Project file (.burin)"))
         .required();
     addSetups(command, arguments->setups);
+    addZero(command, arguments->zero);
     addSurroundings(command, arguments->around);
     const auto addNames = [&](const char* option, std::vector<std::string>& names, TextId help) {
         command.option(option, names, help).oneAtATime();

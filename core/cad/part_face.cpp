@@ -6,6 +6,8 @@
 #include "core/geometry/pose.h"
 #include "core/geometry/triangle.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <new>
 #include <variant>
@@ -13,6 +15,18 @@
 namespace burin {
 
 namespace {
+
+/// Of its corners and the middles of its edges, the one that is nearest.
+glm::dvec3 cornerOf(const Triangle& triangle, const glm::dvec3& place) {
+    const std::array places{triangle[0],
+                            triangle[1],
+                            triangle[2],
+                            0.5 * (triangle[0] + triangle[1]),
+                            0.5 * (triangle[1] + triangle[2]),
+                            0.5 * (triangle[2] + triangle[0])};
+    return *std::ranges::min_element(places, {},
+                                     [&place](const glm::dvec3& corner) { return glm::distance(corner, place); });
+}
 
 /// Of the triangle that is nearest.
 PartFace triangleAt(const Model& model, const glm::dvec3& place) {
@@ -26,7 +40,7 @@ PartFace triangleAt(const Model& model, const glm::dvec3& place) {
             const double distance = glm::distance(foot, place);
             if (!(glm::length(normal) > 0.0) || distance >= nearest) continue;
             nearest = distance;
-            found = {PartFace::Kind::plane, foot, glm::normalize(normal)};
+            found = {PartFace::Kind::plane, foot, glm::normalize(normal), cornerOf(corners, place)};
         }
     return found;
 }
@@ -46,6 +60,7 @@ Result<PartFace> partFaceAt(const Model& model, const glm::dvec3& place, const I
     if (!face) return Error{ErrorCode::importCrashed, subject, {}, "it answered something else"};
     face->place = model.brepPlacement.point(face->place);
     face->direction = model.brepPlacement.direction(face->direction);
+    face->corner = model.brepPlacement.point(face->corner);
     return *face;
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory, "faces", {}, {}};

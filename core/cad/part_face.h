@@ -18,6 +18,9 @@ struct PartFace {
     Kind kind = Kind::other;
     glm::dvec3 place{0.0};     ///< mm, on the face, nearest to what was asked
     glm::dvec3 direction{0.0}; ///< unit: of a plane its outward normal, of a round face its axis, else the normal there
+    /// mm: what a hand that points there means as a corner: the vertex, the middle of an edge or the centre of a
+    /// circular edge of the face that is nearest; a circle counts by its rim.
+    glm::dvec3 corner{0.0};
 };
 
 /// The face that a place lies on, or next to. Of a B-rep as it is there, asked in the import program; of a mesh file,

@@ -212,7 +212,9 @@ std::optional<PartFace> readFace(ByteReader& from) {
     face.kind = from.value<PartFace::Kind>();
     face.place = from.value<glm::dvec3>();
     face.direction = from.value<glm::dvec3>();
-    const bool sound = face.kind <= PartFace::Kind::other && isFinite(face.place) && isFinite(face.direction);
+    face.corner = from.value<glm::dvec3>();
+    const bool sound =
+        face.kind <= PartFace::Kind::other && isFinite(face.place) && isFinite(face.direction) && isFinite(face.corner);
     if (!from.finished() || !sound) return std::nullopt;
     return face;
 }
@@ -286,6 +288,7 @@ FrameKind writeFrame(ByteWriter& to, const WorkerFrame& frame) {
         to.value(face->kind);
         to.value(face->place);
         to.value(face->direction);
+        to.value(face->corner);
         return FrameKind::face;
     }
     to.list(*std::get_if<std::vector<double>>(&answer));

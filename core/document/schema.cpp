@@ -282,6 +282,11 @@ Result<void> addPlacements(Database& file) {
     return file.execute(placements);
 }
 
+/// The tables are the same; an older Burin would post for the work offset G54 whatever a setup's JSON says.
+Result<void> addProgramZero(Database&) {
+    return {};
+}
+
 Result<void> checkIdentity(Database& file, int newest) {
     const Result<std::int64_t> application = file.integer("PRAGMA application_id");
     if (!application) return application.error();

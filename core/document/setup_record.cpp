@@ -5,6 +5,7 @@
 #include "core/document/json_cylinder.h"
 #include "core/document/json_placement.h"
 #include "core/geometry/pose.h"
+#include "core/nc/work_offset.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,7 @@ const char* notFinite(const Setup& setup) {
     if (!isFinite(setup.marginLow)) return "margin_low_mm";
     if (!isFinite(setup.marginHigh)) return "margin_high_mm";
     if (!isFinite(setup.workOffset)) return "work_offset_mm";
+    if (!isFinite(setup.zero.point)) return "point_mm";
     if (!isSound(setup.placement)) return "placement";
     const CylinderShape& cylinder = setup.cylinder;
     if (!isFinite(cylinder.base) || !isFinite(cylinder.axis) || !std::isfinite(cylinder.radius) ||
@@ -119,6 +121,32 @@ void readPlacement(const json& record, Setup& setup) {
         setup.leftBy = {SetupId{origin.at("setup").get<std::int64_t>()}, origin.at("digest").get<std::int64_t>()};
 }
 
+json recordOf(const ProgramZero& zero) {
+    json sides = json::array();
+    for (const BoxSide side : zero.sides) sides.push_back(idOf(side));
+    return {{"work_offset", workOffsetName(zero.workOffset)},
+            {"on", idOf(zero.on)},
+            {"sides", std::move(sides)},
+            {"point_mm", jsonOf(zero.point)}};
+}
+
+/// Since version 8; before, it was always the default.
+void readZero(const json& record, Setup& setup) {
+    if (!record.contains("zero")) return;
+    const json& zero = record.at("zero");
+    const std::optional<int> number = workOffsetFromName(zero.at("work_offset").get<std::string>());
+    const std::optional<ZeroReference> on = zeroReferenceFromId(zero.at("on").get<std::string>());
+    if (!number || !on) refuse("zero", record);
+    for (std::size_t axis = 0; axis < setup.zero.sides.size(); ++axis) {
+        const std::optional<BoxSide> side = boxSideFromId(zero.at("sides").at(axis).get<std::string>());
+        if (!side) refuse("sides", zero);
+        setup.zero.sides[axis] = *side;
+    }
+    setup.zero.workOffset = *number;
+    setup.zero.on = *on;
+    setup.zero.point = vectorOf(zero.at("point_mm"));
+}
+
 Setup read(const json& record) {
     Setup setup;
     setup.voxel = record.at("voxel_mm").get<double>();
@@ -133,6 +161,7 @@ Setup read(const json& record) {
     setup.runs = static_cast<RunAxis>(axisOf(record.value("run_axis", "z"), "run_axis", record));
     readStock(record, setup);
     readPlacement(record, setup);
+    readZero(record, setup);
     return setup;
 }
 
@@ -152,6 +181,7 @@ Result<std::string> toJson(const Setup& setup) {
         {"body_materials", setup.bodyMaterials},
         {"stock_mm", setup.stock.empty() ? json() : json::array({jsonOf(setup.stock.low), jsonOf(setup.stock.high)})},
         {"work_offset_mm", jsonOf(setup.workOffset)},
+        {"zero", recordOf(setup.zero)},
         {"run_axis", axisName(static_cast<int>(setup.runs))},
         {"roles", std::move(roles)},
         {"stock_form", idOf(setup.form)},

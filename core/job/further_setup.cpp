@@ -26,6 +26,7 @@ Result<Setup> furtherSetup(const Setup& before, const Placement& turn, const std
                            const LeftStock* stock) {
     Setup setup = stock ? withStock(before, *stock) : withNewStock(before);
     setup.placement = combined(before.placement, turn);
+    setup.zero = moved(setup.zero, turn);
     return placeStock(*placed(model, setup.placement), std::move(setup));
 }
 

@@ -208,6 +208,7 @@ Setup withStock(Setup setup, const LeftStock& stock) {
 
 Result<Setup> placedFurther(Setup setup, const Placement& by, Progress& progress) {
     setup.placement = combined(setup.placement, by);
+    setup.zero = moved(setup.zero, by);
     if (!setup.leftBy || !setup.volume) return setup;
     Result<RunVolume> volume = setup.volume->unpack(progress);
     if (!volume) return std::move(volume).error();

@@ -7,6 +7,7 @@
 #include "core/cutting/coolant_advice.h"
 #include "core/job/lower_feeds.h"
 #include "core/nc/dialect_library.h"
+#include "core/nc/work_offset.h"
 #include "core/path/milling_side.h"
 
 #include <algorithm>
@@ -58,8 +59,9 @@ Result<std::string> post(const MillingContext& milling, const ProgramPaths& path
     if (Result<void> numbered = checkNumbers(paths.tools); !numbered) return numbered.error();
     PostRequest post;
     post.programName = request.name;
-    post.header = programHeader(milling, paths.tools);
+    post.header = programHeader(milling, paths.tools, request.setupName);
     post.workOffset = milling.setup.workOffset;
+    post.workOffsetNumber = milling.setup.zero.workOffset;
     post.units = request.units;
     for (const Tool& tool : paths.tools) post.tools[tool.id] = {tool.number, tool.name};
     post.safeHeight = milling.safeHeight() - milling.setup.workOffset.z;
@@ -150,9 +152,19 @@ std::string otherMaterials(const EmbeddedSetup& embedded) {
     return names;
 }
 
+std::string textOf(const ProgramZero& zero) {
+    if (zero.on == ZeroReference::point) return "a stated place";
+    if (zero.on == ZeroReference::stock && zero.sides == ProgramZero{}.sides) return "centre of the stock's top face";
+    std::string text(idOf(zero.on));
+    for (std::size_t axis = 0; axis < zero.sides.size(); ++axis)
+        text += std::string(", ") + "XYZ"[axis] + " " + std::string(idOf(zero.sides[axis]));
+    return text;
+}
+
 } // namespace
 
-std::vector<std::string> programHeader(const MillingContext& milling, const std::vector<Tool>& tools) {
+std::vector<std::string> programHeader(const MillingContext& milling, const std::vector<Tool>& tools,
+                                       const std::string& setupName) {
     const auto length = [](double value) { return formatFixed(value, 3); };
     const auto place = [&](const glm::dvec3& v) { return "X" + length(v.x) + " Y" + length(v.y) + " Z" + length(v.z); };
     const Box& stock = milling.setup.stock;
@@ -160,11 +172,15 @@ std::vector<std::string> programHeader(const MillingContext& milling, const std:
     lines.push_back("Burin: " + std::string(authored) + ", checked by re-simulation before export");
     if (!milling.model->sourceFile.empty())
         lines.push_back("Part: " + std::filesystem::path(milling.model->sourceFile).filename().string());
+    if (!setupName.empty()) lines.push_back("Setup: " + setupName);
     lines.push_back("Stock: " + milling.setup.stockMaterial + ", size " + place(stock.size()) + " mm");
     if (const std::string others = otherMaterials(milling.embedded); !others.empty())
         lines.push_back("Stock of several materials, also: " + others);
-    lines.push_back("Program zero: centre of the stock's top face; in the model's frame " +
+    lines.push_back("Program zero: " + textOf(milling.setup.zero) + "; in the " +
+                    (isNone(milling.setup.placement) ? "model's" : "setup's") + " frame " +
                     place(milling.setup.workOffset) + " mm");
+    if (const int number = milling.setup.zero.workOffset; number != ProgramZero{}.workOffset)
+        lines.push_back("Work offset: " + workOffsetName(number));
     lines.push_back("Stock in program coordinates: " + place(stock.low - milling.setup.workOffset) + " to " +
                     place(stock.high - milling.setup.workOffset) + " mm");
     const Property& material = milling.embedded.workpiece.properties()[milling.embedded.stockProperty];
@@ -382,10 +398,12 @@ Result<CheckedProgram> checkProgram(const MillingContext& milling, std::string t
     verification.partModel = milling.partModel.get();
     verification.part = &milling.part;
     verification.setup = milling.setup;
+    verification.workOffset = milling.setup.zero.workOffset;
     verification.materials = milling.materials;
     verification.obstacles = milling.surroundings();
     if (milling.travel.zero) // what is only the rule's guess refuses no program
-        verification.travel = travelEnvelope(milling.machine, milling.travel, milling.setup.workOffset).tips;
+        verification.travel =
+            travelEnvelope(milling.machine, milling.travel, milling.setup.workOffset, topOf(milling.setup)).tips;
     Result<std::vector<Tool>> tools = toolsMeant(*parsed, milling, request);
     if (!tools) return std::move(tools).error();
     CheckedProgram checked;

@@ -32,7 +32,8 @@ Result<EvaluatedPath> evaluateStored(const Project& project, const MillingContex
                                      Progress& progress);
 
 struct ProgramRequest {
-    std::string name; ///< of the program
+    std::string name;        ///< of the program
+    std::string setupName{}; ///< that its header names; empty: none, as there is no other
     std::string dialect = "linuxcnc";
     double gougeTolerance = 0.02; ///< mm
     std::size_t exactSamples = 500;
@@ -81,8 +82,10 @@ struct ProgramPaths {
     std::vector<Tool> tools;
 };
 
-/// Comment lines that a program of these tools begins with: part, stock, zero, tools.
-std::vector<std::string> programHeader(const MillingContext& milling, const std::vector<Tool>& tools);
+/// Comment lines that a program of these tools begins with: part, setup, stock, zero, tools.
+/// @param setupName as ProgramRequest::setupName
+std::vector<std::string> programHeader(const MillingContext& milling, const std::vector<Tool>& tools,
+                                       const std::string& setupName);
 
 /// Whether a text says in its header that Burin posted it: it is then to follow the project's paths.
 bool isPosted(std::string_view text);

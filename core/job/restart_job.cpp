@@ -95,7 +95,7 @@ private:
             const Tool& one = tool == request_.tools.end() ? milling_.tool : *tool;
             if (std::ranges::find(called, one.id, &Tool::id) == called.end()) called.push_back(one);
         }
-        std::vector<std::string> lines = programHeader(milling_, called);
+        std::vector<std::string> lines = programHeader(milling_, called, request_.setupName);
         lines.insert(lines.begin(), {"RESTART at line " + std::to_string(wanted_.line) +
                                          " of the interrupted program: all lines before it are done",
                                      "The path is repeated from " + formatFixed(restart.lead, 1) + " mm before line " +

@@ -78,7 +78,8 @@ Surroundings surroundingsOf(const MillingContext& milling, const TravelPlacement
     Surroundings surroundings;
     surroundings.obstacles = milling.surroundings();
     if (!axis.free && axis.direction == uprightAxis)
-        surroundings.envelope = travelEnvelope(milling.machine, placement, milling.setup.workOffset);
+        surroundings.envelope =
+            travelEnvelope(milling.machine, placement, milling.setup.workOffset, topOf(milling.setup));
     return surroundings;
 }
 

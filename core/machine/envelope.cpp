@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/machine/envelope.h"
 
+#include <algorithm>
+
 namespace burin {
 
-Envelope travelEnvelope(const MachineProfile& machine, const TravelPlacement& placement, const glm::dvec3& workOffset) {
+Envelope travelEnvelope(const MachineProfile& machine, const TravelPlacement& placement, const glm::dvec3& workOffset,
+                        const glm::dvec3& stockTop) {
     Envelope envelope;
     if (!placement.on) return envelope;
     const glm::dvec3& travel = machine.travel;
-    const glm::dvec3 zero =
-        placement.zero.value_or(glm::dvec3(0.5 * travel.x, 0.5 * travel.y, travel.z - machine.toolChangeHeight));
-    envelope.tips.low = workOffset - zero;
+    const glm::dvec3 middle(0.5 * travel.x, 0.5 * travel.y, travel.z - machine.toolChangeHeight);
+    // The tool change height is above program zero, and above the stock wherever that is.
+    const glm::dvec3 assumed(stockTop.x, stockTop.y, std::max(stockTop.z, workOffset.z));
+    envelope.tips.low = placement.zero ? workOffset - *placement.zero : assumed - middle;
     envelope.tips.high = envelope.tips.low + travel;
     return envelope;
 }

@@ -25,9 +25,11 @@ struct TravelPlacement {
 };
 
 /// The travel of a three-axis machine as a box for the tip of an upright tool. Where it is not said how the setup
-/// stands, program zero is taken to be in the middle of X and Y, and Z to reach up to the machine's tool change height
+/// stands, the stock is taken to be in the middle of X and Y, and Z to reach up to the machine's tool change height
 /// above it, which a profile promises to be free. Without limits where the placement is off.
-/// @param workOffset program zero in the setup frame, mm
-Envelope travelEnvelope(const MachineProfile& machine, const TravelPlacement& placement, const glm::dvec3& workOffset);
+/// @param workOffset program zero in the setup frame, mm @param stockTop centre of the stock's top face, mm: a zero on
+/// a corner does not move the stock on its table
+Envelope travelEnvelope(const MachineProfile& machine, const TravelPlacement& placement, const glm::dvec3& workOffset,
+                        const glm::dvec3& stockTop);
 
 } // namespace burin

@@ -6,6 +6,7 @@
 #include "core/nc/arc_steps.h"
 #include "core/nc/block_writer.h"
 #include "core/nc/rounded_line.h"
+#include "core/nc/work_offset.h"
 
 #include <algorithm>
 #include <cmath>
@@ -319,10 +320,20 @@ private:
             offset = number - firstFurtherOffset;
         }
         if (!words)
-            return Error{ErrorCode::notSupported, "work offset " + std::to_string(number) + " for " + dialect_.name,
-                         "G54 to G59", ""};
+            return Error{ErrorCode::notSupported, "work offset " + workOffsetName(number) + " for " + dialect_.name,
+                         workOffsets(), ""};
         return BlockWriter::filled(*words,
                                    [&](std::string_view) -> Result<std::string> { return std::to_string(offset); });
+    }
+
+    /// Those that the control has.
+    std::string workOffsets() const {
+        std::string names = workOffsetName(54) + " to " + workOffsetName(59);
+        if (dialect_.workOffset59) names += ", " + workOffsetName(591) + " to " + workOffsetName(593);
+        if (dialect_.furtherWorkOffset)
+            names += ", " + workOffsetName(firstFurtherOffset + 1) + " to " +
+                     workOffsetName(firstFurtherOffset + dialect_.furtherWorkOffsets);
+        return names;
     }
 
     bool blends() const { return numbers_.tolerance(program_.blendTolerance) != numbers_.tolerance(0.0); }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace burin {
 
@@ -154,6 +155,10 @@ std::optional<StockForm> stockFormFromId(std::string_view id) noexcept {
     return std::nullopt;
 }
 
+glm::dvec3 topOf(const Setup& setup) noexcept {
+    return placeOn(setup.stock, ProgramZero{}.sides);
+}
+
 Result<Setup> placeStock(const Model& model, Setup setup) {
     if (!(std::isfinite(setup.voxel) && setup.voxel > 0.0)) return invalid("voxel", "a finite length above 0 mm");
     if (!isLength(setup.marginLow) || !isLength(setup.marginHigh))
@@ -163,7 +168,19 @@ Result<Setup> placeStock(const Model& model, Setup setup) {
     if (Result<void> sound = checkRegions(setup.regions); !sound) return std::move(sound).error();
     if (setup.form != StockForm::file) setup.runs = RunAxis::z;
     if (Result<void> placed = placeForm(model, setup); !placed) return std::move(placed).error();
-    setup.workOffset = {setup.stock.centre().x, setup.stock.centre().y, setup.stock.high.z};
+    return placeZero(model, std::move(setup));
+}
+
+Result<Setup> placeZero(const Model& model, Setup setup) {
+    const ProgramZero& zero = setup.zero;
+    if (zero.on == ZeroReference::point) {
+        if (!isFinite(zero.point)) return invalid("program zero", "finite coordinates");
+        setup.workOffset = zero.point;
+        return setup;
+    }
+    const Box box = zero.on == ZeroReference::stock ? setup.stock : boxOf(model, setup, isProtected);
+    if (box.empty()) return invalid("program zero", "zero on the stock, as there is no part");
+    setup.workOffset = placeOn(box, zero.sides);
     return setup;
 }
 

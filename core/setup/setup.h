@@ -12,6 +12,7 @@
 #include "core/setup/material_amount.h"
 #include "core/setup/material_region.h"
 #include "core/setup/obstacle.h"
+#include "core/setup/program_zero.h"
 #include "core/setup/stock_volume.h"
 #include "core/volume/runs/run_volume.h"
 
@@ -62,9 +63,12 @@ struct Setup {
     std::optional<LeftBy> leftBy; ///< of that form, where the volume is what another setup left
     bool freeCarving = false;     ///< no part is wanted: nothing pushes back
     Box stock;                  ///< mm: the stock, or the box around it; filled by `placeStock` unless a box is stated
+    ProgramZero zero;           ///< where the programs have it
     glm::dvec3 workOffset{0.0}; ///< program zero in the setup frame, mm; filled by `placeStock`
     RunAxis runs = RunAxis::z;  ///< of the volume: along the spindle, or what comes next to it
 };
+
+glm::dvec3 topOf(const Setup& setup) noexcept; ///< mm: the centre of the top face of the stock's box
 
 BodyRole roleOf(const Setup& setup, std::size_t body) noexcept;
 
@@ -83,10 +87,16 @@ Result<std::vector<Obstacle>> bodyFixtures(const Model& model, const Setup& setu
 
 /// Finds where the stock lies. A box or cylinder that is not stated is the smallest around part and inserts, grown by
 /// the margins: a cylinder goes round the middle of their box; its ends have the margins of the axis that it lies
-/// nearest to, its side the largest of the others. A stock from a file lies where the file says. Program zero: centre
-/// of the top face of the stock's box. Errors: stockInvalid (a margin below 0 or not finite, a voxel not > 0, no part
-/// and no free carving, a stated stock that is none, stock of solids or of a file without one), those of checkRegions.
+/// nearest to, its side the largest of the others. A stock from a file lies where the file says. Then
+/// where program zero is, as placeZero. Errors: stockInvalid (a margin below 0 or not finite, a voxel not > 0, no part
+/// and no free carving, a stated stock that is none, stock of solids or of a file without one), those of checkRegions
+/// and placeZero.
 Result<Setup> placeStock(const Model& model, Setup setup);
+
+/// Finds where program zero is: on the stock as it lies, on the part, or at its point.
+/// @param model as it lies in the setup. Errors: stockInvalid (zero on a part where there is none, a point that is not
+/// finite).
+Result<Setup> placeZero(const Model& model, Setup setup);
 
 /// What a grid would take, before it is made.
 struct EmbeddingSize {

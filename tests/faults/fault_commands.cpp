@@ -35,6 +35,7 @@ QList<FaultCommand> faultCommands() {
          {"verify", "program.ngc", "--project", "p.burin", "--map", "map.vtp", "--tolerance", "10", "--exact", "0"},
          {"map.vtp"}},
         {"picture", {"picture", "p.burin", "-o", "picture.png"}, {"picture.png"}},
+        {"sheet", {"sheet", "p.burin", "-o", "sheet.html"}, {"sheet.html"}},
         {"info", {"info", "p.burin"}, {}},
         {"the window's save", {"p.burin"}, {}, true, false, "burin-save-project"},
         {"the window's save under another name", {"p.burin", "q.burin"}, {}, true, false, "burin-save-project"},

@@ -37,6 +37,9 @@ void ActionStates::update() {
     enable(ActionId::previousSetup, free && own != setups.setups().begin());
     for (const ActionId id : {ActionId::faceDown, ActionId::turnAboutX, ActionId::turnAboutY, ActionId::turnAboutZ})
         enable(id, workbench.setup.hasPart() && !workbench.setup.locked() && !workbench.setup.placing() && free);
+    enable(ActionId::exportSheet, workbench.setup.usable() && !workbench.sheet.gathering());
+    enable(ActionId::pickZero, workbench.setup.usable() && free);
+    enable(ActionId::touchZero, workbench.mill.active() && !showing);
     enable(ActionId::embed, workbench.setup.usable() && !workbench.setup.locked() && !workbench.workpiece.embedding());
     enable(ActionId::stockFile,
            workbench.setup.hasPart() && !workbench.setup.locked() && !workbench.setup.readingStock());

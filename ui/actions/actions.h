@@ -20,6 +20,7 @@ enum class ActionId : std::size_t {
     saveAs,
     exportProgram,
     exportWorkpiece,
+    exportSheet,
     undo, ///< its text and that of redo name what it would do
     redo,
     preferences,
@@ -51,6 +52,8 @@ enum class ActionId : std::size_t {
     turnAboutX,
     turnAboutY,
     turnAboutZ,
+    pickZero,
+    touchZero,
     embed,
     stockFile,
     toolShape,

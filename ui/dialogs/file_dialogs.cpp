@@ -124,6 +124,11 @@ QString askToolExport(QWidget* parent, const QString& folder, const QString& nam
                      FileDialogs::tr("FreeCAD tool bits, LinuxCNC tool tables, tools (*.fctb *.tbl *.json)"));
 }
 
+QString askSheetToExport(QWidget* parent, const QString& folder, const QString& name) {
+    return askToSave(parent, FileDialogs::tr("Export the setup sheet"), folder, name, QStringLiteral("html"),
+                     FileDialogs::tr("Web pages (*.html)"));
+}
+
 QString askWorkpieceToExport(QWidget* parent, const QString& folder, const QString& name) {
     return askToSave(parent, FileDialogs::tr("Export the workpiece"), folder, name, QStringLiteral("stl"),
                      FileDialogs::tr("Surfaces and voxels (*.stl *.ply *.3mf *.srle *.nrrd)"));

@@ -33,6 +33,8 @@ QString askProjectToSave(QWidget* parent, const QString& folder, const QString& 
 /// With the ending .ngc unless the user gave another.
 QString askProgramToExport(QWidget* parent, const QString& folder, const QString& name);
 /// With the ending .stl unless the user gave another.
+/// One page. @param name without its ending; empty: cancelled
+QString askSheetToExport(QWidget* parent, const QString& folder, const QString& name);
 QString askWorkpieceToExport(QWidget* parent, const QString& folder, const QString& name);
 
 } // namespace burin

@@ -7,7 +7,7 @@
 namespace burin {
 
 /// Asks for a point on a model: the next click on it answers, Esc cancels the question. Thread: user interface.
-class FacePicker final : public BodyPicker {
+class FacePicker : public BodyPicker {
     Q_OBJECT
 public:
     using BodyPicker::BodyPicker;

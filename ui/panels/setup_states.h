@@ -86,6 +86,13 @@ struct SurroundingsState {
     glm::dvec3 zero{0.0}; ///< mm, of the program, in the setup frame
 };
 
+struct ZeroState {
+    bool hasPart = false;
+    ProgramZero zero;
+    glm::dvec3 place{0.0}; ///< mm, setup frame: where it is
+    bool picking = false;  ///< the user clicks on a place in the view
+};
+
 struct MaterialState {
     std::vector<Property> materials; ///< of the library
     std::string stockMaterial;

@@ -73,6 +73,7 @@ void fill(Scene& scene, const PictureContent& content) {
     scene.setWorkpiece(content.workpiece, {});
     scene.setWorkpieceOpacity(content.opacity);
     scene.setObstacles(marksOf(content.obstacles));
+    scene.setZero(content.zero);
     scene.setTool(content.tool);
     ToolMarks marks;
     marks.proxy = content.pose;
@@ -112,7 +113,7 @@ std::string png(vtkRenderWindow& window) {
 } // namespace
 
 Result<std::string> drawPicture(const PictureContent& content) {
-    const Result<Palette> palette = loadPalette(Theme::dark);
+    const Result<Palette> palette = loadPalette(content.theme);
     if (!palette) return palette.error();
     const Result<OffscreenContext> context = OffscreenContext::make(content.width, content.height);
     if (!context) return context.error();

@@ -10,6 +10,8 @@
 #include "core/tool/tool.h"
 #include "core/volume/runs/run_volume.h"
 #include "ui/scene/viewport.h"
+#include "ui/scene/zero_place.h"
+#include "ui/theme/theme.h"
 
 #include <memory>
 #include <optional>
@@ -35,10 +37,12 @@ struct PictureContent {
     StandardView view = StandardView::isometric;
     double opacity = 1.0; ///< of the workpiece, 0 … 1
     std::optional<PictureSection> section;
+    std::optional<ZeroPlace> zero;   ///< program zero; nothing: it is not drawn
+    Theme theme = Theme::dark;       ///< whose colours it has
     int width = 1600, height = 1000; ///< pixels
 };
 
-/// Draws what the window shows of it, in the colours of the dark theme, in full detail. Needs no display, but a
+/// Draws what the window shows of it in full detail. Needs no display, but a
 /// QGuiApplication for its letters (on the "offscreen" platform): an EGL context without a surface (Mesa) is made for
 /// it. The thread of that application; some seconds.
 /// @return PNG. Errors: notSupported (no EGL with OpenGL 3.2), those of loadPalette.

@@ -45,6 +45,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , section_(*solids_, *marks_)
     , ghost_(*marks_)
     , touch_(*marks_)
+    , zero_(*marks_)
     , touchedVoxels_(*marks_)
     , moveMark_(*marks_)
     , outlines_(*marks_)
@@ -83,6 +84,7 @@ void Scene::setPalette(const Palette& palette) {
     section_.setPalette(palette);
     ghost_.setPalette(palette);
     touch_.setPalette(palette);
+    zero_.setPalette(palette);
     touchedVoxels_.setColours(palette.force, palette.pathHalo);
     moveMark_.setColours(palette.chosenPath, palette.pathHalo);
     outlines_.setColours(palette.rapidPath, palette.pathHalo);
@@ -231,6 +233,7 @@ void Scene::setLineWidths(double ratio) {
     section_.setLineWidth(boldLine * ratio);
     ghost_.setLineWidth(boldLine * ratio);
     touch_.setLineWidth(pathLine * ratio);
+    zero_.setLineWidth(boldLine * ratio);
     moveMark_.setLineWidth(boldLine * ratio);
     outlines_.setLineWidth(pathLine * ratio);
     strokePlans_.setLineWidth(pathLine * ratio);
@@ -263,12 +266,13 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     force_.place(view, size, ratio);
     guides_.place(view, size, ratio);
     touch_.place(view, size, ratio);
+    zero_.place(view, size, ratio);
     section_.place(workpieceSeen() ? shown_ : VolumeSnapshot(), contentBox(), view, size);
     films_->SetDraw(guides_.visible() || obstacles_.filmsVisible() || tool_.filmsVisible() ||
                     workpiece_.filmsVisible());
     marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible() || moveMark_.visible() ||
                     outlines_.visible() || strokePlans_.visible() || touch_.visible() || touchedVoxels_.visible() ||
-                    section_.plane().has_value());
+                    zero_.visible() || section_.plane().has_value());
 
     aimCamera(*solids_, drawnBounds(), view);
     const DepthCue cue = depthCue(*solids_);

@@ -24,6 +24,7 @@
 #include "ui/scene/touched_voxels_actor.h"
 #include "ui/scene/view_cube.h"
 #include "ui/scene/workpiece_actors.h"
+#include "ui/scene/zero_mark.h"
 
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
@@ -70,6 +71,7 @@ public:
     /// With it the part is seen through the stock.
     void setPressMark(const std::optional<PressMark>& mark);
     void setObstacles(std::vector<ObstacleMark> marks);
+    void setZero(const std::optional<ZeroPlace>& zero) { zero_.set(zero); }
     void setGuides(const GuideMarks& marks) { guides_.set(marks); }
     LivePath& livePath() noexcept { return livePath_; }
     EditedPath& editedPath() noexcept { return editedPath_; }
@@ -123,6 +125,7 @@ private:
     SectionActors section_;
     StylusGhost ghost_;
     TouchMark touch_;
+    ZeroMark zero_;
     TouchedVoxelsActor touchedVoxels_;
     MarkedLines moveMark_, outlines_, strokePlans_;
     ForceArrow force_;

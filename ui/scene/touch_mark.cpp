@@ -21,7 +21,7 @@
 namespace burin {
 namespace {
 
-constexpr int sides = 48;              // of the cutter's outline
+constexpr int outlineSides = 48;       // of the cutter's outline
 constexpr double contactWidth = 4.0;   // widths of a line
 constexpr double labelDistance = 22.0; // device-independent pixels beside the outline
 
@@ -29,10 +29,10 @@ std::vector<LineEnds> outlineOf(const PressMark& mark) {
     const Across across = acrossOf(mark.axis);
     std::vector<LineEnds> lines{{mark.tip, mark.tip + mark.axis * std::max(0.0, mark.depth)}};
     const auto at = [&](int side) {
-        const double angle = 2.0 * pi * side / sides;
+        const double angle = 2.0 * pi * side / outlineSides;
         return mark.tip + mark.radius * (std::cos(angle) * across.x + std::sin(angle) * across.y);
     };
-    for (int side = 0; side < sides; ++side) lines.emplace_back(at(side), at(side + 1));
+    for (int side = 0; side < outlineSides; ++side) lines.emplace_back(at(side), at(side + 1));
     return lines;
 }
 

@@ -193,6 +193,13 @@ void Viewport::setPressMark(const std::optional<PressMark>& mark) {
     impl_->refresh();
 }
 
+void Viewport::setZero(const std::optional<ZeroPlace>& zero) {
+    if (zero == impl_->zero) return;
+    impl_->zero = zero;
+    impl_->scene.setZero(zero);
+    impl_->refresh();
+}
+
 void Viewport::setObstacles(const std::vector<ObstacleMark>& obstacles) {
     if (obstacles == impl_->obstacles) return;
     impl_->obstacles = obstacles;

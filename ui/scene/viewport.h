@@ -16,6 +16,7 @@
 #include "ui/scene/place_chains.h"
 #include "ui/scene/press_mark.h"
 #include "ui/scene/section_plane.h"
+#include "ui/scene/zero_place.h"
 #include "ui/theme/length_unit.h"
 #include "ui/theme/theme.h"
 
@@ -104,6 +105,7 @@ public:
     void setPressMark(const std::optional<PressMark>& mark);
     /// Fixtures and keep-out volumes; may come with every tick, too.
     void setObstacles(const std::vector<ObstacleMark>& obstacles);
+    void setZero(const std::optional<ZeroPlace>& zero); ///< nothing: none is drawn
     /// The guides of the hand; may come with every tick, as only what changed is made anew. Curves outlive their show.
     void setGuides(const GuideMarks& guides);
     /// The path as it is recorded: tips, mm; a stroke begins where `newStroke`.

@@ -122,6 +122,7 @@ public:
     std::optional<QPointF> sectionGrip; ///< where the pointer was last while it drags the section plane
     GuideMarks guides;
     std::vector<ObstacleMark> obstacles;
+    std::optional<ZeroPlace> zero;
     std::shared_ptr<const Model> part;
     std::uint64_t deviationsOrdered = 0;      ///< counts setDeviations, as partOrdered
     std::uint64_t partOrdered = 0;            ///< counts setPart: a part that comes late must not replace a newer one

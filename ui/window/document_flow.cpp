@@ -8,11 +8,13 @@
 #include "ui/dialogs/file_dialogs.h"
 #include "ui/dialogs/questions.h"
 #include "ui/messages/messages.h"
+#include "ui/sheet/setup_sheet.h"
 #include "ui/window/path_presenters.h"
 #include "ui/window/restart_dialog.h"
 #include "ui/window/tool_shape_dialog.h"
 
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QStandardPaths>
 
 namespace burin {
@@ -44,6 +46,7 @@ DocumentFlow::DocumentFlow(Workbench& workbench, UserSettings& settings, QWidget
     connect(&workbench.document, &DocumentController::opened, this, [this] { noteSaved(); });
     connect(&workbench.program, &ProgramController::exported, this, &DocumentFlow::exported);
     connect(&workbench.workpiece, &WorkpieceController::exported, this, &DocumentFlow::workpieceExported);
+    connect(&workbench.sheet, &SheetController::gathered, this, &DocumentFlow::writeSheet);
     connect(&workbench.program, &ProgramController::restarted, this,
             [this](const std::shared_ptr<const RestartedProgram>& rest) {
                 // Its dialog stays open: whoever delivers the rest ends first, and with it the progress that is shown.
@@ -66,6 +69,7 @@ void DocumentFlow::connectActions(const Actions& actions) {
     on(ActionId::saveAs, &DocumentFlow::saveAs);
     on(ActionId::exportProgram, &DocumentFlow::exportProgram);
     on(ActionId::exportWorkpiece, &DocumentFlow::exportWorkpiece);
+    on(ActionId::exportSheet, &DocumentFlow::exportSheet);
     on(ActionId::stockFile, &DocumentFlow::readStock);
     on(ActionId::toolShape, &DocumentFlow::shapeTool);
 }
@@ -269,6 +273,26 @@ void DocumentFlow::shapeTool() {
     ToolShapeRequest request = dialog.request();
     request.id = workbench_.tool.freeId(QString::fromStdString(request.name));
     workbench_.tool.shape(request);
+}
+
+void DocumentFlow::exportSheet() {
+    if (!workbench_.setup.usable() || workbench_.sheet.gathering()) return;
+    const QString file = askSheetToExport(&window_, folder(), QFileInfo(programName(workbench_)).completeBaseName());
+    if (file.isEmpty()) return;
+    keepFolder(file);
+    workbench_.sheet.gather(workbench_.document.title(), file);
+}
+
+/// The pictures are drawn on this thread, as VTK and Qt's letters want it: some seconds.
+void DocumentFlow::writeSheet(const std::shared_ptr<const SheetContent>& content, const QString& file) {
+    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    const Result<std::string> page = setupSheet(*content, settings_.preferences().unit);
+    const Result<void> written = page ? writeFileAtomically(pathOf(file), *page) : Result<void>(page.error());
+    QGuiApplication::restoreOverrideCursor();
+    if (written)
+        emit sheetExported(file);
+    else
+        emit workbench_.failed(written.error());
 }
 
 void DocumentFlow::exportWorkpiece() {

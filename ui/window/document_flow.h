@@ -38,6 +38,7 @@ public:
     void readStock(); ///< from a file
     void shapeTool(); ///< of models
     void exportWorkpiece();
+    void exportSheet();
     /// The rest of the program from a line of its text on; asks for the file once it passed its check.
     void restartProgram(int line);
 
@@ -54,9 +55,11 @@ signals:
     void refused(const QString& sentence); ///< a file, and why; nothing has changed
     void exported(const QString& file);    ///< a program
     void workpieceExported(const QString& file);
+    void sheetExported(const QString& file);
     void restartExported(int line, const QString& file);
 
 private:
+    void writeSheet(const std::shared_ptr<const SheetContent>& content, const QString& file);
     void openProject(const QString& file);
     void refuse(const QString& file, const Error& error);
     void saveThen(std::function<void()> then);

@@ -221,6 +221,7 @@ void MainWindow::showStep(JobStep step) {
         presenters_->setups.leave();
         presenters_->part.setShown(false);
     }
+    presenters_->zero.setShown(step);
     if (step == JobStep::program) presenters_->pathScene.setShown(step);
     presenters_->programScene.setShown(step);
     if (step != JobStep::program) presenters_->pathScene.setShown(step);

@@ -80,6 +80,9 @@ void MainWindow::connectActions() {
     connect(&presenters_->setups, &SetupsPresenter::pickBegins, this, [this] { showStep(JobStep::part); });
     connect(&presenters_->setups, &SetupsPresenter::refused, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
+    connect(&presenters_->zero, &ZeroPresenter::pickBegins, this, [this] { showStep(JobStep::stock); });
+    connect(&presenters_->zero, &ZeroPresenter::refused, this,
+            [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
     connect(&presenters_->mill, &MillPresenter::takeRemovalRequested, this, &MainWindow::removeTake);
     connect(jobLine_, &JobLine::stepChosen, this, &MainWindow::showStep);
     connect(menus_, &Menus::recentChosen, &flow_, &DocumentFlow::openAny);
@@ -136,6 +139,10 @@ void MainWindow::connectWorkbench() {
     });
     connect(&flow_, &DocumentFlow::workpieceExported, this, [this](const QString& file) {
         message_->tell(Notice::Kind::passed, tr("The workpiece was written to “%1”.").arg(QFileInfo(file).fileName()));
+    });
+    connect(&flow_, &DocumentFlow::sheetExported, this, [this](const QString& file) {
+        message_->tell(Notice::Kind::passed,
+                       tr("The setup sheet was written to “%1”.").arg(QFileInfo(file).fileName()));
     });
     connect(&workbench_.setup, &SetupController::unitUnknown, this, [this](const QString& file) {
         message_->tell(Notice::Kind::information, tr("“%1” gives no unit of length; it was read in mm.").arg(file));

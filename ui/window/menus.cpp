@@ -33,7 +33,7 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
     constexpr auto line = std::nullopt;
     QMenu* file = addMenu(bar, tr("&File"), "fileMenu", actions,
                           {newProject, openProject, line, importPart, sampleProject, line, save, saveAs, exportProgram,
-                           exportWorkpiece, line, quit});
+                           exportWorkpiece, exportSheet, line, quit});
     recent_ = new QMenu(tr("Open &recent"), file);
     recent_->setObjectName(QStringLiteral("recentMenu"));
     file->insertMenu(file->actions().at(2), recent_);
@@ -44,7 +44,8 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
              sectionPlane, flipSection,    line,          showWorkpiece, showPart,   showTool,
              showPath,     showOtherPaths, showGuides,    line,          nextStep,   previousStep});
     addMenu(bar, tr("&Setup"), "setupMenu", actions,
-            {addSetup, nextSetup, previousSetup, line, faceDown, turnAboutX, turnAboutY, turnAboutZ});
+            {addSetup, nextSetup, previousSetup, line, faceDown, turnAboutX, turnAboutY, turnAboutZ, line, pickZero,
+             touchZero});
     addMenu(bar, tr("&Mill"), "millMenu", actions,
             {embed,       stockFile,   toolShape,  addFixtureFile, axisOfView, line,      millMode,
              raster,      repeatLower, repeatLeft, repeatRight,    line,       guides,    nearestEdge,

@@ -43,6 +43,7 @@ PanelStack::PanelStack(QWidget* parent)
     , part(new PartPanel)
     , setup(new SetupPanel)
     , stock(new StockPanel)
+    , zero(new ZeroPanel)
     , surroundings(new SurroundingsPanel)
     , findings(new EmbeddingFindings)
     , material(new MaterialPanel)
@@ -63,7 +64,7 @@ PanelStack::PanelStack(QWidget* parent)
     stack_->setObjectName(QStringLiteral("panelPages"));
     const std::array<std::pair<QWidget*, const char*>, 8> panels{
         {{stacked({part, setup}), "partPage"},
-         {stacked({stock, surroundings, findings}), "stockPage"},
+         {stacked({stock, zero, surroundings, findings}), "stockPage"},
          {stacked({material, layers}), "materialPage"},
          {tool, "toolPage"},
          {allowance, "allowancePage"},

@@ -19,6 +19,7 @@
 #include "ui/panels/stock_panel.h"
 #include "ui/panels/surroundings_panel.h"
 #include "ui/panels/tool_panel.h"
+#include "ui/panels/zero_panel.h"
 
 #include <QFrame>
 
@@ -38,7 +39,8 @@ public:
     PartPanel* part;
     SetupPanel* setup; ///< below the part
     StockPanel* stock;
-    SurroundingsPanel* surroundings; ///< below the stock
+    ZeroPanel* zero;                 ///< below the stock
+    SurroundingsPanel* surroundings; ///< below program zero
     EmbeddingFindings* findings;     ///< below the surroundings
     MaterialPanel* material;
     LayerPanel* layers;

@@ -12,6 +12,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , part(workbench, stage.viewport, *stage.panels.part, this)
     , setups(workbench, stage.viewport, *stage.panels.setup, this)
     , stock(workbench, *stage.panels.stock, *stage.panels.findings, this)
+    , zero(workbench, stage.viewport, *stage.panels.zero, this)
     , material(workbench, *stage.panels.material, this)
     , layers(workbench, *stage.panels.layers, this)
     , tool(workbench, *stage.panels.tool, this)
@@ -37,6 +38,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
 void Presenters::connectActions(const Actions& actions, const Viewport& viewport) {
     setups.connectActions(actions);
     stock.connectActions(actions);
+    zero.connectActions(actions);
     surroundings.connectActions(actions);
     guides.connectActions(actions);
     mill.connectActions(actions);
@@ -47,9 +49,9 @@ void Presenters::connectActions(const Actions& actions, const Viewport& viewport
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{
-             &part,   &setups,       &stock,  &material, &layers,     &tool,         &allowance,
-             &mill,   &surroundings, &guides, &hand,     &pathScene,  &path,         &program,
-             &meters, &status,       &job,    &scene,    &guideScene, &programScene, &deviation})
+             &part,   &setups,       &stock,  &zero,       &material,     &layers,   &tool,    &allowance,
+             &mill,   &surroundings, &guides, &hand,       &pathScene,    &path,     &program, &meters,
+             &status, &job,          &scene,  &guideScene, &programScene, &deviation})
         presenter->setUnit(unit);
 }
 

@@ -17,6 +17,7 @@
 #include "ui/window/setups_presenter.h"
 #include "ui/window/status_presenter.h"
 #include "ui/window/surroundings_presenter.h"
+#include "ui/window/zero_presenter.h"
 
 namespace burin {
 
@@ -41,6 +42,7 @@ public:
     PartPresenter part;
     SetupsPresenter setups;
     StockPresenter stock;
+    ZeroPresenter zero;
     MaterialPresenter material;
     LayerPresenter layers;
     ToolPresenter tool;

@@ -168,6 +168,7 @@ void ProgramController::goOn() {
 ProgramRequest ProgramController::request(const QString& name) const {
     ProgramRequest request;
     request.name = name.toStdString();
+    request.setupName = setupName_;
     request.dialect = target_.dialect();
     request.units = target_.target().units;
     request.gougeTolerance = gougeTolerance_;

@@ -51,6 +51,8 @@ public:
     bool postable() const;
     void post(const QString& name); ///< all paths of the job that belong into it. @param name of the program
     void include(std::int64_t path, bool wanted);
+    /// What headers call the setup (setupTitle, core/job/setup_title.h).
+    void setSetupName(std::string name) { setupName_ = std::move(name); }
     /// Gives a refused program, posted or written by hand, the reason why it is exported; an entry of the undo stack.
     void overrideCheck(const QString& name, const QString& reason);
     /// The text as the user wrote it; no program to be exported until it is checked. The editor has an undo of its own;
@@ -158,6 +160,7 @@ private:
     quint64 textVersion_ = 0;
     std::set<std::int64_t> leftOut_;
     QTimer draftDue_; ///< the project follows the typing a moment later
+    std::string setupName_;
     double gougeTolerance_ = 0.02, excessTolerance_ = 0.1;
     std::optional<Error> problem_;
 };

@@ -239,6 +239,7 @@ void SetupController::place(const Placement& by) {
     if (!setup_.leftBy) {
         Setup setup = setup_;
         setup.placement = combined(setup.placement, by);
+        setup.zero = moved(setup.zero, by);
         editPlacement(setup);
         return;
     }
@@ -259,6 +260,25 @@ void SetupController::place(const Placement& by) {
 void SetupController::editPlacement(const Setup& setup) {
     desk_.undo.push(new ValueCommand<Setup>(tr("placement of the part"), -1, setup_, setup,
                                             [this](const Setup& value) { apply(value); }));
+}
+
+void SetupController::chooseZero(const ProgramZero& zero) {
+    if (!model_ || zero == setup_.zero) return;
+    Setup asked = setup_;
+    asked.zero = zero;
+    if (const Result<Setup> placed = placeZero(*model_, std::move(asked)); !placed) {
+        emit changed(); // the panel shows what is in force
+        emit failed(placed.error());
+        return;
+    }
+    desk_.undo.push(new ValueCommand<ProgramZero>(tr("program zero"), -1, setup_.zero, zero,
+                                                  [this](const ProgramZero& value) { applyZero(value); }));
+}
+
+void SetupController::applyZero(const ProgramZero& zero) {
+    Setup setup = setup_;
+    setup.zero = zero;
+    apply(setup);
 }
 
 void SetupController::apply(const Setup& setup) {

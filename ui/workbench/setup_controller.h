@@ -57,6 +57,8 @@ public:
     void setRegions(const std::vector<MaterialRegion>& regions);
     /// Turns or moves the part from how it lies; a stock that another setup left goes with it, in the background.
     void place(const Placement& by);
+    /// Where the programs have their zero; recordings or not.
+    void chooseZero(const ProgramZero& zero);
     bool placing() const { return desk_.tasks.running(TaskKind::placing); }
 
 signals:
@@ -70,6 +72,7 @@ private:
     void apply(const Setup& setup);
     void adopt(const Setup& setup);
     void editPlacement(const Setup& setup);
+    void applyZero(const ProgramZero& zero);
     void readMaterials(const std::vector<Property>& own);
     void storeSetup();
     void takeStock(const StockFile& stock, const QString& name);

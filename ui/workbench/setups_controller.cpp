@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/setups_controller.h"
 
+#include "core/job/setup_title.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -36,6 +38,7 @@ void SetupsController::load(const ProjectContents& contents) {
     used_ = contents.usedSetup;
     stockOutOfDate_ = contents.stockOutOfDate;
     if (setups_.empty()) setups_.push_back({firstSetup, {}});
+    neighbours_.program.setSetupName(setupTitle(setups_, used_));
     emit changed();
 }
 
@@ -151,6 +154,7 @@ void SetupsController::reread(const Result<std::vector<SetupName>>& setups) {
         setups_ = *setups;
     else
         emit failed(setups.error());
+    neighbours_.program.setSetupName(setupTitle(setups_, used_));
     emit changed();
 }
 

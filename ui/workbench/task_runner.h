@@ -34,7 +34,8 @@ enum class TaskKind {
     tool,
     placing,
     face,
-    furtherSetup
+    furtherSetup,
+    sheet
 };
 
 /// A task as the status line shows it.

@@ -36,7 +36,8 @@ Workbench::Workbench(QObject* parent)
     , showMe(desk_, workpiece, session, this)
     , path(desk_, workpiece, tool, this)
     , program(desk_, workpiece, path, target, this)
-    , setups(desk_, {document, setup, workpiece, program, target}, this) {
+    , setups(desk_, {document, setup, workpiece, program, target}, this)
+    , sheet(desk_, this) {
     wire();
 }
 
@@ -49,7 +50,7 @@ Workbench::~Workbench() {
 
 std::vector<Controller*> Workbench::controllers() {
     return {&document, &model,        &setup,  &material, &tool,   &target, &workpiece, &styluses, &session,
-            &mill,     &surroundings, &guides, &hand,     &showMe, &path,   &program,   &setups};
+            &mill,     &surroundings, &guides, &hand,     &showMe, &path,   &program,   &setups,   &sheet};
 }
 
 void Workbench::wire() {

@@ -11,6 +11,7 @@
 #include "ui/workbench/program_controller.h"
 #include "ui/workbench/setup_controller.h"
 #include "ui/workbench/setups_controller.h"
+#include "ui/workbench/sheet_controller.h"
 #include "ui/workbench/show_me.h"
 #include "ui/workbench/stylus_controller.h"
 #include "ui/workbench/surroundings_controller.h"
@@ -52,6 +53,7 @@ public:
     PathController path;
     ProgramController program;
     SetupsController setups;
+    SheetController sheet;
 
     std::vector<Controller*> controllers();
     TaskRunner& tasks() noexcept { return tasks_; }

@@ -39,7 +39,26 @@ void WorkpieceController::setWanted(std::shared_ptr<const Model> model, const Se
     tool_ = tool;
     if (otherTool && milling_) buildBounds();
     if (otherMaterials()) changeMaterials();
+    if (otherZero()) changeZero();
     emit changed();
+}
+
+/// The workpiece is the wanted one but for its program zero.
+bool WorkpieceController::otherZero() const {
+    return embedded() && milling_->model == model_ &&
+           (milling_->setup.zero != setup_.zero || milling_->setup.workOffset != setup_.workOffset);
+}
+
+/// The workpiece stays; where the machine's travel lies follows, and what a control makes of the figures of a path.
+void WorkpieceController::changeZero() {
+    emit surroundingsChanged();
+    desk_.tasks.abandon(TaskKind::field);
+    letGo([this] {
+        if (!otherZero()) return; // changed again meanwhile
+        milling_->setup.zero = setup_.zero;
+        milling_->setup.workOffset = setup_.workOffset;
+        buildBounds();
+    });
 }
 
 /// The workpiece is the wanted one but for its materials, or for their values.

@@ -80,6 +80,8 @@ signals:
 private:
     void changeMaterials();
     bool otherMaterials() const;
+    void changeZero();
+    bool otherZero() const;
     void embedWith(std::vector<RecordedCuts> takes);
     void adopt(std::shared_ptr<MillingContext> milling);
     void buildBounds();

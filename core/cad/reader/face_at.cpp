@@ -4,6 +4,7 @@
 
 #include "core/cad/reader/occt_vectors.h"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
@@ -11,11 +12,15 @@
 #include <BRepGProp_Face.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
 #include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <GeomLib_IsPlanarSurface.hxx>
+#include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
 
@@ -59,6 +64,52 @@ glm::dvec3 normalAt(const NearestFace& nearest) {
     return normal.Magnitude() > 0.0 ? toVector(normal.Normalized().XYZ()) : glm::dvec3(0.0);
 }
 
+/// Keeps what is nearest to a place.
+class NearestCorner {
+public:
+    explicit NearestCorner(const gp_Pnt& place) : place_(place) {}
+    /// @param distance from the place to what stands for the corner
+    void offer(const gp_Pnt& corner, double distance) {
+        if (distance >= distance_) return;
+        distance_ = distance;
+        corner_ = corner;
+    }
+    void offer(const gp_Pnt& corner) { offer(corner, corner.Distance(place_)); }
+    bool found() const { return distance_ < std::numeric_limits<double>::infinity(); }
+    const gp_Pnt& corner() const { return corner_; }
+
+private:
+    gp_Pnt place_, corner_;
+    double distance_ = std::numeric_limits<double>::infinity();
+};
+
+/// The centre of a circle, by its rim: nobody points at the middle of a bore, where there is no face.
+void offerCentre(const TopoDS_Edge& edge, const BRepAdaptor_Curve& curve, const gp_Pnt& place, NearestCorner& nearest) {
+    const BRepExtrema_DistShapeShape rim(BRepBuilderAPI_MakeVertex(place), edge);
+    if (rim.IsDone() && rim.NbSolution() > 0) nearest.offer(curve.Circle().Location(), rim.Value());
+}
+
+/// A vertex of the face, the middle of one of its edges, or the centre of one that is circular.
+gp_Pnt cornerAt(const NearestFace& face, const gp_Pnt& place) {
+    NearestCorner nearest(place);
+    for (TopExp_Explorer each(face.face, TopAbs_EDGE); each.More(); each.Next()) {
+        const TopoDS_Edge edge = TopoDS::Edge(each.Current());
+        if (BRep_Tool::Degenerated(edge)) continue;
+        const BRepAdaptor_Curve curve(edge);
+        const bool circular = curve.GetType() == GeomAbs_Circle;
+        if (circular) offerCentre(edge, curve, place, nearest);
+        const double first = curve.FirstParameter(), last = curve.LastParameter();
+        const bool whole = curve.Value(first).Distance(curve.Value(last)) < Precision::Confusion();
+        if (circular && whole) continue; // where its seam lies says nothing to anybody
+        nearest.offer(curve.Value(first));
+        nearest.offer(curve.Value(last));
+        const double half = 0.5 * GCPnts_AbscissaPoint::Length(curve);
+        const GCPnts_AbscissaPoint middle(curve, half, first);
+        if (middle.IsDone()) nearest.offer(curve.Value(middle.Parameter()));
+    }
+    return nearest.found() ? nearest.corner() : face.foot;
+}
+
 } // namespace
 
 Result<PartFace> faceAt(const TopoDS_Shape& shape, const glm::dvec3& place) {
@@ -67,6 +118,7 @@ Result<PartFace> faceAt(const TopoDS_Shape& shape, const glm::dvec3& place) {
     PartFace found;
     found.place = toVector(nearest.foot.XYZ());
     found.direction = normalAt(nearest);
+    found.corner = toVector(cornerAt(nearest, toPoint(place)).XYZ());
     constexpr double flat = 1e-4; // mm: many files have planes as splines
     const BRepAdaptor_Surface surface(nearest.face);
     if (surface.GetType() == GeomAbs_Cylinder || surface.GetType() == GeomAbs_Cone) {

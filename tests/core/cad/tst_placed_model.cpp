@@ -135,6 +135,43 @@ private slots:
         QVERIFY(end && end->kind == PartFace::Kind::plane && std::abs(end->direction[along] - 1.0) < 1e-9);
     }
 
+    /// A hand that points near a vertex means that; in the middle of an edge, its middle.
+    void cornersOfACubeAreItsVerticesAndTheMiddlesOfItsEdges() {
+        const auto model = shared("cube.brep");
+        QVERIFY(model);
+        const Box box = model->box();
+        const double size = box.size().x;
+        for (const Placement& placement : {Placement{}, tilted}) {
+            const auto lying = placed(model, placement);
+            const auto corner = [&](const glm::dvec3& share) {
+                return faceAt(*lying, placement.point(box.low + share * size)).value().corner;
+            };
+            const auto at = [&](const glm::dvec3& share) { return placement.point(box.low + share * size); };
+            QVERIFY(glm::distance(corner({0.1, 0.05, 1.0}), at({0.0, 0.0, 1.0})) < 1e-9);
+            QVERIFY(glm::distance(corner({0.9, 0.9, 1.0}), at({1.0, 1.0, 1.0})) < 1e-9);
+            QVERIFY(glm::distance(corner({0.5, 0.1, 1.0}), at({0.5, 0.0, 1.0})) < 1e-9);
+            QVERIFY(glm::distance(corner({1.0, 0.45, 0.8}), at({1.0, 0.5, 1.0})) < 1e-9);
+        }
+    }
+
+    /// Nobody can point at the middle of a bore: its rim stands for it.
+    void theRimOfACircleMeansItsCentre() {
+        const auto model = shared("red-cube-blue-cylinder.step");
+        const auto cylinder = std::ranges::find_if(model->bodies, [](const Body& body) { return body.faceCount == 3; });
+        QVERIFY(cylinder != model->bodies.end());
+        const glm::dvec3 size = cylinder->box.size(), centre = cylinder->box.centre();
+        int along = 2;
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::abs(size[(axis + 1) % 3] - size[(axis + 2) % 3]) < 1e-3) along = axis;
+        glm::dvec3 above(0.0), beside(0.0);
+        above[along] = 0.5 * size[along];
+        beside[(along + 2) % 3] = 0.45 * size[(along + 2) % 3];
+        const Result<PartFace> end = faceAt(*model, centre + above + beside);
+        QVERIFY(end);
+        QVERIFY2(glm::distance(end->corner, centre + above) < 0.01, // the box follows the mesh
+                 qPrintable(QString::number(glm::distance(end->corner, centre + above))));
+    }
+
     /// Triangles are all that there is of a mesh file.
     void aMeshHasItsTriangles() {
         const auto model = shared("featuretype.stl");

@@ -185,6 +185,8 @@ Setup setup(int version) {
     if (version < 7) return result;
     result.placement = combined(turnedAbout({0.0, 1.0, 0.0}, 0.5, {1.0 / 3.0, 2.0, 3.0}), movedBy({0.0, -1e-9, 7.7}));
     result.leftBy = LeftBy{SetupId{2}, -1234567890123};
+    if (version < 8) return result;
+    result.zero = {592, ZeroReference::point, {BoxSide::low, BoxSide::high, BoxSide::middle}, {1.0 / 3.0, -1e-9, 7.7}};
     return result;
 }
 
@@ -199,8 +201,8 @@ bool identical(const Setup& one, const Setup& other) {
            one.stock.low == other.stock.low && one.stock.high == other.stock.high &&
            one.workOffset == other.workOffset && one.roles == other.roles && one.form == other.form &&
            one.stated == other.stated && one.cylinder == other.cylinder && one.freeCarving == other.freeCarving &&
-           one.regions == other.regions && one.runs == other.runs && one.placement == other.placement &&
-           sameOrigin(one, other) && sameVolume(one, other);
+           one.regions == other.regions && one.runs == other.runs && one.zero == other.zero &&
+           one.placement == other.placement && sameOrigin(one, other) && sameVolume(one, other);
 }
 
 std::vector<Property> materials() {

@@ -23,20 +23,27 @@ class TestEnvelope : public QObject {
     Q_OBJECT
 private slots:
     void programZeroStandsWhereItIsSaidTo() {
-        const Box travel = travelEnvelope(mill(), {true, glm::dvec3(100.0, 50.0, 200.0)}, zero).tips;
+        const Box travel = travelEnvelope(mill(), {true, glm::dvec3(100.0, 50.0, 200.0)}, zero, zero).tips;
         QCOMPARE(travel.low, glm::dvec3(-85.0, -57.0, -170.0));
         QCOMPARE(travel.high, travel.low + glm::dvec3(500.0, 400.0, 250.0));
     }
     /// In the middle, and no lower than the machine's promise of a free height above it asks for.
     void whereNothingIsSaidItStandsInTheMiddle() {
-        const Box travel = travelEnvelope(mill(), {}, zero).tips;
+        const Box travel = travelEnvelope(mill(), {}, zero, zero).tips;
         QCOMPARE(travel.centre().x, zero.x);
         QCOMPARE(travel.centre().y, zero.y);
         QCOMPARE(travel.high.z, zero.z + 60.0);
         QCOMPARE(travel.size(), glm::dvec3(500.0, 400.0, 250.0));
     }
+    /// A zero on another place of the stock, whether beside or below, does not move the stock on its table.
+    void aZeroOnACornerLeavesTheStockWhereItIs() {
+        const Box middle = travelEnvelope(mill(), {}, zero, zero).tips;
+        const Box corner = travelEnvelope(mill(), {}, zero - glm::dvec3(20.0, 30.0, 10.0), zero).tips;
+        QCOMPARE(corner.low, middle.low);
+        QCOMPARE(corner.high, middle.high);
+    }
     void switchedOffItLimitsNothing() {
-        const Envelope none = travelEnvelope(mill(), {false, glm::dvec3(0.0)}, zero);
+        const Envelope none = travelEnvelope(mill(), {false, glm::dvec3(0.0)}, zero, zero);
         QVERIFY(none.tips.empty() && none.tools.empty());
     }
 };

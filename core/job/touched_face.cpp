@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/touched_face.h"
+
+#include "core/geometry/frame_along.h"
+
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+constexpr double leastPush = 0.02;       // mm that the hand is beyond the tool: far more than the loop's rounding
+constexpr double leastAlignment = 0.999; // of a unit normal: 2.6 degrees, what a field of voxels makes of a plane
+
+} // namespace
+
+TouchedFace touchedFace(const Sample& sample, const Tool& tool, double allowance) {
+    const glm::dvec3 push = sample.proxy.tip - sample.stylusTip;
+    const double depth = glm::length(push);
+    if (!(depth > leastPush)) return {};
+    TouchedFace face;
+    face.outcome = TouchedFace::Outcome::aslant;
+    face.axis = nearestAxis(push);
+    const double along = push[face.axis] / depth;
+    const bool upright = sample.proxy.axis.z > leastAlignment;
+    if (!upright || std::abs(along) < leastAlignment || (face.axis == 2 && along < 0.0)) return face;
+    face.outcome = TouchedFace::Outcome::found;
+    face.place = sample.proxy.tip;
+    const double reach = (face.axis == 2 ? 0.0 : 0.5 * tool.cutter.diameter) + allowance;
+    face.place[face.axis] -= std::copysign(reach, along);
+    return face;
+}
+
+} // namespace burin

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/placement.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace burin {
+
+/// What program zero is placed on.
+enum class ZeroReference : std::uint8_t {
+    stock, ///< the box around the stock
+    part,  ///< the box around the bodies that nothing may cut
+    point  ///< a stated place: a vertex that was picked, or where a tool touched
+};
+inline constexpr std::array zeroReferences{ZeroReference::stock, ZeroReference::part, ZeroReference::point};
+/// Stable id, for files and the command line: "stock", "part", "point".
+std::string_view idOf(ZeroReference reference) noexcept;
+std::optional<ZeroReference> zeroReferenceFromId(std::string_view id) noexcept;
+
+/// Which place of a box along one axis.
+enum class BoxSide : std::uint8_t { low, middle, high };
+inline constexpr std::array boxSides{BoxSide::low, BoxSide::middle, BoxSide::high};
+/// Stable id: "low", "middle", "high".
+std::string_view idOf(BoxSide side) noexcept;
+std::optional<BoxSide> boxSideFromId(std::string_view id) noexcept;
+
+/// Corner, middle of an edge or face, or centre of a box, by its three sides.
+glm::dvec3 placeOn(const Box& box, const std::array<BoxSide, 3>& sides) noexcept;
+
+/// Where a setup's programs have their zero, and which work offset of the control holds it.
+struct ProgramZero {
+    int workOffset = 54; ///< as NcMotion::workOffset: 54 … 59, 591 … 593, 1000 + n
+    ZeroReference on = ZeroReference::stock;
+    std::array<BoxSide, 3> sides{BoxSide::middle, BoxSide::middle, BoxSide::high}; ///< of its box, along x, y, z
+    glm::dvec3 point{0.0};                                                         ///< mm, setup frame, of that kind
+
+    friend bool operator==(const ProgramZero&, const ProgramZero&) = default;
+};
+
+/// A point goes along with the part; a place on a box is found anew.
+ProgramZero moved(ProgramZero zero, const Placement& by);
+
+} // namespace burin

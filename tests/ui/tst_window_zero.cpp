@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+// Program zero and its work offset: by mouse and keys.
+#include "tests/ui/window_steps.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QtTest>
+
+using namespace burin;
+using namespace burin::testing;
+
+namespace {
+
+Workbench& workbenchOf(WindowDriver& driver) {
+    return driver.window().workbench();
+}
+
+const Setup& setupOf(WindowDriver& driver) {
+    return workbenchOf(driver).setup.setup();
+}
+
+bool near(const glm::dvec3& one, const glm::dvec3& other) {
+    return glm::distance(one, other) < 1e-6;
+}
+
+void clickAt(WindowDriver& driver, const glm::dvec3& place) {
+    Viewport& viewport = driver.window().viewport();
+    QTest::mouseClick(&viewport, Qt::LeftButton, {}, viewport.project(place).toPoint());
+}
+
+/// By the keyboard, as the list opens under software drawing at its own pace.
+bool choose(WindowDriver& driver, const char* name, const QString& text) {
+    auto* box = driver.visible<QComboBox>(name);
+    if (!box) return false;
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Home);
+    for (int i = 0; i < box->count() && box->currentText() != text; ++i) QTest::keyClick(box, Qt::Key_Down);
+    return box->currentText() == text;
+}
+
+} // namespace
+
+class TestWindowZero : public QObject {
+    Q_OBJECT
+private slots:
+    /// A block of 40 x 30 x 20 mm in a stock of 50 x 40 x 30: zero on a corner of the stock, then on the part.
+    void zeroIsChosenOnStockAndPart() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 1.0));
+        QVERIFY(driver.step(JobStep::stock));
+        const Box stock = setupOf(driver).stock, part = workbenchOf(driver).setup.part()->box();
+        QVERIFY(near(setupOf(driver).workOffset, {stock.centre().x, stock.centre().y, stock.high.z}));
+        QTest::qWait(300);
+        driver.shoot("zero-1-middle-of-the-top");
+        QVERIFY(choose(driver, "zeroSideX", "left"));
+        QVERIFY(choose(driver, "zeroSideY", "front"));
+        QTRY_VERIFY(near(setupOf(driver).workOffset, {stock.low.x, stock.low.y, stock.high.z}));
+        QVERIFY(choose(driver, "workOffset", "G55"));
+        QTest::qWait(300);
+        driver.shoot("zero-2-corner-of-the-stock");
+        QVERIFY(choose(driver, "zeroReference", "part"));
+        QTRY_VERIFY(near(setupOf(driver).workOffset, {part.low.x, part.low.y, part.high.z}));
+        // The workpiece stands, and what mills it knows of the new zero.
+        QVERIFY(driver.settle());
+        QVERIFY(workbenchOf(driver).workpiece.embedded());
+        QVERIFY(near(workbenchOf(driver).workpiece.milling()->setup.workOffset, setupOf(driver).workOffset));
+        QCOMPARE(workbenchOf(driver).workpiece.milling()->setup.zero.workOffset, 55);
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_VERIFY(near(setupOf(driver).workOffset, {stock.low.x, stock.low.y, stock.high.z}));
+        QCOMPARE(setupOf(driver).zero.workOffset, 55);
+    }
+
+    /// A click near a vertex of the part; Esc asks no more; a click beside the part means the stock.
+    void zeroIsPickedInTheView() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 1.0));
+        const Box part = workbenchOf(driver).setup.part()->box(), stock = setupOf(driver).stock;
+        const glm::dvec3 before = setupOf(driver).workOffset;
+        driver.window().viewport().setStandardView(StandardView::top);
+        QTest::qWait(500);
+        driver.key(Qt::Key_O, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_VERIFY(driver.visible("zeroPickNotice") != nullptr);
+        driver.shoot("zero-3-pick");
+        driver.key(Qt::Key_Escape);
+        QTRY_VERIFY(driver.visible("zeroPickNotice") == nullptr);
+        QVERIFY(near(setupOf(driver).workOffset, before));
+
+        driver.key(Qt::Key_O, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_VERIFY(driver.visible("zeroPickNotice") != nullptr);
+        const glm::dvec3 corner(part.high.x, part.high.y, part.high.z);
+        clickAt(driver, corner - glm::dvec3(1.0, 0.5, 0.0));
+        QTRY_VERIFY(near(setupOf(driver).workOffset, corner));
+        QTRY_VERIFY(driver.visible("zeroPickNotice") == nullptr);
+        QTest::qWait(300);
+        driver.shoot("zero-4-vertex-of-the-part");
+
+        QVERIFY(driver.clickOn("pickZeroButton"));
+        QTRY_VERIFY(driver.visible("zeroPickNotice") != nullptr);
+        clickAt(driver, stock.low + glm::dvec3(1.0, 1.0, stock.size().z));
+        QTRY_VERIFY(near(setupOf(driver).workOffset, {stock.low.x, stock.low.y, stock.high.z}));
+        QCOMPARE(setupOf(driver).zero.on, ZeroReference::stock);
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_VERIFY(near(setupOf(driver).workOffset, corner));
+    }
+
+    /// What was recorded stays: the program alone follows, and says so in its header.
+    void zeroMayChangeBehindARecording() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 1.0));
+        QVERIFY(recordLine(driver, {-15, 0}, {15, 0}));
+        QVERIFY(newPath(driver));
+        const double removed = removedSoFar(*workbenchOf(driver).workpiece.milling());
+        QVERIFY(driver.step(JobStep::stock));
+        QVERIFY(choose(driver, "workOffset", "G59.1"));
+        QVERIFY(choose(driver, "zeroSideZ", "bottom"));
+        QVERIFY(driver.settle());
+        QCOMPARE(removedSoFar(*workbenchOf(driver).workpiece.milling()), removed);
+        QVERIFY(postProgram(driver));
+        const std::string& text = workbenchOf(driver).program.program()->text;
+        QVERIFY2(text.find("\nG59.1 ") != std::string::npos, text.substr(0, 900).c_str());
+        QVERIFY(text.find("Work offset: G59.1") != std::string::npos);
+        driver.shoot("zero-5-program");
+        // It is what a restart finds.
+        QVERIFY(saveAs(driver, driver.folder().filePath("zero.burin")));
+        QVERIFY(driver.restart());
+        drop(driver.window(), driver.folder().filePath("zero.burin"));
+        QTRY_COMPARE(setupOf(driver).zero.workOffset, 591);
+        QVERIFY(std::abs(setupOf(driver).workOffset.z - setupOf(driver).stock.low.z) < 1e-9);
+    }
+
+    /// There is nothing to touch where the tool hangs free.
+    void aToolThatTouchesNothingSetsNoZero() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 1.0));
+        QVERIFY(driver.step(JobStep::mill));
+        driver.key(Qt::Key_M);
+        QTRY_VERIFY(workbenchOf(driver).session.running());
+        const glm::dvec3 before = setupOf(driver).workOffset;
+        QTRY_VERIFY(menuAction(driver, "touchZeroAction")->isEnabled());
+        menuAction(driver, "touchZeroAction")->trigger();
+        QTRY_VERIFY2(driver.message().contains("touches nothing"), qPrintable(driver.message()));
+        QVERIFY(near(setupOf(driver).workOffset, before));
+    }
+};
+
+QTEST_MAIN(TestWindowZero)
+#include "tst_window_zero.moc"

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/setup_states.h"
+#include "ui/theme/length_unit.h"
+
+#include <QWidget>
+
+namespace burin {
+
+/// Where the programs have their zero, and in which work offset of the control.
+class ZeroPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit ZeroPanel(QWidget* parent = nullptr);
+    void setUnit(LengthUnit unit);
+    void setState(const ZeroState& state); ///< never emits
+
+signals:
+    void zeroChosen(const burin::ProgramZero& zero);
+    void pickRequested(bool wanted); ///< a place in the view; false: no longer
+
+private:
+    class Fields;
+    Fields* fields_ = nullptr;
+};
+
+} // namespace burin

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/zero_presenter.h"
+
+#include "core/job/touched_face.h"
+#include "core/nc/work_offset.h"
+#include "ui/messages/messages.h"
+
+#include <utility>
+
+namespace burin {
+
+ZeroPresenter::ZeroPresenter(Workbench& workbench, Viewport& viewport, ZeroPanel& panel, QObject* parent)
+    : Presenter(workbench, {&workbench.setup, &workbench.model}, parent), viewport_(viewport), panel_(panel) {
+    connect(&panel, &ZeroPanel::zeroChosen, &workbench.setup, &SetupController::chooseZero);
+    connect(&panel, &ZeroPanel::pickRequested, this, &ZeroPresenter::pick);
+    connect(&picker_, &ZeroPicker::chosen, this, [this](std::size_t, const glm::dvec3& point) {
+        end();
+        examine(point, [this](const PartFace& face) { placeAt(face.corner); });
+    });
+    connect(&picker_, &ZeroPicker::stockChosen, this, &ZeroPresenter::placeOnStock);
+    connect(&picker_, &ZeroPicker::cancelled, this, [this] { pick(false); });
+}
+
+void ZeroPresenter::connectActions(const Actions& actions) {
+    connect(actions[ActionId::pickZero], &QAction::triggered, this, [this] { pick(true); });
+    connect(actions[ActionId::touchZero], &QAction::triggered, this, &ZeroPresenter::touch);
+}
+
+void ZeroPresenter::setUnit(LengthUnit unit) {
+    panel_.setUnit(unit);
+    Presenter::setUnit(unit);
+}
+
+void ZeroPresenter::setShown(JobStep step) {
+    step_ = step;
+    if (step != JobStep::stock) pick(false);
+    presentSoon();
+}
+
+void ZeroPresenter::present() {
+    const SetupController& setup = workbench_.setup;
+    const bool hasPart = setup.hasPart() && !workbench_.model.preview();
+    picker_.setModel(hasPart ? setup.part() : nullptr);
+    picker_.setStock(setup.setup().stock);
+    ZeroState state;
+    state.hasPart = hasPart;
+    state.zero = setup.setup().zero;
+    state.place = setup.setup().workOffset;
+    state.picking = picking_;
+    panel_.setState(state);
+    const bool marked = hasPart && !setup.problem() && step_ != JobStep::mill && step_ != JobStep::path;
+    viewport_.setZero(
+        marked ? std::optional(ZeroPlace{state.place, QString::fromStdString(workOffsetName(state.zero.workOffset))})
+               : std::nullopt);
+}
+
+void ZeroPresenter::pick(bool wanted) {
+    if (wanted == picking_ || (wanted && !workbench_.setup.usable())) return;
+    if (wanted) {
+        emit pickBegins();
+        before_ = viewport_.interactiveTool();
+        viewport_.setInteractiveTool(&picker_);
+    } else if (viewport_.interactiveTool() == &picker_) {
+        viewport_.setInteractiveTool(std::exchange(before_, nullptr));
+    }
+    picking_ = wanted;
+    presentSoon();
+}
+
+/// The press that answers is still under way: the picker stays until it is over.
+void ZeroPresenter::end() {
+    QMetaObject::invokeMethod(
+        this, [this] { pick(false); }, Qt::QueuedConnection);
+}
+
+void ZeroPresenter::placeOnStock(const std::array<BoxSide, 3>& sides) {
+    end();
+    ProgramZero zero = workbench_.setup.setup().zero;
+    zero.on = ZeroReference::stock;
+    zero.sides = sides;
+    workbench_.setup.chooseZero(zero);
+}
+
+void ZeroPresenter::placeAt(const glm::dvec3& point) {
+    ProgramZero zero = workbench_.setup.setup().zero;
+    zero.on = ZeroReference::point;
+    zero.point = point;
+    workbench_.setup.chooseZero(zero);
+}
+
+/// The import program looks at the face; the view may be used meanwhile.
+void ZeroPresenter::examine(const glm::dvec3& place, std::function<void(const PartFace&)> then) {
+    workbench_.tasks().start(
+        TaskKind::face, tr("Examining the face"),
+        [part = workbench_.setup.part(), place](Progress& progress) { return partFaceAt(*part, place, {}, progress); },
+        [this, part = workbench_.setup.part(), then = std::move(then)](const Result<PartFace>& face) {
+            if (face && part == workbench_.setup.part())
+                then(*face);
+            else if (!face && face.error().code != ErrorCode::cancelled)
+                emit workbench_.failed(face.error());
+        });
+}
+
+void ZeroPresenter::touch() {
+    const auto& milling = workbench_.workpiece.milling();
+    if (!milling || !workbench_.session.running()) return;
+    const TouchedFace touched =
+        touchedFace(workbench_.session.state().sample, milling->tool, workbench_.mill.allowance());
+    if (touched.outcome == TouchedFace::Outcome::nothing)
+        return emit refused(tr("The tool touches nothing. Hold it against a face of the part."));
+    if (touched.outcome == TouchedFace::Outcome::aslant)
+        return emit refused(tr("Zero can be touched with a vertical tool, on a face that is parallel to two axes."));
+    examine(touched.place, [this, touched](const PartFace& face) {
+        const int axis = touched.axis;
+        if (glm::distance(face.place, touched.place) > workbench_.setup.setup().voxel)
+            return emit refused(tr("The tool does not touch the part. Hold it against a face of the part."));
+        glm::dvec3 place = workbench_.setup.setup().workOffset;
+        place[axis] = face.place[axis]; // exactly, whatever the voxels made of the boundary
+        placeAt(place);
+    });
+}
+
+} // namespace burin

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cad/part_face.h"
+#include "ui/actions/actions.h"
+#include "ui/input/zero_picker.h"
+#include "ui/panels/job_states.h"
+#include "ui/panels/zero_panel.h"
+#include "ui/scene/viewport.h"
+#include "ui/window/presenter.h"
+
+namespace burin {
+
+/// Program zero: its panel, its mark in the view, and where it is placed by a click or by the tool.
+class ZeroPresenter final : public Presenter {
+    Q_OBJECT
+public:
+    ZeroPresenter(Workbench& workbench, Viewport& viewport, ZeroPanel& panel, QObject* parent);
+    void setUnit(LengthUnit unit) override;
+    void connectActions(const Actions& actions);
+    /// The mark is drawn but while something is milled; another step than the stock's ends the question.
+    void setShown(JobStep step);
+
+signals:
+    void pickBegins(); ///< its panel has to be shown
+    void refused(const QString& sentence);
+
+private:
+    void present() override;
+    void pick(bool wanted);
+    void end();
+    void placeOnStock(const std::array<BoxSide, 3>& sides);
+    void placeAt(const glm::dvec3& point);
+    void touch();
+    void examine(const glm::dvec3& place, std::function<void(const PartFace&)> then);
+
+    Viewport& viewport_;
+    ZeroPanel& panel_;
+    ZeroPicker picker_;
+    InteractiveTool* before_ = nullptr; ///< that the view had before the question
+    bool picking_ = false;
+    JobStep step_ = JobStep::part;
+};
+
+} // namespace burin
