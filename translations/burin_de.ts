@@ -1649,6 +1649,14 @@
         <source>setup sheet  %1</source>
         <translation>Einrichteblatt  %1</translation>
     </message>
+    <message>
+        <source>an ID that is free, or --replace for one of your own</source>
+        <translation>eine freie ID, oder --replace für eines Ihrer eigenen</translation>
+    </message>
+    <message>
+        <source>left out:</source>
+        <translation>ausgelassen:</translation>
+    </message>
 </context>
 <context>
     <name>Detail</name>
@@ -2797,16 +2805,96 @@
         <translation>*.fctb, *.tbl oder *.json</translation>
     </message>
     <message>
-        <source>one; several go into a table (*.tbl)</source>
-        <translation>eines; mehrere kommen in eine Tabelle (*.tbl)</translation>
-    </message>
-    <message>
         <source>The bit has no TipAngle; 118° is used.</source>
         <translation>Das Bit hat keinen TipAngle; es gilt 118°.</translation>
     </message>
     <message>
         <source>1 to 1000: it is the pocket, too</source>
         <translation>1 bis 1000: sie ist auch der Magazinplatz</translation>
+    </message>
+    <message>
+        <source>It has no number: T%1 was taken.</source>
+        <translation>Es hat keine Nummer: T%1 wurde genommen.</translation>
+    </message>
+    <message>
+        <source>It states no length of the flutes: that of %1 was taken.</source>
+        <translation>Die Länge der Schneiden fehlt: die von %1 wurde genommen.</translation>
+    </message>
+    <message>
+        <source>It states no length below the holder: the stick-out of %1 was taken.</source>
+        <translation>Die Länge unter dem Halter fehlt: die Auskragung von %1 wurde genommen.</translation>
+    </message>
+    <message>
+        <source>Its shaft has steps; the widest was taken for all of the shank.</source>
+        <translation>Sein Schaft ist gestuft; die breiteste Stufe gilt für den ganzen Schaft.</translation>
+    </message>
+    <message>
+        <source>It has no holder: that of %1 was taken.</source>
+        <translation>Es hat keinen Halter: der von %1 wurde genommen.</translation>
+    </message>
+    <message>
+        <source>Presets of feeds and speeds were left out.</source>
+        <translation>Voreinstellungen für Vorschub und Drehzahl wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Expressions were left out; the numbers beside them were read.</source>
+        <translation>Ausdrücke wurden ausgelassen; die Zahlen daneben wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>%1: its form is none that Burin has.</source>
+        <translation>%1: seine Form kennt Burin nicht.</translation>
+    </message>
+    <message>
+        <source>%1: its form is none that Fusion has.</source>
+        <translation>%1: seine Form kennt Fusion nicht.</translation>
+    </message>
+    <message>
+        <source>%1: its form is none that CAMotics has.</source>
+        <translation>%1: seine Form kennt CAMotics nicht.</translation>
+    </message>
+    <message>
+        <source>%1: it has no diameter.</source>
+        <translation>%1: der Durchmesser fehlt.</translation>
+    </message>
+    <message>
+        <source>%1: its bit is not beside the library.</source>
+        <translation>%1: das Werkzeug liegt nicht bei der Bibliothek.</translation>
+    </message>
+    <message>
+        <source>%1: CAMotics has its cone alone, not the cylinder above it.</source>
+        <translation>%1: CAMotics hat nur seinen Kegel, nicht den Zylinder darüber.</translation>
+    </message>
+    <message>
+        <source>Limits, strength and sources of values have no place in it and were left out.</source>
+        <translation>Grenzen, Festigkeit und Quellen der Werte haben darin keinen Platz und wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Flutes, shank, holder and limits have no place in it and were left out.</source>
+        <translation>Schneidenzahl, Schaft, Halter und Grenzen haben darin keinen Platz und wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Flutes, stick-out, holder and limits are those of %1; the shank is as wide as the cutter: enter your own.</source>
+        <translation>Schneidenzahl, Auskragung, Halter und Grenzen sind die von %1; der Schaft ist so breit wie die Schneide: Geben Sie Ihre eigenen ein.</translation>
+    </message>
+    <message>
+        <source>The table has its number, diameter and name alone. All else is that of %1, its shank as wide as the cutter: enter your own.</source>
+        <translation>Die Tabelle hat nur Nummer, Durchmesser und Name. Alles andere ist das von %1, der Schaft so breit wie die Schneide: Geben Sie Ihre eigenen Werte ein.</translation>
+    </message>
+    <message>
+        <source>one; several go into *.tbl, *.tools or *.ctbl</source>
+        <translation>eines; mehrere gehen in *.tbl, *.tools oder *.ctbl</translation>
+    </message>
+    <message>
+        <source>another library (%1)</source>
+        <translation>eine andere Bibliothek (%1)</translation>
+    </message>
+    <message>
+        <source>the archive can&apos;t be unpacked</source>
+        <translation>das Archiv lässt sich nicht entpacken</translation>
+    </message>
+    <message>
+        <source>a number that no other tool has</source>
+        <translation>eine Nummer, die kein anderes Werkzeug hat</translation>
     </message>
 </context>
 <context>
@@ -3826,16 +3914,8 @@
         <translation>Werkzeug hinzufügen</translation>
     </message>
     <message>
-        <source>Tools (*.json *.fctb);;All files (*)</source>
-        <translation>Werkzeuge (*.json *.fctb);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Export tools</source>
         <translation>Werkzeuge exportieren</translation>
-    </message>
-    <message>
-        <source>FreeCAD tool bits, LinuxCNC tool tables, tools (*.fctb *.tbl *.json)</source>
-        <translation>Werkzeug-Bits von FreeCAD, Werkzeugtabellen von LinuxCNC, Werkzeuge (*.fctb *.tbl *.json)</translation>
     </message>
     <message>
         <source>Export the setup sheet</source>
@@ -3844,6 +3924,14 @@
     <message>
         <source>Web pages (*.html)</source>
         <translation>Webseiten (*.html)</translation>
+    </message>
+    <message>
+        <source>Tools (*.json *.tools *.fctb *.fctl *.ctbl *.tbl);;All files (*)</source>
+        <translation>Werkzeuge (*.json *.tools *.fctb *.fctl *.ctbl *.tbl);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Tools for other programs (*.fctb *.tbl *.tools *.ctbl *.json)</source>
+        <translation>Werkzeuge für andere Programme (*.fctb *.tbl *.tools *.ctbl *.json)</translation>
     </message>
 </context>
 <context>
@@ -4968,10 +5056,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Löscht eines Ihrer eigenen Werkzeuge</translation>
     </message>
     <message>
-        <source>Write tools for other programs: a LinuxCNC tool table (*.tbl), a FreeCAD tool bit (*.fctb), or Burin&apos;s own form (*.json)</source>
-        <translation>Werkzeuge für andere Programme schreiben: eine Werkzeugtabelle für LinuxCNC (*.tbl), ein Werkzeug-Bit für FreeCAD (*.fctb) oder Burins eigene Form (*.json)</translation>
-    </message>
-    <message>
         <source>Tools (default: all)</source>
         <translation>Werkzeuge (ohne: alle)</translation>
     </message>
@@ -5078,6 +5162,34 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Units of the page: mm or inch (default: the program&apos;s)</source>
         <translation>Einheit der Seite: mm oder inch (Vorgabe: die des Programms)</translation>
+    </message>
+    <message>
+        <source>Add tools of another program to your own: a Fusion library (*.tools, *.json), a FreeCAD library or bit (*.fctl, *.fctb), a CAMotics table (*.ctbl), a LinuxCNC table (*.tbl). What can&apos;t be held is listed</source>
+        <translation>Werkzeuge eines anderen Programms zu Ihren eigenen hinzufügen: eine Fusion-Bibliothek (*.tools, *.json), eine FreeCAD-Bibliothek oder ein Werkzeug daraus (*.fctl, *.fctb), eine CAMotics-Tabelle (*.ctbl), eine LinuxCNC-Tabelle (*.tbl). Was nicht übernommen werden kann, wird aufgezählt</translation>
+    </message>
+    <message>
+        <source>File to read</source>
+        <translation>Zu lesende Datei</translation>
+    </message>
+    <message>
+        <source>Tool that lends what the file does not say: holder, stick-out, limits; of a LinuxCNC table the form</source>
+        <translation>Werkzeug, von dem kommt, was die Datei nicht sagt: Halter, Auskragung, Grenzen; bei einer LinuxCNC-Tabelle die Form</translation>
+    </message>
+    <message>
+        <source>Unit of a LinuxCNC table, which states none</source>
+        <translation>Einheit einer LinuxCNC-Tabelle, die keine nennt</translation>
+    </message>
+    <message>
+        <source>Replace your own tools of these IDs</source>
+        <translation>Ihre eigenen Werkzeuge mit diesen IDs ersetzen</translation>
+    </message>
+    <message>
+        <source>List what would be added; keep nothing</source>
+        <translation>Aufzählen, was hinzukäme; nichts behalten</translation>
+    </message>
+    <message>
+        <source>Write tools for other programs: a LinuxCNC tool table (*.tbl), a Fusion library (*.tools), a CAMotics table (*.ctbl), a FreeCAD tool bit (*.fctb), or Burin&apos;s own form (*.json)</source>
+        <translation>Werkzeuge für andere Programme schreiben: eine Werkzeugtabelle für LinuxCNC (*.tbl), eine Fusion-Bibliothek (*.tools), eine CAMotics-Tabelle (*.ctbl), ein Werkzeug für FreeCAD (*.fctb) oder Burins eigene Form (*.json)</translation>
     </message>
 </context>
 <context>
@@ -11738,6 +11850,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>deleting a tool</source>
         <translation>Löschen eines Werkzeugs</translation>
     </message>
+    <message>
+        <source>import of tools</source>
+        <translation>Import von Werkzeugen</translation>
+    </message>
 </context>
 <context>
     <name>burin::ToolDialog</name>
@@ -11812,6 +11928,17 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>A recording is running; end it first.</source>
         <translation>Eine Aufzeichnung läuft; beenden Sie sie zuerst.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tools were added.</source>
+        <translation>
+            <numerusform>%n Werkzeug wurde hinzugefügt.</numerusform>
+            <numerusform>%n Werkzeuge wurden hinzugefügt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Check stick-out, holder and limits of each: files of other programs may not state them.</source>
+        <translation>Prüfen Sie bei jedem Auskragung, Halter und Grenzen: Dateien anderer Programme nennen sie oft nicht.</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include "app/wording.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
+#include "core/base/resource_folder.h"
 #include "core/base/units.h"
 #include "core/job/tool_shape.h"
 #include "core/tool/tool_exchange.h"
@@ -12,6 +13,8 @@
 #include "core/tool/tool_ranges.h"
 
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace burin {
 
@@ -90,13 +93,87 @@ int copyTool(const LibraryArguments& arguments, CommandContext& context) {
     const Result<Tool> tool = loadTool(arguments.id);
     if (!tool) return context.fail(tool.error());
     const std::string& name = arguments.name.empty() ? arguments.newId : arguments.name;
-    return keepTool(copyOf(*tool, arguments.newId, name), arguments.replace, context);
+    Tool copy = copyOf(*tool, arguments.newId, name);
+    std::vector<Tool> tools;
+    for (const std::string& id : toolIds())
+        if (Result<Tool> each = loadTool(id); each && id != arguments.newId) tools.push_back(std::move(*each));
+    copy.number = freeToolNumber(tools);
+    return keepTool(copy, arguments.replace, context);
 }
 
 int deleteTool(const LibraryArguments& arguments, CommandContext& context) {
     if (const Result<void> removed = removeTool(arguments.id); !removed) return context.fail(removed.error());
     context.answer({{"removed", arguments.id}}, worded(BURIN_TEXT("Command", "%1: removed"), {arguments.id}));
     return 0;
+}
+
+struct ImportArguments {
+    std::string file, like = usualTool, units = "mm";
+    bool replace = false, dryRun = false;
+};
+
+/// What Burin is shipped with stays: who has its id gets a number behind it.
+void keepClearOfShipped(ReadTools& read) {
+    for (ReadTool& tool : read.tools) {
+        const std::string id = tool.tool.id;
+        const auto taken = [&](const ReadTool& other) { return &other != &tool && other.tool.id == tool.tool.id; };
+        for (int number = 2; isShippedTool(tool.tool.id) || std::ranges::any_of(read.tools, taken); ++number)
+            tool.tool.id = id + "-" + std::to_string(number);
+    }
+}
+
+/// None is kept where one of them can't be. Errors: argumentInvalid.
+Result<void> mayBeKept(const ReadTools& read, bool replace) {
+    for (const ReadTool& tool : read.tools)
+        if (isOfUser(toolResource, tool.tool.id) && !replace)
+            return Error{ErrorCode::argumentInvalid, "tool", tool.tool.id,
+                         worded(BURIN_TEXT("Command", "an ID that is free, or --replace for one of your own"))};
+    return {};
+}
+
+int importTools(const ImportArguments& arguments, CommandContext& context) {
+    const Result<Tool> like = loadTool(arguments.like);
+    if (!like) return context.fail(like.error());
+    Result<ReadTools> read = toolsFromFile(arguments.file, *like, arguments.units == "inch" ? millimetresPerInch : 1.0);
+    if (!read) return context.fail(read.error());
+    keepClearOfShipped(*read);
+    if (const Result<void> free = mayBeKept(*read, arguments.replace); !free) return context.fail(free.error());
+    json tools = json::array();
+    std::string text;
+    for (const ReadTool& tool : read->tools) {
+        if (!arguments.dryRun)
+            if (const auto file = saveTool(tool.tool, arguments.replace); !file) return context.fail(file.error());
+        json brief = briefOf(tool.tool);
+        brief["notes"] = tool.notes;
+        tools.push_back(std::move(brief));
+        text += (text.empty() ? "" : "\n") + tool.tool.id + ": T" + std::to_string(tool.tool.number) + ", " +
+                formatShortest(tool.tool.cutter.diameter) + " mm" + linesOf(tool.notes);
+    }
+    context.answer({{"tools", tools}, {"left_out", read->leftOut}},
+                   text + (read->leftOut.empty()
+                               ? std::string()
+                               : "\n" + worded(BURIN_TEXT("Command", "left out:")) + linesOf(read->leftOut)));
+    return 0;
+}
+
+void registerToolImport(CommandParser tools, CommandContext& context, int& status) {
+    auto arguments = std::make_shared<ImportArguments>();
+    const CommandParser imports = tools.command(
+        "import", BURIN_TEXT("Help", "Add tools of another program to your own: a Fusion library (*.tools, *.json), a "
+                                     "FreeCAD library or bit (*.fctl, *.fctb), a CAMotics table (*.ctbl), a LinuxCNC "
+                                     "table (*.tbl). What can't be held is listed"));
+    imports.passOn();
+    imports.positional(BURIN_TEXT("Argument", "FILE"), arguments->file, BURIN_TEXT("Help", "File to read")).required();
+    imports
+        .option("--like", arguments->like,
+                BURIN_TEXT("Help", "Tool that lends what the file does not say: holder, stick-out, limits; of a "
+                                   "LinuxCNC table the form"))
+        .showDefault();
+    imports.option("--units", arguments->units, BURIN_TEXT("Help", "Unit of a LinuxCNC table, which states none"))
+        .choices({"mm", "inch"});
+    imports.flag("--replace", arguments->replace, BURIN_TEXT("Help", "Replace your own tools of these IDs"));
+    imports.flag("--dry-run", arguments->dryRun, BURIN_TEXT("Help", "List what would be added; keep nothing"));
+    imports.run([arguments, &context, &status] { status = importTools(*arguments, context); });
 }
 
 struct ExportArguments {
@@ -125,8 +202,9 @@ int exportTools(const ExportArguments& arguments, CommandContext& context) {
 void registerExport(CommandParser tools, CommandContext& context, int& status) {
     auto arguments = std::make_shared<ExportArguments>();
     const CommandParser exports = tools.command(
-        "export", BURIN_TEXT("Help", "Write tools for other programs: a LinuxCNC tool table (*.tbl), a FreeCAD tool "
-                                     "bit (*.fctb), or Burin's own form (*.json)"));
+        "export", BURIN_TEXT("Help", "Write tools for other programs: a LinuxCNC tool table (*.tbl), a Fusion "
+                                     "library (*.tools), a CAMotics table (*.ctbl), a FreeCAD tool bit (*.fctb), or "
+                                     "Burin's own form (*.json)"));
     exports.passOn();
     exports.positional(BURIN_TEXT("Argument", "ID"), arguments->ids, BURIN_TEXT("Help", "Tools (default: all)"));
     exports.option("-o,--output", arguments->file, BURIN_TEXT("Help", "File to write")).required();
@@ -229,6 +307,7 @@ void registerTools(CommandParser program, CommandContext& context, int& status) 
          BURIN_TEXT("Help", "Delete one of your own tools"), BURIN_TEXT("Help", "Replace your tool of this ID"),
          BURIN_TEXT("Help", "Tool"), &listTools, &showTool, &addTool, &copyTool, &deleteTool});
     registerShape(tools, context, status);
+    registerToolImport(tools, context, status);
     registerExport(tools, context, status);
 }
 

@@ -2,22 +2,149 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tool/tool_exchange.h"
 
+#include "core/base/file.h"
+#include "core/base/resource_folder.h"
+#include "core/base/zip_archive.h"
+#include "core/tool/foreign_tool.h"
+
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <set>
 
 namespace burin {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t mostUnpacked = 256U << 20U; // bytes of JSON: far beyond any library
+
+/// The same name twice gets a number.
+void makeIdsUnique(ReadTools& read) {
+    std::set<std::string> ids;
+    for (ReadTool& tool : read.tools) {
+        const std::string id = tool.tool.id;
+        for (int number = 2; !ids.insert(tool.tool.id).second; ++number)
+            tool.tool.id = id + "-" + std::to_string(number);
+    }
+}
+
+Result<ReadTools> checked(Result<ReadTools> read) {
+    if (!read) return read;
+    makeIdsUnique(*read);
+    if (!read->tools.empty()) return read;
+    const std::string why = read->leftOut.empty() ? std::string("it holds none") : read->leftOut.front();
+    return Error{ErrorCode::notSupported, "any of its tools", "another library (" + why + ")", ""};
+}
+
+Result<ReadTools> one(Result<ReadTool> tool) {
+    if (!tool) return std::move(tool).error();
+    ReadTools read;
+    read.tools.push_back(std::move(*tool));
+    return read;
+}
+
+bool isFreecadLibrary(const json& file) {
+    if (!file.is_object() || !file.contains("tools") || !file["tools"].is_array()) return false;
+    return std::ranges::all_of(file["tools"], [](const json& entry) {
+        return entry.is_object() && entry.contains("path") && entry["path"].is_string();
+    });
+}
+
+/// Where FreeCAD looks for a bit, but for its own store.
+std::vector<std::filesystem::path> placesOf(const std::filesystem::path& library, const std::string& bit) {
+    const std::filesystem::path folder = library.parent_path(), name = std::filesystem::path(bit).filename();
+    return {folder / name, folder / "Bit" / name, folder.parent_path() / "Bit" / name};
+}
+
+Result<ReadTools> readFreecadLibrary(const json& library, const std::filesystem::path& file, const Tool& like) {
+    ReadTools read;
+    for (const json& entry : library["tools"]) {
+        const std::string bit = entry["path"].get<std::string>();
+        std::error_code unreached;
+        const auto places = placesOf(file, bit);
+        const auto place =
+            std::ranges::find_if(places, [&](const auto& at) { return std::filesystem::exists(at, unreached); });
+        if (place == places.end()) {
+            read.leftOut.push_back(bit + ": its bit is not beside the library.");
+            continue;
+        }
+        const Result<std::string> text = readFile(*place);
+        Result<ReadTool> tool = text ? toolFromText(*text, place->string(), like) : Result<ReadTool>(text.error());
+        if (!tool) {
+            read.leftOut.push_back(bit + ": " + tool.error().place + " " + tool.error().detail + ".");
+            continue;
+        }
+        if (const auto number = entry.find("nr"); number != entry.end() && number->is_number_integer())
+            tool->tool.number = numberOf(*number);
+        if (Result<Tool> sound = toolFromJson(toJson(tool->tool), bit); !sound) {
+            read.leftOut.push_back(bit + ": " + sound.error().place + " " + sound.error().detail + ".");
+            continue;
+        }
+        read.tools.push_back(std::move(*tool));
+    }
+    return read;
+}
+
+Result<WrittenTools> oneTool(const std::string& suffix, const std::string& id, const std::vector<Tool>& tools) {
+    const auto tool = std::ranges::find(tools, id, &Tool::id);
+    if (tool == tools.end())
+        return Error{ErrorCode::argumentInvalid, "tools", id, "one; several go into *.tbl, *.tools or *.ctbl"};
+    if (suffix == ".fctb") return freecadBit(*tool);
+    return WrittenTools{toJson(*tool), {}};
+}
+
+} // namespace
+
+Result<ReadTool> soundTool(ReadTool read, const std::string& origin, const Tool& like) {
+    Tool& tool = read.tool;
+    tool.id = resourceIdFrom(tool.name);
+    if (tool.id.empty()) tool.id = "tool-" + std::to_string(tool.number);
+    tool.maximumDepthOfCut =
+        std::min(tool.cutter.fluteLength, std::max(tool.maximumDepthOfCut, like.maximumDepthOfCut));
+    if (Result<Tool> sound = toolFromJson(toJson(tool), origin); !sound) return sound.error();
+    return read;
+}
+
+int numberOf(const json& value) {
+    constexpr std::int64_t most = 1'000'000'000;
+    return static_cast<int>(std::clamp(value.get<std::int64_t>(), -most, most));
+}
+
+Result<ReadTools> toolsFromText(std::string_view content, const std::string& origin, const Tool& like, double unit) {
+    std::optional<std::string> unpacked;
+    if (content.starts_with("PK\x03\x04")) {
+        unpacked = unzippedFile(content, ".json", mostUnpacked);
+        if (!unpacked) return Error{ErrorCode::fileDamaged, origin, {}, "the archive can't be unpacked"};
+        content = *unpacked;
+    }
+    const json file = json::parse(content, nullptr, false);
+    if (file.is_object() && file.contains("data") && file["data"].is_array())
+        return checked(readFusion(file, origin, like));
+    if (isCamoticsTable(file)) return checked(readCamotics(file, origin, like));
+    if (file.is_object() && file.contains("tools") && isCamoticsTable(file["tools"]))
+        return checked(readCamotics(file["tools"], origin, like));
+    if (file.is_discarded() && isLinuxcncTable(content)) return checked(readLinuxcnc(content, origin, like, unit));
+    return one(toolFromText(content, origin, like));
+}
+
+Result<ReadTools> toolsFromFile(const std::filesystem::path& file, const Tool& like, double unit) {
+    const Result<std::string> text = readFile(file);
+    if (!text) return text.error();
+    const json library = json::parse(*text, nullptr, false);
+    if (isFreecadLibrary(library)) return checked(readFreecadLibrary(library, file, like));
+    return toolsFromText(*text, file.string(), like, unit);
+}
 
 Result<WrittenTools> toolsFor(const std::string& file, const std::string& id, const std::vector<Tool>& tools,
                               double unit) {
     const std::string suffix = std::filesystem::path(file).extension().string();
     if (suffix == ".tbl") return linuxcncTable(tools, unit);
-    if (suffix != ".fctb" && suffix != ".json")
-        return Error{ErrorCode::argumentInvalid, "name of the file", file, "*.fctb, *.tbl or *.json"};
-    const auto tool = std::ranges::find(tools, id, &Tool::id);
-    if (tool == tools.end())
-        return Error{ErrorCode::argumentInvalid, "tools", id, "one; several go into a table (*.tbl)"};
-    if (suffix == ".fctb") return freecadBit(*tool);
-    return WrittenTools{toJson(*tool), {}};
+    if (suffix == ".tools") return fusionLibrary(tools);
+    if (suffix == ".ctbl") return camoticsTable(tools);
+    if (suffix == ".fctb" || suffix == ".json") return oneTool(suffix, id, tools);
+    return Error{ErrorCode::argumentInvalid, "name of the file", file, "*.fctb, *.tbl, *.tools, *.ctbl or *.json"};
 }
 
 } // namespace burin

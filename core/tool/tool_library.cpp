@@ -4,6 +4,8 @@
 
 #include "core/base/resource_folder.h"
 
+#include <algorithm>
+
 namespace burin {
 
 Tool copyOf(const Tool& tool, const std::string& id, const std::string& name) {
@@ -12,6 +14,12 @@ Tool copyOf(const Tool& tool, const std::string& id, const std::string& name) {
     copy.name = name;
     copy.source = "copy of " + tool.id + ": " + tool.source;
     return copy;
+}
+
+int freeToolNumber(const std::vector<Tool>& tools) {
+    int number = 1;
+    while (std::ranges::find(tools, number, &Tool::number) != tools.end()) ++number;
+    return number;
 }
 
 bool isShippedTool(std::string_view id) {

@@ -13,6 +13,9 @@ namespace burin {
 /// The same tool under another id and name; its source says what it was copied from.
 Tool copyOf(const Tool& tool, const std::string& id, const std::string& name);
 
+/// The lowest T number that none of them has: two tools of one number can't be in one program.
+int freeToolNumber(const std::vector<Tool>& tools);
+
 /// The tool in force under this id is the one that Burin is shipped with: it can be copied, but neither changed nor
 /// deleted.
 bool isShippedTool(std::string_view id);

@@ -74,6 +74,10 @@ private slots:
         for (const QJsonValue& each : list["tools"].toArray())
             if (each.toObject()["own"].toBool()) own << each.toObject()["id"].toString();
         QVERIFY(own.contains("my-ball") && !own.contains("ball-6"));
+        // Two tools of one number can't be in one program.
+        QMap<int, int> numbers;
+        for (const QJsonValue& each : list["tools"].toArray()) ++numbers[each.toObject()["number"].toInt()];
+        QCOMPARE(numbers[answer({"tools", "show", "my-ball"})["number"].toInt()], 1);
         const QString file = write("again.json", runBurin({"tools", "show", "my-ball"}).output);
         QCOMPARE(runBurin({"tools", "remove", "my-ball"}).status, 0);
         QCOMPARE(runBurin({"tools", "add", file}).status, 0);
@@ -156,6 +160,42 @@ private slots:
             QCOMPARE(after["cutter"].toObject()[key], before["cutter"].toObject()[key]);
     }
 
+    /// A library of another program: all that can be held, each with what was lent; the rest is listed.
+    void aFusionLibraryIsImportedWholeOrNotAtAll() {
+        const QString library = QStringLiteral(BURIN_FIXTURES "/tools/fusion.tools");
+        const auto own = [this] {
+            QStringList ids;
+            for (const QJsonValue& each : answer({"tools", "list"})["tools"].toArray())
+                if (each["own"].toBool()) ids << each["id"].toString();
+            return ids;
+        };
+        const QStringList before = own();
+        const QJsonObject tried = answer({"tools", "import", library, "--dry-run"});
+        QCOMPARE(tried["tools"].toArray().size(), 6);
+        QCOMPARE(tried["left_out"].toArray().size(), 3);
+        QCOMPARE(own(), before);
+        (void)answer({"tools", "import", library, "--like", "ball-6"});
+        QCOMPARE(own().size(), before.size() + 6);
+        const QJsonObject ball = answer({"tools", "show", "ball-3-mm-long"});
+        QCOMPARE(ball["number"].toInt(), 7);
+        QCOMPARE(ball["cutter"].toObject()["diameter_mm"].toDouble(), 3.0);
+        // What Burin is shipped with stays beside one of its id.
+        QVERIFY(own().contains("bull-10-r2-2") && !own().contains("bull-10-r2"));
+        // One that is there already stops all of them.
+        QCOMPARE(runBurin({"tools", "remove", "taper-3-deg"}).status, 0);
+        const ProgramRun again = runBurin({"tools", "import", library});
+        QVERIFY(again.status == 2 && again.messages.contains("--replace") && again.messages.count('\n') == 1);
+        QVERIFY(!own().contains("taper-3-deg"));
+        (void)answer({"tools", "import", library, "--replace"});
+        QVERIFY(own().contains("taper-3-deg"));
+        // And out again, for who has that program.
+        const QString packed = folder_.filePath("own.tools");
+        (void)answer(QStringList{"tools", "export"} + own() + QStringList{"-o", packed});
+        QVERIFY(QFileInfo(packed).size() > 100);
+        for (const QString& id : own())
+            if (!before.contains(id)) QCOMPARE(runBurin({"tools", "remove", id}).status, 0);
+    }
+
     void badInputIsRefusedInOneSentence_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("words");
@@ -188,6 +228,10 @@ private slots:
         QTest::newRow("two in one bit") << QStringList{"tools",  "export", "flat-6",
                                                        "ball-6", "-o",     folder_.filePath("x.fctb")}
                                         << "*.tbl";
+        QTest::newRow("no archive") << QStringList{"tools", "import", write("broken.tools", "PK\x03\x04 no")}
+                                    << "broken";
+        QTest::newRow("an empty library")
+            << QStringList{"tools", "import", write("empty.json", R"({"data": []})")} << "holds none";
         QTest::newRow("another ending") << QStringList{"tools", "export", "flat-6", "-o", folder_.filePath("x.txt")}
                                         << "x.txt";
         QTest::newRow("a shipped one stays") << QStringList{"tools", "remove", "ball-6"} << "ball-6";

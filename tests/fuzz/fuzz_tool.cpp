@@ -21,21 +21,24 @@ burin::Tool lender() {
     return tool;
 }
 
-} // namespace
-
-/// A tool that was read, from Burin's own form or a bit of FreeCAD, has a sound outline, is written and read again: the
-/// same text both times.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-    const std::string_view text(reinterpret_cast<const char*>(bytes), count);
-    const auto read = burin::toolFromText(text, "fuzz", lender());
-    if (!read) return 0;
-    const burin::Tool* const tool = &read->tool;
-    for (const burin::RevolvedPiece& piece : burin::pieces(tool->cutter))
+void judge(const burin::Tool& tool) {
+    for (const burin::RevolvedPiece& piece : burin::pieces(tool.cutter))
         if (!(piece.bottom < piece.top && piece.bottomRadius >= 0.0 && piece.topRadius >= 0.0) ||
             !std::isfinite(piece.top + piece.widestRadius()))
             std::abort();
-    const std::string written = burin::toJson(*tool);
+    const std::string written = burin::toJson(tool);
     const auto again = burin::toolFromJson(written, "fuzz");
     if (!again || burin::toJson(*again) != written) std::abort();
+}
+
+} // namespace
+
+/// A tool that was read, from Burin's own form or a library of another program, has a sound outline, is written and
+/// read again: the same text both times.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes), count);
+    const auto read = burin::toolsFromText(text, "fuzz", lender(), 1.0);
+    if (!read) return 0;
+    for (const burin::ReadTool& each : read->tools) judge(each.tool);
     return 0;
 }

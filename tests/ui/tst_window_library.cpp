@@ -314,6 +314,33 @@ private slots:
         QVERIFY(!toolIn(workbench.tool.library(), "ball-end-mill-6-mm"));
     }
 
+    /// All tools of a library of Fusion at once, and all gone again with one undo.
+    void aLibraryOfAnotherProgramIsAdded() {
+        WindowDriver driver(QSize(1280, 800));
+        Workbench& workbench = driver.window().workbench();
+        QVERIFY(open(driver));
+        const std::size_t before = workbench.tool.library().size();
+        QString told;
+        driver.whenDialogStands([&](QWidget& dialog) {
+            const Closing closing(dialog);
+            chooseFile(driver, QStringLiteral(BURIN_FIXTURES "/tools/fusion.tools"));
+            click(dialog, "addToolButton");
+            driver.shoot("library-18-fusion");
+            told = dialog.findChild<Notice*>("toolNotice")->sentence();
+            click(dialog, "closeToolsButton");
+        });
+        driver.window().setFocus();
+        driver.key(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY2(told.contains("6 tools") && told.contains("Dovetail 12"), qPrintable(told));
+        QCOMPARE(workbench.tool.library().size(), before + 6);
+        const Tool* const ball = toolIn(workbench.tool.library(), "ball-3-mm-long");
+        QVERIFY(ball && ball->number == 7 && ball->cutter.diameter == 3.0);
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(workbench.tool.library().size(), before);
+        driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(workbench.tool.library().size(), before + 6);
+    }
+
     /// Pythagoras is the oracle: a bar of 6 × 8 mm sweeps a cylinder of 10 mm.
     void aToolIsMadeOfAModel() {
         WindowDriver driver(QSize(1280, 800));

@@ -82,7 +82,7 @@ QString askStockToRead(QWidget* parent, const QString& folder) {
 
 QString askToolToAdd(QWidget* parent, const QString& folder) {
     return askToOpen(parent, FileDialogs::tr("Add a tool"), folder,
-                     FileDialogs::tr("Tools (*.json *.fctb);;All files (*)"));
+                     FileDialogs::tr("Tools (*.json *.tools *.fctb *.fctl *.ctbl *.tbl);;All files (*)"));
 }
 
 QString askToolModel(QWidget* parent, const QString& folder, const QString& title) {
@@ -121,7 +121,7 @@ QString askProgramToExport(QWidget* parent, const QString& folder, const QString
 
 QString askToolExport(QWidget* parent, const QString& folder, const QString& name) {
     return askToSave(parent, FileDialogs::tr("Export tools"), folder, name, QStringLiteral("fctb"),
-                     FileDialogs::tr("FreeCAD tool bits, LinuxCNC tool tables, tools (*.fctb *.tbl *.json)"));
+                     FileDialogs::tr("Tools for other programs (*.fctb *.tbl *.tools *.ctbl *.json)"));
 }
 
 QString askSheetToExport(QWidget* parent, const QString& folder, const QString& name) {

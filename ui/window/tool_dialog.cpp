@@ -124,15 +124,25 @@ QString ToolDialog::askFile() {
     return askToolToAdd(this, QDir::homePath());
 }
 
+/// One is kept under its own id, or refused where there is one; several get ids that are free.
 Result<LibraryDialog::Incoming> ToolDialog::read(const std::string& file) {
-    const Result<std::string> text = readFile(file);
-    if (!text) return text.error();
     const Tool* like = tool(shownId());
-    const Result<ReadTool> read = toolFromText(*text, file, like == nullptr ? Tool{} : *like);
+    const Result<ReadTools> read = toolsFromFile(file, like == nullptr ? Tool{} : *like, 1.0);
     if (!read) return read.error();
     QStringList notes;
-    for (const std::string& note : read->notes) notes << detailText(note);
-    return Incoming{read->tool.id, [this, tool = read->tool] { tools_.keepTool(tool); }, notes.join(QLatin1Char(' '))};
+    if (read->tools.size() == 1) {
+        const ReadTool& one = read->tools.front();
+        for (const std::string& note : one.notes) notes << detailText(note);
+        for (const std::string& out : read->leftOut) notes << detailText(out);
+        return Incoming{one.tool.id, [this, tool = one.tool] { tools_.keepTool(tool); }, notes.join(QLatin1Char(' '))};
+    }
+    std::vector<Tool> tools;
+    for (const ReadTool& each : read->tools) tools.push_back(each.tool);
+    notes << tr("%n tools were added.", nullptr, static_cast<int>(tools.size()))
+          << tr("Check stick-out, holder and limits of each: files of other programs may not state them.");
+    for (const std::string& out : read->leftOut) notes << detailText(out);
+    return Incoming{tools_.freeId(QString::fromStdString(tools.front().id)), [this, tools] { tools_.keepTools(tools); },
+                    notes.join(QLatin1Char(' '))};
 }
 
 void ToolDialog::exportTools() {

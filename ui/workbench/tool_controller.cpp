@@ -114,12 +114,26 @@ bool ToolController::milledWith(const std::string& id) const {
 
 std::string ToolController::copyTool(const Tool& tool, const QString& name) {
     const std::string id = burin::freeId(tools_, tool.id + "-copy");
-    push(tr("copy of a tool"), {id, copyOf(tool, id, name.toStdString())}, current().id);
+    Tool copy = copyOf(tool, id, name.toStdString());
+    copy.number = freeToolNumber(tools_);
+    push(tr("copy of a tool"), {id, copy}, current().id);
     return id;
 }
 
 void ToolController::keepTool(const Tool& tool) {
     push(tr("values of a tool"), {tool.id, tool}, current().id);
+}
+
+std::string ToolController::keepTools(std::vector<Tool> tools) {
+    std::string first;
+    desk_.undo.beginMacro(tr("import of tools"));
+    for (Tool& tool : tools) {
+        tool.id = burin::freeId(tools_, tool.id);
+        keepTool(tool);
+        if (first.empty()) first = tool.id;
+    }
+    desk_.undo.endMacro();
+    return first;
 }
 
 void ToolController::deleteTool(const std::string& id) {

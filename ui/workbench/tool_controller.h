@@ -39,7 +39,9 @@ public:
     // Entries of the undo stack.
     /// @return its id: that of the original with "-copy" and, where needed, a number
     std::string copyTool(const Tool& tool, const QString& name);
-    void keepTool(const Tool& tool);        ///< one of the user's own, new or changed
+    void keepTool(const Tool& tool); ///< one of the user's own, new or changed
+    /// New ones, as one entry of the undo stack; an id that there is gets a number behind it. @return the first one's
+    std::string keepTools(std::vector<Tool> tools);
     void deleteTool(const std::string& id); ///< one of the user's own
     /// Takes were milled with them: the project keeps them as they were. @param ids may have one several times
     void setMilledWith(std::vector<std::string> ids) { milledWith_ = std::move(ids); }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/numbers.h"
+#include "core/base/zip_archive.h"
 #include "core/cad/import_notes.h"
 #include "core/cad/reader/file_format.h"
 #include "core/cad/reader/file_text.h"
@@ -19,6 +20,8 @@
 namespace burin {
 
 namespace {
+
+constexpr std::size_t mostUnpacked = std::size_t{1} << 40; // the import program's own limit of memory comes first
 
 /// Errors: fileDamaged (place: the byte).
 Result<void> parse(std::string_view text, pugi::xml_document& xml) {
@@ -84,7 +87,7 @@ FormatMatch matchFormat(ThreeMfFormat, std::string_view content) {
 }
 
 Result<Model> readFormat(ThreeMfFormat, ModelSource& source) {
-    const std::optional<std::string> xml = unzippedFile(source.content, ".model");
+    const std::optional<std::string> xml = unzippedFile(source.content, ".model", mostUnpacked);
     if (!xml) return Error{ErrorCode::fileDamaged, {}, "the archive can't be unpacked", {}};
     pugi::xml_document document;
     if (Result<void> parsed = parse(*xml, document); !parsed) return std::move(parsed).error();
@@ -108,7 +111,7 @@ FormatMatch matchFormat(AmfFormat, std::string_view content) {
 Result<Model> readFormat(AmfFormat, ModelSource& source) {
     std::string content = source.content;
     if (isArchiveWith(source.content, ".amf")) {
-        std::optional<std::string> xml = unzippedFile(source.content, ".amf");
+        std::optional<std::string> xml = unzippedFile(source.content, ".amf", mostUnpacked);
         if (!xml) return Error{ErrorCode::fileDamaged, {}, "the archive can't be unpacked", {}};
         content = std::move(*xml);
     }

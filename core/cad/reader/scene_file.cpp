@@ -8,10 +8,8 @@
 #include <assimp/mesh.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <zip.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -117,57 +115,6 @@ bool isFinite(const TriangleMesh& mesh) {
     });
 }
 
-std::string lowered(std::string_view text) {
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
-    return lower;
-}
-
-/// A ZIP archive in memory, read only.
-class ZipArchive {
-public:
-    explicit ZipArchive(std::string_view content) {
-        zip_error_t error;
-        zip_error_init(&error);
-        zip_source_t* source = zip_source_buffer_create(content.data(), content.size(), 0, &error);
-        if (source != nullptr) archive_ = zip_open_from_source(source, ZIP_RDONLY, &error);
-        if (archive_ == nullptr && source != nullptr) zip_source_free(source);
-        zip_error_fini(&error);
-    }
-    ~ZipArchive() {
-        if (archive_ != nullptr) zip_discard(archive_);
-    }
-    ZipArchive(const ZipArchive&) = delete;
-    ZipArchive& operator=(const ZipArchive&) = delete;
-
-    bool isOpen() const noexcept { return archive_ != nullptr; }
-
-    std::optional<zip_uint64_t> find(std::string_view ending) const {
-        const zip_int64_t count = archive_ != nullptr ? zip_get_num_entries(archive_, 0) : 0;
-        for (zip_int64_t i = 0; i < count; ++i) {
-            const char* name = zip_get_name(archive_, static_cast<zip_uint64_t>(i), 0);
-            if (name != nullptr && lowered(name).ends_with(ending)) return static_cast<zip_uint64_t>(i);
-        }
-        return std::nullopt;
-    }
-
-    /// As far as it can be unpacked; a bomb ends at the import program's limit of memory.
-    std::optional<std::string> read(zip_uint64_t entry) const {
-        zip_file_t* file = zip_fopen_index(archive_, entry, 0);
-        if (file == nullptr) return std::nullopt;
-        std::string content;
-        std::array<char, 65536> part;
-        zip_int64_t count = 0;
-        while ((count = zip_fread(file, part.data(), part.size())) > 0)
-            content.append(part.data(), static_cast<std::size_t>(count));
-        zip_fclose(file);
-        return count < 0 ? std::nullopt : std::optional(std::move(content));
-    }
-
-private:
-    zip_t* archive_ = nullptr;
-};
-
 } // namespace
 
 Result<std::vector<MeshSolid>> readScene(std::string_view content, const char* format) {
@@ -182,19 +129,6 @@ Result<std::vector<MeshSolid>> readScene(std::string_view content, const char* f
     for (const MeshSolid& solid : gatherer.solids)
         if (!isFinite(solid.mesh)) return Error{ErrorCode::fileDamaged, {}, {}, "a coordinate that is no number"};
     return std::move(gatherer.solids);
-}
-
-std::optional<std::string> unzippedFile(std::string_view archive, std::string_view ending) {
-    const ZipArchive zip(archive);
-    const std::optional<zip_uint64_t> entry = zip.find(ending);
-    return entry ? zip.read(*entry) : std::nullopt;
-}
-
-bool isArchiveWith(std::string_view content, std::string_view ending) {
-    if (!content.starts_with("PK\x03\x04")) return false;
-    const ZipArchive zip(content);
-    if (zip.isOpen()) return zip.find(ending).has_value();
-    return lowered(content.substr(0, 65536)).find(ending) != std::string::npos; // its end is missing
 }
 
 } // namespace burin

@@ -5,8 +5,6 @@
 #include "core/base/result.h"
 #include "core/cad/reader/mesh_model.h"
 
-#include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,11 +15,5 @@ namespace burin {
 /// opened. Errors, with an empty subject: fileDamaged (detail: in assimp's words).
 /// @param format suffix that assimp knows the format by
 Result<std::vector<MeshSolid>> readScene(std::string_view content, const char* format);
-
-/// A file of a ZIP archive whose name ends so, whatever its letters' case; nothing: the archive has none, or is
-/// damaged.
-std::optional<std::string> unzippedFile(std::string_view archive, std::string_view ending);
-/// Whether the content is a ZIP archive that names such a file.
-bool isArchiveWith(std::string_view content, std::string_view ending);
 
 } // namespace burin
