@@ -179,7 +179,12 @@ void Scene::setMarks(const ToolMarks& marks, bool flashLit) {
 
 void Scene::setPressMark(const std::optional<PressMark>& mark) {
     touch_.set(mark);
-    part_.setGhost(mark.has_value());
+    part_.setGhost(partSeen_ || mark.has_value());
+}
+
+void Scene::setPartSeen(bool seen) {
+    partSeen_ = seen;
+    part_.setGhost(seen || touch_.visible());
 }
 
 void Scene::setObstacles(std::vector<ObstacleMark> marks) {

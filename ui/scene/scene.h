@@ -70,6 +70,8 @@ public:
     void setMarks(const ToolMarks& marks, bool flashLit);
     /// With it the part is seen through the stock.
     void setPressMark(const std::optional<PressMark>& mark);
+    /// The part is seen through the stock, mark or not.
+    void setPartSeen(bool seen);
     void setObstacles(std::vector<ObstacleMark> marks);
     void setZero(const std::optional<ZeroPlace>& zero) { zero_.set(zero); }
     void setGuides(const GuideMarks& marks) { guides_.set(marks); }
@@ -135,6 +137,7 @@ private:
     std::optional<bool> partWish_;
     VolumeSnapshot shown_;
     std::uint64_t workpieceDrawn_ = 0; ///< which volume the part is drawn behind
+    bool partSeen_ = false;            ///< asked for, through the stock
     bool seenThrough_ = false;         ///< the workpiece is transparent
     bool workpieceVisible_ = true, toolVisible_ = true;
     ToolMarks toolMarks_;

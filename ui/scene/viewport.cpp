@@ -193,6 +193,11 @@ void Viewport::setPressMark(const std::optional<PressMark>& mark) {
     impl_->refresh();
 }
 
+void Viewport::setPartSeen(bool seen) {
+    impl_->scene.setPartSeen(seen);
+    impl_->refresh();
+}
+
 void Viewport::setZero(const std::optional<ZeroPlace>& zero) {
     if (zero == impl_->zero) return;
     impl_->zero = zero;

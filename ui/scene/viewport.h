@@ -105,6 +105,7 @@ public:
     void setPressMark(const std::optional<PressMark>& mark);
     /// Fixtures and keep-out volumes; may come with every tick, too.
     void setObstacles(const std::vector<ObstacleMark>& obstacles);
+    void setPartSeen(bool seen);                        ///< through the stock, where something of it is to be picked
     void setZero(const std::optional<ZeroPlace>& zero); ///< nothing: none is drawn
     /// The guides of the hand; may come with every tick, as only what changed is made anew. Curves outlive their show.
     void setGuides(const GuideMarks& guides);

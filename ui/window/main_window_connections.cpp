@@ -80,7 +80,10 @@ void MainWindow::connectActions() {
     connect(&presenters_->setups, &SetupsPresenter::pickBegins, this, [this] { showStep(JobStep::part); });
     connect(&presenters_->setups, &SetupsPresenter::refused, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
-    connect(&presenters_->zero, &ZeroPresenter::pickBegins, this, [this] { showStep(JobStep::stock); });
+    connect(&presenters_->zero, &ZeroPresenter::pickBegins, this, [this] {
+        showStep(JobStep::stock);
+        panels_->showPanel(panels_->zero);
+    });
     connect(&presenters_->zero, &ZeroPresenter::refused, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
     connect(&presenters_->mill, &MillPresenter::takeRemovalRequested, this, &MainWindow::removeTake);

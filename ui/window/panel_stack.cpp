@@ -80,6 +80,10 @@ PanelStack::PanelStack(QWidget* parent)
     meters->hide();
 }
 
+void PanelStack::showPanel(QWidget* panel) {
+    if (auto* area = qobject_cast<QScrollArea*>(stack_->currentWidget())) area->ensureWidgetVisible(panel);
+}
+
 void PanelStack::showStep(JobStep step) {
     stack_->setCurrentIndex(static_cast<int>(step));
 }

@@ -35,6 +35,7 @@ class PanelStack final : public QFrame {
 public:
     explicit PanelStack(QWidget* parent = nullptr);
     void showStep(JobStep step);
+    void showPanel(QWidget* panel); ///< of the step that is shown: scrolls to it
 
     PartPanel* part;
     SetupPanel* setup; ///< below the part

@@ -65,6 +65,7 @@ void ZeroPresenter::pick(bool wanted) {
         viewport_.setInteractiveTool(std::exchange(before_, nullptr));
     }
     picking_ = wanted;
+    viewport_.setPartSeen(wanted);
     presentSoon();
 }
 
