@@ -620,10 +620,6 @@
         <translation>Klicken Sie auf einen Eckpunkt, eine Kante oder einen Kreis des Teils oder auf eine Ecke des Rohteils.</translation>
     </message>
     <message>
-        <source>&amp;Touch program zero</source>
-        <translation>Nullpunkt an&amp;tasten</translation>
-    </message>
-    <message>
         <source>The face of the part that the tool touches becomes zero along its axis, as with an edge finder.</source>
         <translation>Die Fläche des Teils, die das Werkzeug berührt, wird Null auf ihrer Achse, wie mit einem Kantentaster.</translation>
     </message>
@@ -634,6 +630,10 @@
     <message>
         <source>Write a page for the machine: pictures, zero, fixtures, tools, times, findings.</source>
         <translation>Eine Seite für die Maschine schreiben: Bilder, Nullpunkt, Spannmittel, Werkzeuge, Zeiten, Befunde.</translation>
+    </message>
+    <message>
+        <source>&amp;Touch off program zero</source>
+        <translation>Nullpunkt an&amp;tasten</translation>
     </message>
 </context>
 <context>
@@ -2813,74 +2813,6 @@
         <translation>1 bis 1000: sie ist auch der Magazinplatz</translation>
     </message>
     <message>
-        <source>It has no number: T%1 was taken.</source>
-        <translation>Es hat keine Nummer: T%1 wurde genommen.</translation>
-    </message>
-    <message>
-        <source>It states no length of the flutes: that of %1 was taken.</source>
-        <translation>Die Länge der Schneiden fehlt: die von %1 wurde genommen.</translation>
-    </message>
-    <message>
-        <source>It states no length below the holder: the stick-out of %1 was taken.</source>
-        <translation>Die Länge unter dem Halter fehlt: die Auskragung von %1 wurde genommen.</translation>
-    </message>
-    <message>
-        <source>Its shaft has steps; the widest was taken for all of the shank.</source>
-        <translation>Sein Schaft ist gestuft; die breiteste Stufe gilt für den ganzen Schaft.</translation>
-    </message>
-    <message>
-        <source>It has no holder: that of %1 was taken.</source>
-        <translation>Es hat keinen Halter: der von %1 wurde genommen.</translation>
-    </message>
-    <message>
-        <source>Presets of feeds and speeds were left out.</source>
-        <translation>Voreinstellungen für Vorschub und Drehzahl wurden ausgelassen.</translation>
-    </message>
-    <message>
-        <source>Expressions were left out; the numbers beside them were read.</source>
-        <translation>Ausdrücke wurden ausgelassen; die Zahlen daneben wurden gelesen.</translation>
-    </message>
-    <message>
-        <source>%1: its form is none that Burin has.</source>
-        <translation>%1: seine Form kennt Burin nicht.</translation>
-    </message>
-    <message>
-        <source>%1: its form is none that Fusion has.</source>
-        <translation>%1: seine Form kennt Fusion nicht.</translation>
-    </message>
-    <message>
-        <source>%1: its form is none that CAMotics has.</source>
-        <translation>%1: seine Form kennt CAMotics nicht.</translation>
-    </message>
-    <message>
-        <source>%1: it has no diameter.</source>
-        <translation>%1: der Durchmesser fehlt.</translation>
-    </message>
-    <message>
-        <source>%1: its bit is not beside the library.</source>
-        <translation>%1: das Werkzeug liegt nicht bei der Bibliothek.</translation>
-    </message>
-    <message>
-        <source>%1: CAMotics has its cone alone, not the cylinder above it.</source>
-        <translation>%1: CAMotics hat nur seinen Kegel, nicht den Zylinder darüber.</translation>
-    </message>
-    <message>
-        <source>Limits, strength and sources of values have no place in it and were left out.</source>
-        <translation>Grenzen, Festigkeit und Quellen der Werte haben darin keinen Platz und wurden ausgelassen.</translation>
-    </message>
-    <message>
-        <source>Flutes, shank, holder and limits have no place in it and were left out.</source>
-        <translation>Schneidenzahl, Schaft, Halter und Grenzen haben darin keinen Platz und wurden ausgelassen.</translation>
-    </message>
-    <message>
-        <source>Flutes, stick-out, holder and limits are those of %1; the shank is as wide as the cutter: enter your own.</source>
-        <translation>Schneidenzahl, Auskragung, Halter und Grenzen sind die von %1; der Schaft ist so breit wie die Schneide: Geben Sie Ihre eigenen ein.</translation>
-    </message>
-    <message>
-        <source>The table has its number, diameter and name alone. All else is that of %1, its shank as wide as the cutter: enter your own.</source>
-        <translation>Die Tabelle hat nur Nummer, Durchmesser und Name. Alles andere ist das von %1, der Schaft so breit wie die Schneide: Geben Sie Ihre eigenen Werte ein.</translation>
-    </message>
-    <message>
         <source>one; several go into *.tbl, *.tools or *.ctbl</source>
         <translation>eines; mehrere gehen in *.tbl, *.tools oder *.ctbl</translation>
     </message>
@@ -2895,6 +2827,78 @@
     <message>
         <source>a number that no other tool has</source>
         <translation>eine Nummer, die kein anderes Werkzeug hat</translation>
+    </message>
+    <message>
+        <source>No tool number: T%1 is used.</source>
+        <translation>Keine Werkzeugnummer: T%1 gilt.</translation>
+    </message>
+    <message>
+        <source>No flute length: the one of %1 is used.</source>
+        <translation>Keine Schneidenlänge: die von %1 gilt.</translation>
+    </message>
+    <message>
+        <source>No length below the holder: the stick-out of %1 is used.</source>
+        <translation>Keine Länge unter dem Halter: die Auskragung von %1 gilt.</translation>
+    </message>
+    <message>
+        <source>The shaft has steps: its largest diameter is used for the whole shank.</source>
+        <translation>Der Schaft ist gestuft: sein größter Durchmesser gilt für den ganzen Schaft.</translation>
+    </message>
+    <message>
+        <source>No holder: the one of %1 is used.</source>
+        <translation>Kein Halter: der von %1 gilt.</translation>
+    </message>
+    <message>
+        <source>Limits and strength are those of %1: enter your own.</source>
+        <translation>Grenzen und Festigkeit sind die von %1: Geben Sie Ihre eigenen ein.</translation>
+    </message>
+    <message>
+        <source>Feed and speed presets were not imported.</source>
+        <translation>Voreinstellungen für Vorschub und Drehzahl wurden nicht übernommen.</translation>
+    </message>
+    <message>
+        <source>Expressions were not imported, only the numbers.</source>
+        <translation>Ausdrücke wurden nicht übernommen, nur die Zahlen.</translation>
+    </message>
+    <message>
+        <source>%1: Burin does not support this shape.</source>
+        <translation>%1: Diese Form unterstützt Burin nicht.</translation>
+    </message>
+    <message>
+        <source>%1: Fusion does not support this shape.</source>
+        <translation>%1: Diese Form unterstützt Fusion nicht.</translation>
+    </message>
+    <message>
+        <source>%1: CAMotics does not support this shape.</source>
+        <translation>%1: Diese Form unterstützt CAMotics nicht.</translation>
+    </message>
+    <message>
+        <source>%1: the diameter is missing.</source>
+        <translation>%1: Der Durchmesser fehlt.</translation>
+    </message>
+    <message>
+        <source>%1: the tool bit was not found next to the library.</source>
+        <translation>%1: Das Werkzeug wurde neben der Bibliothek nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>%1: CAMotics stores only the cone, not the cylinder above it.</source>
+        <translation>%1: CAMotics speichert nur den Kegel, nicht den Zylinder darüber.</translation>
+    </message>
+    <message>
+        <source>Limits, strength and sources of values can&apos;t be stored in this format.</source>
+        <translation>Grenzen, Festigkeit und Quellen der Werte lassen sich in diesem Format nicht speichern.</translation>
+    </message>
+    <message>
+        <source>Flutes, shank, holder and limits can&apos;t be stored in this format.</source>
+        <translation>Schneidenzahl, Schaft, Halter und Grenzen lassen sich in diesem Format nicht speichern.</translation>
+    </message>
+    <message>
+        <source>Number of flutes, stick-out, holder and limits are those of %1, and the shank is as wide as the cutter: enter your own.</source>
+        <translation>Schneidenzahl, Auskragung, Halter und Grenzen sind die von %1, und der Schaft ist so breit wie die Schneide: Geben Sie Ihre eigenen Werte ein.</translation>
+    </message>
+    <message>
+        <source>The table gives only number, diameter and name. Everything else is that of %1, and the shank is as wide as the cutter: enter your own.</source>
+        <translation>Die Tabelle enthält nur Nummer, Durchmesser und Name. Alles andere ist das von %1, und der Schaft ist so breit wie die Schneide: Geben Sie Ihre eigenen Werte ein.</translation>
     </message>
 </context>
 <context>
@@ -10766,6 +10770,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>program zero</source>
         <translation>Nullpunkt</translation>
     </message>
+    <message>
+        <source>Examining the face</source>
+        <translation>Die Fläche wird untersucht</translation>
+    </message>
 </context>
 <context>
     <name>burin::SetupPanel</name>
@@ -10940,10 +10948,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Aufspannung %1</translation>
     </message>
     <message>
-        <source>Examining the face</source>
-        <translation>Fläche wird untersucht</translation>
-    </message>
-    <message>
         <source>This face is curved and has no direction. Click a plane, a cylinder or a cone.</source>
         <translation>Diese Fläche ist gekrümmt und hat keine Richtung. Klicken Sie auf eine Ebene, einen Zylinder oder einen Kegel.</translation>
     </message>
@@ -10998,50 +11002,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Von vorn</translation>
     </message>
     <message>
-        <source>at a stated place</source>
-        <translation>an angegebenen Koordinaten</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>links</translation>
-    </message>
-    <message>
-        <source>middle</source>
-        <translation>Mitte</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <source>front</source>
-        <translation>vorn</translation>
-    </message>
-    <message>
-        <source>back</source>
-        <translation>hinten</translation>
-    </message>
-    <message>
-        <source>bottom</source>
-        <translation>unten</translation>
-    </message>
-    <message>
-        <source>top</source>
-        <translation>oben</translation>
-    </message>
-    <message>
-        <source>on the stock</source>
-        <translation>am Rohteil</translation>
-    </message>
-    <message>
-        <source>on the part</source>
-        <translation>am Teil</translation>
-    </message>
-    <message>
-        <source>%1: X %2, Y %3, Z %4</source>
-        <translation>%1: X %2, Y %3, Z %4</translation>
-    </message>
-    <message>
         <source>Machine and zero</source>
         <translation>Maschine und Nullpunkt</translation>
     </message>
@@ -11064,14 +11024,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Program zero</source>
         <translation>Nullpunkt des Programms</translation>
-    </message>
-    <message>
-        <source>Zero from the left, front and bottom of the stock</source>
-        <translation>Null von links, vorn und unten am Rohteil</translation>
-    </message>
-    <message>
-        <source>Zero from the right, back and top of the stock</source>
-        <translation>Null von rechts, hinten und oben am Rohteil</translation>
     </message>
     <message>
         <source>Tool axis</source>
@@ -11222,10 +11174,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>nicht bestanden</translation>
     </message>
     <message>
-        <source>Deepest gouge</source>
-        <translation>Tiefste Konturverletzung</translation>
-    </message>
-    <message>
         <source>%1 (tolerance %2)</source>
         <translation>%1 (Toleranz %2)</translation>
     </message>
@@ -11272,6 +11220,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>stick-out %1</source>
         <translation>Auskragung %1</translation>
+    </message>
+    <message>
+        <source>Maximum gouge</source>
+        <translation>Größte Konturverletzung</translation>
+    </message>
+    <message>
+        <source>From zero to the stock: left, front, bottom</source>
+        <translation>Von Null zum Rohteil: links, vorn, unten</translation>
+    </message>
+    <message>
+        <source>From zero to the stock: right, back, top</source>
+        <translation>Von Null zum Rohteil: rechts, hinten, oben</translation>
     </message>
 </context>
 <context>
@@ -11937,8 +11897,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         </translation>
     </message>
     <message>
-        <source>Check stick-out, holder and limits of each: files of other programs may not state them.</source>
-        <translation>Prüfen Sie bei jedem Auskragung, Halter und Grenzen: Dateien anderer Programme nennen sie oft nicht.</translation>
+        <source>Check the stick-out, holder and limits of each tool; other programs may not store them.</source>
+        <translation>Prüfen Sie Auskragung, Halter und Grenzen jedes Werkzeugs; andere Programme speichern sie oft nicht.</translation>
     </message>
 </context>
 <context>
@@ -12633,34 +12593,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::ZeroPanel</name>
     <message>
-        <source>left</source>
-        <translation>links</translation>
-    </message>
-    <message>
-        <source>middle</source>
-        <translation>Mitte</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <source>front</source>
-        <translation>vorn</translation>
-    </message>
-    <message>
-        <source>back</source>
-        <translation>hinten</translation>
-    </message>
-    <message>
-        <source>bottom</source>
-        <translation>unten</translation>
-    </message>
-    <message>
-        <source>top</source>
-        <translation>oben</translation>
-    </message>
-    <message>
         <source>Program zero</source>
         <translation>Nullpunkt des Programms</translation>
     </message>
@@ -12689,14 +12621,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Null am</translation>
     </message>
     <message>
-        <source>On a place of the bounding box of stock or part, or at coordinates</source>
-        <translation>An einer Stelle des umschließenden Quaders von Rohteil oder Teil oder an Koordinaten</translation>
-    </message>
-    <message>
-        <source>Which place of the bounding box along %1</source>
-        <translation>Welche Stelle des umschließenden Quaders auf %1</translation>
-    </message>
-    <message>
         <source>Program zero in the frame of the setup</source>
         <translation>Nullpunkt im Koordinatensystem der Aufspannung</translation>
     </message>
@@ -12712,31 +12636,78 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Click a vertex, an edge or a circle of the part, or a corner of the stock.</source>
         <translation>Klicken Sie auf einen Eckpunkt, eine Kante oder einen Kreis des Teils oder auf eine Ecke des Rohteils.</translation>
     </message>
+    <message>
+        <source>A point of the bounding box of the stock or the part, or coordinates</source>
+        <translation>Ein Punkt des umschließenden Quaders von Rohteil oder Teil, oder Koordinaten</translation>
+    </message>
+    <message>
+        <source>Position on the bounding box along %1</source>
+        <translation>Lage am umschließenden Quader auf %1</translation>
+    </message>
 </context>
 <context>
     <name>burin::ZeroPicker</name>
     <message>
-        <source>Esc: leave program zero where it is</source>
-        <translation>Esc: den Nullpunkt lassen, wo er ist</translation>
+        <source>Esc: cancel picking program zero</source>
+        <translation>Esc: Anklicken des Nullpunkts abbrechen</translation>
     </message>
 </context>
 <context>
     <name>burin::ZeroPresenter</name>
     <message>
-        <source>Examining the face</source>
-        <translation>Die Fläche wird untersucht</translation>
-    </message>
-    <message>
         <source>The tool touches nothing. Hold it against a face of the part.</source>
         <translation>Das Werkzeug berührt nichts. Halten Sie es an eine Fläche des Teils.</translation>
     </message>
     <message>
-        <source>Zero can be touched with a vertical tool, on a face that is parallel to two axes.</source>
-        <translation>Antasten geht mit senkrechtem Werkzeug, an einer Fläche, die zu zwei Achsen parallel ist.</translation>
-    </message>
-    <message>
         <source>The tool does not touch the part. Hold it against a face of the part.</source>
         <translation>Das Werkzeug berührt das Teil nicht. Halten Sie es an eine Fläche des Teils.</translation>
+    </message>
+    <message>
+        <source>Touching off needs a vertical tool and a face that is parallel to two axes.</source>
+        <translation>Antasten braucht ein senkrechtes Werkzeug und eine Fläche, die zu zwei Achsen parallel ist.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ZeroWords</name>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>at stated coordinates</source>
+        <translation>an angegebenen Koordinaten</translation>
+    </message>
+    <message>
+        <source>on the stock: X %1, Y %2, Z %3</source>
+        <translation>am Rohteil: X %1, Y %2, Z %3</translation>
+    </message>
+    <message>
+        <source>on the part: X %1, Y %2, Z %3</source>
+        <translation>am Teil: X %1, Y %2, Z %3</translation>
     </message>
 </context>
 </TS>

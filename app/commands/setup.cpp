@@ -121,7 +121,7 @@ Result<void> change(ProjectChange& project, Around& around, const SetupArguments
         around.travel = *travel;
     }
     if (Result<void> done = changeTarget(around.target, arguments); !done) return done;
-    if (!arguments.around.travel.empty())
+    if (!arguments.around.travel.empty() || !arguments.machine.empty())
         if (Result<void> reached = checkTravel(around); !reached) return reached;
     return inOrder([&] { return changeZero(*project, arguments.zero, progress); },
                    [&] { return project->setObstacles(around.obstacles); },

@@ -15,6 +15,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace burin {
 
@@ -114,12 +116,11 @@ struct ImportArguments {
 
 /// What Burin is shipped with stays: who has its id gets a number behind it.
 void keepClearOfShipped(ReadTools& read) {
-    for (ReadTool& tool : read.tools) {
-        const std::string id = tool.tool.id;
-        const auto taken = [&](const ReadTool& other) { return &other != &tool && other.tool.id == tool.tool.id; };
-        for (int number = 2; isShippedTool(tool.tool.id) || std::ranges::any_of(read.tools, taken); ++number)
-            tool.tool.id = id + "-" + std::to_string(number);
-    }
+    for (ReadTool& tool : read.tools)
+        tool.tool.id = freeResourceId(tool.tool.id, [&](const std::string& id) {
+            const auto has = [&](const ReadTool& other) { return &other != &tool && other.tool.id == id; };
+            return isShippedTool(id) || std::ranges::any_of(read.tools, has);
+        });
 }
 
 /// None is kept where one of them can't be. Errors: argumentInvalid.
@@ -131,6 +132,26 @@ Result<void> mayBeKept(const ReadTools& read, bool replace) {
     return {};
 }
 
+/// As many as there were before, where the file of one of them can't be written. Errors: those of saveTool.
+Result<void> keepAll(const ReadTools& read) {
+    std::vector<std::pair<std::string, std::optional<Tool>>> before;
+    for (const ReadTool& tool : read.tools) {
+        Result<Tool> own = isOfUser(toolResource, tool.tool.id) ? loadTool(tool.tool.id) : Result<Tool>(Error{});
+        const auto saved = saveTool(tool.tool, true);
+        if (saved) {
+            before.emplace_back(tool.tool.id, own ? std::optional(std::move(*own)) : std::nullopt);
+            continue;
+        }
+        for (const auto& [id, former] : before) // what can't be put back either is told by the same error
+            if (former)
+                static_cast<void>(saveTool(*former, true));
+            else
+                static_cast<void>(removeTool(id));
+        return saved.error();
+    }
+    return {};
+}
+
 int importTools(const ImportArguments& arguments, CommandContext& context) {
     const Result<Tool> like = loadTool(arguments.like);
     if (!like) return context.fail(like.error());
@@ -138,11 +159,11 @@ int importTools(const ImportArguments& arguments, CommandContext& context) {
     if (!read) return context.fail(read.error());
     keepClearOfShipped(*read);
     if (const Result<void> free = mayBeKept(*read, arguments.replace); !free) return context.fail(free.error());
+    if (!arguments.dryRun)
+        if (const Result<void> kept = keepAll(*read); !kept) return context.fail(kept.error());
     json tools = json::array();
     std::string text;
     for (const ReadTool& tool : read->tools) {
-        if (!arguments.dryRun)
-            if (const auto file = saveTool(tool.tool, arguments.replace); !file) return context.fail(file.error());
         json brief = briefOf(tool.tool);
         brief["notes"] = tool.notes;
         tools.push_back(std::move(brief));

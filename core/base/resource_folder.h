@@ -42,6 +42,14 @@ bool isResourceId(std::string_view id);
 /// neither letters nor digits of ASCII.
 std::string resourceIdFrom(std::string_view name);
 
+/// `wanted`, or with the first number behind it, from 2 on, that is free. @param taken whether an id is not
+template <class Taken>
+std::string freeResourceId(const std::string& wanted, Taken taken) {
+    std::string id = wanted;
+    for (int i = 2; taken(id); ++i) id = wanted + "-" + std::to_string(i);
+    return id;
+}
+
 /// The file of `id` from the first folder that has it.
 /// Errors: nameUnknown (detail: ids that exist; of many, the most alike), those of readFile.
 Result<ResourceText> findResource(ResourceKind kind, std::string_view id);

@@ -153,7 +153,7 @@ std::string otherMaterials(const EmbeddedSetup& embedded) {
 }
 
 std::string textOf(const ProgramZero& zero) {
-    if (zero.on == ZeroReference::point) return "a stated place";
+    if (zero.on == ZeroReference::point) return "stated coordinates";
     if (zero.on == ZeroReference::stock && zero.sides == ProgramZero{}.sides) return "centre of the stock's top face";
     std::string text(idOf(zero.on));
     for (std::size_t axis = 0; axis < zero.sides.size(); ++axis)

@@ -75,9 +75,8 @@ std::optional<ReadTool> toolOf(const std::string& number, const json& item, cons
     if (cutter.type == CutterType::chamfer) shape(cutter, cutter.fluteLength, 0.0);
     if (cutter.type == CutterType::taper) shape(cutter, cutter.fluteLength, valueOf(item, "snub_diameter") * unit);
     cutter.stickOut = std::max(like.cutter.stickOut, cutter.fluteLength);
-    tool.maximumDepthOfCut = cutter.fluteLength;
-    read.notes.push_back("Flutes, stick-out, holder and limits are those of " + like.id +
-                         "; the shank is as wide as the cutter: enter your own.");
+    read.notes.push_back("Number of flutes, stick-out, holder and limits are those of " + like.id +
+                         ", and the shank is as wide as the cutter: enter your own.");
     return read;
 }
 
@@ -117,7 +116,7 @@ Result<ReadTools> readCamotics(const json& tools, const std::string& origin, con
     for (const auto& [number, item] : tools.items()) {
         std::optional<ReadTool> tool = toolOf(number, item, like);
         if (!tool) {
-            read.leftOut.push_back("T" + number + ": its form is none that Burin has.");
+            read.leftOut.push_back("T" + number + ": Burin does not support this shape.");
             continue;
         }
         Result<ReadTool> sound = soundTool(std::move(*tool), origin, like);
@@ -136,7 +135,7 @@ Result<WrittenTools> camoticsTable(const std::vector<Tool>& tools) {
     for (const Tool& tool : tools) {
         const std::optional<json> item = itemOf(tool);
         if (!item) {
-            written.notes.push_back(tool.id + ": its form is none that CAMotics has.");
+            written.notes.push_back(tool.id + ": CAMotics does not support this shape.");
             continue;
         }
         if (!numbers.insert(tool.number).second)
@@ -145,11 +144,11 @@ Result<WrittenTools> camoticsTable(const std::vector<Tool>& tools) {
         table[std::to_string(tool.number)] = *item;
         const double cone = item->at("length").get<double>();
         if (cone < tool.cutter.fluteLength - 1e-9)
-            written.notes.push_back(tool.id + ": CAMotics has its cone alone, not the cylinder above it.");
+            written.notes.push_back(tool.id + ": CAMotics stores only the cone, not the cylinder above it.");
     }
     if (table.empty()) return Error{ErrorCode::notSupported, "a CAMotics tool table of these tools", "other forms", ""};
     written.text = table.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
-    written.notes.emplace_back("Flutes, shank, holder and limits have no place in it and were left out.");
+    written.notes.emplace_back("Flutes, shank, holder and limits can't be stored in this format.");
     return written;
 }
 

@@ -15,7 +15,7 @@ namespace burin {
 Result<ReadTool> soundTool(ReadTool read, const std::string& origin, const Tool& like);
 
 /// A whole number, within what an int holds.
-int numberOf(const nlohmann::json& value);
+int wholeNumberOf(const nlohmann::json& value);
 
 /// Of a Fusion library. Errors: those of soundTool for all of its tools.
 Result<ReadTools> readFusion(const nlohmann::json& library, const std::string& origin, const Tool& like);

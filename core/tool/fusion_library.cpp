@@ -61,9 +61,10 @@ public:
         readNumber();
         readCutter(form->type);
         readHolder();
-        if (item_.contains("start-values")) note("Presets of feeds and speeds were left out.");
+        note("Limits and strength are those of " + like_.id + ": enter your own.");
+        if (item_.contains("start-values")) note("Feed and speed presets were not imported.");
         if (item_.contains("expressions") && !item_["expressions"].empty())
-            note("Expressions were left out; the numbers beside them were read.");
+            note("Expressions were not imported, only the numbers.");
         return std::move(result_);
     }
 
@@ -97,9 +98,9 @@ private:
     void readNumber() {
         const json& post = part(item_, "post-process");
         if (const auto t = post.find("number"); t != post.end() && t->is_number_integer())
-            result_.tool.number = numberOf(*t);
+            result_.tool.number = wholeNumberOf(*t);
         else
-            note("It has no number: T" + std::to_string(like_.number) + " was taken.");
+            note("No tool number: T" + std::to_string(like_.number) + " is used.");
         if (const std::optional<double> flutes = number("NOF"); flutes && *flutes >= 1.0)
             result_.tool.fluteCount = static_cast<int>(std::lround(std::min(*flutes, 1000.0)));
     }
@@ -117,10 +118,9 @@ private:
         cutter.fluteLength = length("LCF").value_or(like_.cutter.fluteLength);
         cutter.shankDiameter = length("SFDM").value_or(cutter.diameter);
         cutter.stickOut = std::max(length("LB").value_or(like_.cutter.stickOut), cutter.fluteLength);
-        if (!number("LCF")) note("It states no length of the flutes: that of " + like_.id + " was taken.");
-        if (!number("LB")) note("It states no length below the holder: the stick-out of " + like_.id + " was taken.");
+        if (!number("LCF")) note("No flute length: the one of " + like_.id + " is used.");
+        if (!number("LB")) note("No length below the holder: the stick-out of " + like_.id + " is used.");
         readShaft();
-        result_.tool.maximumDepthOfCut = cutter.fluteLength;
     }
 
     /// rad, between axis and cone. A drill states the whole point, the others the half.
@@ -150,14 +150,14 @@ private:
                     stepped = stepped || std::abs(diameter - shank) > 1e-6;
                     shank = std::max(shank, diameter);
                 }
-        if (stepped) note("Its shaft has steps; the widest was taken for all of the shank.");
+        if (stepped) note("The shaft has steps: its largest diameter is used for the whole shank.");
     }
 
     void readHolder() {
         const json& holder = part(item_, "holder");
         const auto segments = holder.find("segments");
         if (segments == holder.end() || !segments->is_array() || segments->empty()) {
-            note("It has no holder: that of " + like_.id + " was taken.");
+            note("No holder: the one of " + like_.id + " is used.");
             return;
         }
         const auto unit = holder.find("unit");
@@ -273,7 +273,7 @@ Result<ReadTools> readFusion(const json& library, const std::string& origin, con
         const std::string name = reader.name();
         std::optional<ReadTool> tool = reader.read();
         if (!tool) {
-            read.leftOut.push_back(name + ": its form is none that Burin has.");
+            read.leftOut.push_back(name + ": Burin does not support this shape.");
             continue;
         }
         Result<ReadTool> sound = soundTool(std::move(*tool), origin, like);
@@ -292,7 +292,7 @@ Result<WrittenTools> fusionLibrary(const std::vector<Tool>& tools) {
         if (fits(tool.cutter))
             data.push_back(itemOf(tool));
         else
-            written.notes.push_back(tool.id + ": its form is none that Fusion has.");
+            written.notes.push_back(tool.id + ": Fusion does not support this shape.");
     }
     if (data.empty()) return Error{ErrorCode::notSupported, "a Fusion tool library of these tools", "other forms", ""};
     const json library{{"data", std::move(data)}, {"version", 36}};
@@ -300,7 +300,7 @@ Result<WrittenTools> fusionLibrary(const std::vector<Tool>& tools) {
         zippedFile("tools.json", library.dump(2, ' ', false, json::error_handler_t::replace));
     if (!packed) return Error{ErrorCode::outOfMemory, "tools", {}, {}};
     written.text = std::move(*packed);
-    written.notes.emplace_back("Limits, strength and sources of values have no place in it and were left out.");
+    written.notes.emplace_back("Limits, strength and sources of values can't be stored in this format.");
     return written;
 }
 

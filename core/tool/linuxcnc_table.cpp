@@ -54,7 +54,7 @@ Result<ReadTools> readLinuxcnc(std::string_view text, const std::string& origin,
         if (!number) continue;
         const std::string name = "T" + formatShortest(*number);
         if (!diameter || !(*diameter > 0.0)) {
-            read.leftOut.push_back(name + ": it has no diameter.");
+            read.leftOut.push_back(name + ": the diameter is missing.");
             continue;
         }
         ReadTool tool{like, {}};
@@ -65,8 +65,8 @@ Result<ReadTools> readLinuxcnc(std::string_view text, const std::string& origin,
         Cutter& cutter = tool.tool.cutter;
         cutter.shankDiameter = cutter.diameter = *diameter * unit;
         cutter.cornerRadius = cutter.type == CutterType::ball ? cutter.radius() : cutter.cornerRadius;
-        tool.notes.push_back("The table has its number, diameter and name alone. All else is that of " + like.id +
-                             ", its shank as wide as the cutter: enter your own.");
+        tool.notes.push_back("The table gives only number, diameter and name. Everything else is that of " + like.id +
+                             ", and the shank is as wide as the cutter: enter your own.");
         Result<ReadTool> sound = soundTool(std::move(tool), origin, like);
         if (sound)
             read.tools.push_back(std::move(*sound));

@@ -23,11 +23,8 @@ constexpr std::size_t mostUnpacked = 256U << 20U; // bytes of JSON: far beyond a
 /// The same name twice gets a number.
 void makeIdsUnique(ReadTools& read) {
     std::set<std::string> ids;
-    for (ReadTool& tool : read.tools) {
-        const std::string id = tool.tool.id;
-        for (int number = 2; !ids.insert(tool.tool.id).second; ++number)
-            tool.tool.id = id + "-" + std::to_string(number);
-    }
+    for (ReadTool& tool : read.tools)
+        tool.tool.id = freeResourceId(tool.tool.id, [&ids](const std::string& id) { return !ids.insert(id).second; });
 }
 
 Result<ReadTools> checked(Result<ReadTools> read) {
@@ -67,7 +64,7 @@ Result<ReadTools> readFreecadLibrary(const json& library, const std::filesystem:
         const auto place =
             std::ranges::find_if(places, [&](const auto& at) { return std::filesystem::exists(at, unreached); });
         if (place == places.end()) {
-            read.leftOut.push_back(bit + ": its bit is not beside the library.");
+            read.leftOut.push_back(bit + ": the tool bit was not found next to the library.");
             continue;
         }
         const Result<std::string> text = readFile(*place);
@@ -77,7 +74,7 @@ Result<ReadTools> readFreecadLibrary(const json& library, const std::filesystem:
             continue;
         }
         if (const auto number = entry.find("nr"); number != entry.end() && number->is_number_integer())
-            tool->tool.number = numberOf(*number);
+            tool->tool.number = wholeNumberOf(*number);
         if (Result<Tool> sound = toolFromJson(toJson(tool->tool), bit); !sound) {
             read.leftOut.push_back(bit + ": " + sound.error().place + " " + sound.error().detail + ".");
             continue;
@@ -107,7 +104,7 @@ Result<ReadTool> soundTool(ReadTool read, const std::string& origin, const Tool&
     return read;
 }
 
-int numberOf(const json& value) {
+int wholeNumberOf(const json& value) {
     constexpr std::int64_t most = 1'000'000'000;
     return static_cast<int>(std::clamp(value.get<std::int64_t>(), -most, most));
 }

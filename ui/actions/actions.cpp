@@ -111,7 +111,7 @@ constexpr std::array rows{
     Row{ActionId::pickZero, "pickZeroAction", QT_TRANSLATE_NOOP("Actions", "&Pick program zero"),
         QT_TRANSLATE_NOOP("Actions", "Click a vertex, an edge or a circle of the part, or a corner of the stock."),
         "Ctrl+Shift+O"},
-    Row{ActionId::touchZero, "touchZeroAction", QT_TRANSLATE_NOOP("Actions", "&Touch program zero"),
+    Row{ActionId::touchZero, "touchZeroAction", QT_TRANSLATE_NOOP("Actions", "&Touch off program zero"),
         QT_TRANSLATE_NOOP("Actions",
                           "The face of the part that the tool touches becomes zero along its axis, as with an edge "
                           "finder."),

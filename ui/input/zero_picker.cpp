@@ -38,7 +38,7 @@ bool ZeroPicker::release(const ViewportEvent& event) {
 }
 
 QString ZeroPicker::escapeMeaning() {
-    return tr("Esc: leave program zero where it is");
+    return tr("Esc: cancel picking program zero");
 }
 
 std::optional<glm::dvec3> boxOn(const Sight& sight, const Box& box) noexcept {

@@ -10,6 +10,7 @@
 #include "ui/panels/length_field.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
+#include "ui/panels/zero_words.h"
 
 #include <array>
 
@@ -20,13 +21,6 @@ namespace {
 constexpr double farthest = 1e6; // mm
 constexpr std::array offered{54, 55, 56, 57, 58, 59, 591, 592, 593};
 constexpr std::array axisNames{"X", "Y", "Z"};
-
-/// Of a box along an axis, in the order of BoxSide.
-QStringList sideTexts(std::size_t axis) {
-    if (axis == 0) return {ZeroPanel::tr("left"), ZeroPanel::tr("middle"), ZeroPanel::tr("right")};
-    if (axis == 1) return {ZeroPanel::tr("front"), ZeroPanel::tr("middle"), ZeroPanel::tr("back")};
-    return {ZeroPanel::tr("bottom"), ZeroPanel::tr("middle"), ZeroPanel::tr("top")};
-}
 
 } // namespace
 
@@ -79,9 +73,9 @@ void ZeroPanel::Fields::makeChoices() {
     on_ = new ChoiceBox(panel_);
     on_->setObjectName(QStringLiteral("zeroReference"));
     on_->addItems({ZeroPanel::tr("stock"), ZeroPanel::tr("part"), ZeroPanel::tr("coordinates")});
-    column_->addWidget(new FieldRow(ZeroPanel::tr("Zero on"), on_,
-                                    ZeroPanel::tr("On a place of the bounding box of stock or part, or at coordinates"),
-                                    panel_));
+    column_->addWidget(
+        new FieldRow(ZeroPanel::tr("Zero on"), on_,
+                     ZeroPanel::tr("A point of the bounding box of the stock or the part, or coordinates"), panel_));
     connect(on_, &QComboBox::activated, this, [this](int index) {
         ProgramZero zero = state.zero;
         zero.on = zeroReferences[static_cast<std::size_t>(index)];
@@ -94,9 +88,9 @@ void ZeroPanel::Fields::makePlace(std::size_t axis) {
     const QString name = QString::fromLatin1(axisNames[axis]);
     sides_[axis] = new ChoiceBox(panel_);
     sides_[axis]->setObjectName(QStringLiteral("zeroSide%1").arg(name));
-    sides_[axis]->addItems(sideTexts(axis));
+    for (const QString& side : sideTexts(axis)) sides_[axis]->addItem(side);
     column_->addWidget(
-        new FieldRow(name, sides_[axis], ZeroPanel::tr("Which place of the bounding box along %1").arg(name), panel_));
+        new FieldRow(name, sides_[axis], ZeroPanel::tr("Position on the bounding box along %1").arg(name), panel_));
     connect(sides_[axis], &QComboBox::activated, this, [this, axis](int index) {
         ProgramZero zero = state.zero;
         zero.sides[axis] = boxSides[static_cast<std::size_t>(index)];

@@ -6,6 +6,7 @@
 #include "core/nc/work_offset.h"
 #include "ui/panels/placement_words.h"
 #include "ui/panels/texts.h"
+#include "ui/panels/zero_words.h"
 #include "ui/scene/picture.h"
 #include "ui/sheet/sheet_page.h"
 #include "ui/sheet/sheet_text.h"
@@ -16,9 +17,9 @@
 #include <QLocale>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 namespace burin {
 
@@ -34,7 +35,9 @@ QString text(const std::string& utf8) {
 class Sheet {
 public:
     Sheet(const SheetContent& content, LengthUnit unit)
-        : content_(content), source_(content.source), unit_(unit), page_(title()) {}
+        : content_(content), source_(content.source), unit_(unit), page_(title()) {
+        if (source_.program) use_ = useOf(source_.program->parsed, source_.tools, source_.machine);
+    }
 
     Result<std::string> write() {
         page_.sentence(SheetText::tr("Project %1, %2").arg(text(source_.project), today()));
@@ -105,18 +108,6 @@ private:
         return picture(StandardView::front, SheetText::tr("From the front"));
     }
 
-    QString zeroText() const {
-        const ProgramZero& zero = source_.setup.zero;
-        if (zero.on == ZeroReference::point) return SheetText::tr("at a stated place");
-        const std::array<QString, 3> xs{SheetText::tr("left"), SheetText::tr("middle"), SheetText::tr("right")},
-            ys{SheetText::tr("front"), SheetText::tr("middle"), SheetText::tr("back")},
-            zs{SheetText::tr("bottom"), SheetText::tr("middle"), SheetText::tr("top")};
-        const auto side = [&](std::size_t axis) { return static_cast<std::size_t>(zero.sides[axis]); };
-        const QString on =
-            zero.on == ZeroReference::stock ? SheetText::tr("on the stock") : SheetText::tr("on the part");
-        return SheetText::tr("%1: X %2, Y %3, Z %4").arg(on, xs[side(0)], ys[side(1)], zs[side(2)]);
-    }
-
     void machine() {
         page_.section(SheetText::tr("Machine and zero"));
         const Box& stock = source_.setup.stock;
@@ -125,10 +116,10 @@ private:
                     {SheetText::tr("Control"), text(source_.dialect)},
                     {SheetText::tr("Units of the program"), text(std::string(idOf(source_.units)))},
                     {SheetText::tr("Work offset"), text(workOffsetName(source_.setup.zero.workOffset))},
-                    {SheetText::tr("Program zero"), zeroText()},
-                    {SheetText::tr("Zero from the left, front and bottom of the stock"),
+                    {SheetText::tr("Program zero"), zeroText(source_.setup.zero)},
+                    {SheetText::tr("From zero to the stock: left, front, bottom"),
                      QStringLiteral("%1, %2, %3").arg(length(low.x), length(low.y), length(low.z))},
-                    {SheetText::tr("Zero from the right, back and top of the stock"),
+                    {SheetText::tr("From zero to the stock: right, back, top"),
                      QStringLiteral("%1, %2, %3").arg(length(high.x), length(high.y), length(high.z))}};
         if (source_.axis.free)
             facts.emplace_back(SheetText::tr("Tool axis"), SheetText::tr("free"));
@@ -201,18 +192,16 @@ private:
     void tools() {
         page_.section(SheetText::tr("Tools"));
         if (source_.tools.empty()) return page_.sentence(SheetText::tr("None yet."));
-        std::vector<ToolUse> uses;
-        if (source_.program) uses = usesOf(source_.program->parsed, source_.tools, source_.machine, seconds_);
         QStringList heads{SheetText::tr("Number"), SheetText::tr("Tool"), SheetText::tr("Cutter"),
                           SheetText::tr("Stick-out")};
-        if (!uses.empty())
+        if (use_)
             heads << SheetText::tr("Speed, 1/min")
                   << (unit_ == LengthUnit::inch ? SheetText::tr("Feed, in/min") : SheetText::tr("Feed, mm/min"))
                   << SheetText::tr("Lowest Z, %1").arg(unitText(unit_)) << SheetText::tr("Time");
         std::vector<QStringList> rows;
         double longest = 0.0;
         for (std::size_t i = 0; i < source_.tools.size(); ++i) {
-            rows.push_back(row(source_.tools[i], uses.empty() ? nullptr : &uses[i]));
+            rows.push_back(row(source_.tools[i], use_ ? &use_->tools[i] : nullptr));
             longest = std::max(longest, source_.tools[i].cutter.length());
         }
         page_.table(heads, rows);
@@ -235,9 +224,9 @@ private:
                                                        ? SheetText::tr("failed, exported with a reason")
                                                        : SheetText::tr("failed"));
         facts.emplace_back(
-            SheetText::tr("Deepest gouge"),
+            SheetText::tr("Maximum gouge"),
             SheetText::tr("%1 (tolerance %2)").arg(length(program.report.gougeMax), length(program.gougeTolerance)));
-        facts.emplace_back(SheetText::tr("Machining time"), durationText(seconds_));
+        facts.emplace_back(SheetText::tr("Machining time"), durationText(use_->seconds));
         facts.emplace_back(SheetText::tr("Blocks"), countText(program.parsed.blocks));
         page_.facts(facts);
         findings(program.report);
@@ -264,7 +253,7 @@ private:
     const SheetSource& source_;
     LengthUnit unit_;
     SheetPage page_;
-    double seconds_ = 0.0;
+    std::optional<ProgramUse> use_; ///< of the program, where there is one
 };
 
 } // namespace

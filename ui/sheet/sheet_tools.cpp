@@ -27,19 +27,16 @@ void add(const NcMotion& motion, double seconds, ToolUse& use) {
 
 } // namespace
 
-std::vector<ToolUse> usesOf(const ParsedProgram& program, const std::vector<Tool>& tools, const MachineProfile& machine,
-                            double& whole) {
+ProgramUse useOf(const ParsedProgram& program, const std::vector<Tool>& tools, const MachineProfile& machine) {
     const MachiningTime time = machiningTime(program, machine);
-    whole = time.seconds;
-    std::vector<ToolUse> uses(tools.size());
-    for (ToolUse& use : uses) use.deepest = std::numeric_limits<double>::infinity();
+    ProgramUse use{time.seconds, std::vector<ToolUse>(tools.size())};
     for (std::size_t i = 0; i < program.motions.size(); ++i) {
         const auto same = [&](const Tool& tool) { return tool.number == program.motions[i].tool; };
         const auto tool = tools.size() == 1 ? tools.begin() : std::ranges::find_if(tools, same);
         if (tool == tools.end()) continue;
-        add(program.motions[i], time.motions[i].duration, uses[static_cast<std::size_t>(tool - tools.begin())]);
+        add(program.motions[i], time.motions[i].duration, use.tools[static_cast<std::size_t>(tool - tools.begin())]);
     }
-    return uses;
+    return use;
 }
 
 } // namespace burin

@@ -6,6 +6,7 @@
 #include "core/nc/parsed_program.h"
 #include "core/tool/tool.h"
 
+#include <limits>
 #include <vector>
 
 namespace burin {
@@ -15,11 +16,15 @@ struct ToolUse {
     double seconds = 0.0;                   ///< with accelerations and corners, without the tool change
     double leastFeed = 0.0, mostFeed = 0.0; ///< of moves that are no rapids; 0: none
     double leastSpeed = 0.0, mostSpeed = 0.0;
-    double deepest = 0.0; ///< mm: lowest place of the tip over program zero, in moves that are no rapids
+    /// mm: lowest place of the tip over program zero, in moves that are no rapids; infinite: there are none
+    double deepest = std::numeric_limits<double>::infinity();
 };
 
-/// One for each tool, in their order. @param whole seconds of the program, tool changes included
-std::vector<ToolUse> usesOf(const ParsedProgram& program, const std::vector<Tool>& tools, const MachineProfile& machine,
-                            double& whole);
+/// What a program does, and with what.
+struct ProgramUse {
+    double seconds = 0.0;       ///< tool changes included
+    std::vector<ToolUse> tools; ///< one for each tool, in their order
+};
+ProgramUse useOf(const ParsedProgram& program, const std::vector<Tool>& tools, const MachineProfile& machine);
 
 } // namespace burin

@@ -116,19 +116,10 @@ void SetupsPresenter::pick(FaceAim aim) {
     presentSoon();
 }
 
-/// The import program looks at the face; the view may be used meanwhile.
 void SetupsPresenter::turnTo(const glm::dvec3& place) {
     const FaceAim aim = aim_;
     QMetaObject::invokeMethod(this, &SetupsPresenter::leave, Qt::QueuedConnection); // the press is still under way
-    workbench_.tasks().start(
-        TaskKind::face, tr("Examining the face"),
-        [part = workbench_.setup.part(), place](Progress& progress) { return partFaceAt(*part, place, {}, progress); },
-        [this, aim](const Result<PartFace>& face) {
-            if (face)
-                align(aim, *face);
-            else if (face.error().code != ErrorCode::cancelled)
-                emit workbench_.failed(face.error());
-        });
+    workbench_.setup.examineFace(place, [this, aim](const PartFace& face) { align(aim, face); });
 }
 
 void SetupsPresenter::align(FaceAim aim, const PartFace& face) {

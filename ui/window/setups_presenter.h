@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/cad/part_face.h"
 #include "ui/actions/actions.h"
 #include "ui/input/face_picker.h"
 #include "ui/panels/setup_panel.h"

@@ -139,7 +139,7 @@ Result<LibraryDialog::Incoming> ToolDialog::read(const std::string& file) {
     std::vector<Tool> tools;
     for (const ReadTool& each : read->tools) tools.push_back(each.tool);
     notes << tr("%n tools were added.", nullptr, static_cast<int>(tools.size()))
-          << tr("Check stick-out, holder and limits of each: files of other programs may not state them.");
+          << tr("Check the stick-out, holder and limits of each tool; other programs may not store them.");
     for (const std::string& out : read->leftOut) notes << detailText(out);
     return Incoming{tools_.freeId(QString::fromStdString(tools.front().id)), [this, tools] { tools_.keepTools(tools); },
                     notes.join(QLatin1Char(' '))};

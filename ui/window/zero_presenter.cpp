@@ -4,7 +4,6 @@
 
 #include "core/job/touched_face.h"
 #include "core/nc/work_offset.h"
-#include "ui/messages/messages.h"
 
 #include <utility>
 
@@ -16,7 +15,7 @@ ZeroPresenter::ZeroPresenter(Workbench& workbench, Viewport& viewport, ZeroPanel
     connect(&panel, &ZeroPanel::pickRequested, this, &ZeroPresenter::pick);
     connect(&picker_, &ZeroPicker::chosen, this, [this](std::size_t, const glm::dvec3& point) {
         end();
-        examine(point, [this](const PartFace& face) { placeAt(face.corner); });
+        workbench_.setup.examineFace(point, [this](const PartFace& face) { placeAt(face.corner); });
     });
     connect(&picker_, &ZeroPicker::stockChosen, this, &ZeroPresenter::placeOnStock);
     connect(&picker_, &ZeroPicker::cancelled, this, [this] { pick(false); });
@@ -90,19 +89,6 @@ void ZeroPresenter::placeAt(const glm::dvec3& point) {
     workbench_.setup.chooseZero(zero);
 }
 
-/// The import program looks at the face; the view may be used meanwhile.
-void ZeroPresenter::examine(const glm::dvec3& place, std::function<void(const PartFace&)> then) {
-    workbench_.tasks().start(
-        TaskKind::face, tr("Examining the face"),
-        [part = workbench_.setup.part(), place](Progress& progress) { return partFaceAt(*part, place, {}, progress); },
-        [this, part = workbench_.setup.part(), then = std::move(then)](const Result<PartFace>& face) {
-            if (face && part == workbench_.setup.part())
-                then(*face);
-            else if (!face && face.error().code != ErrorCode::cancelled)
-                emit workbench_.failed(face.error());
-        });
-}
-
 void ZeroPresenter::touch() {
     const auto& milling = workbench_.workpiece.milling();
     if (!milling || !workbench_.session.running()) return;
@@ -111,8 +97,8 @@ void ZeroPresenter::touch() {
     if (touched.outcome == TouchedFace::Outcome::nothing)
         return emit refused(tr("The tool touches nothing. Hold it against a face of the part."));
     if (touched.outcome == TouchedFace::Outcome::aslant)
-        return emit refused(tr("Zero can be touched with a vertical tool, on a face that is parallel to two axes."));
-    examine(touched.place, [this, touched](const PartFace& face) {
+        return emit refused(tr("Touching off needs a vertical tool and a face that is parallel to two axes."));
+    workbench_.setup.examineFace(touched.place, [this, touched](const PartFace& face) {
         const int axis = touched.axis;
         if (glm::distance(face.place, touched.place) > workbench_.setup.setup().voxel)
             return emit refused(tr("The tool does not touch the part. Hold it against a face of the part."));

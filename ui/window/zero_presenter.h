@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/cad/part_face.h"
 #include "ui/actions/actions.h"
 #include "ui/input/zero_picker.h"
 #include "ui/panels/job_states.h"
@@ -33,7 +32,6 @@ private:
     void placeOnStock(const std::array<BoxSide, 3>& sides);
     void placeAt(const glm::dvec3& point);
     void touch();
-    void examine(const glm::dvec3& place, std::function<void(const PartFace&)> then);
 
     Viewport& viewport_;
     ZeroPanel& panel_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/resource_folder.h"
 #include "core/base/result.h"
 
 #include <algorithm>
@@ -37,9 +38,8 @@ std::optional<Item> itemOf(const std::vector<Item>& items, const std::string& id
 /// `wanted`, with a number where one of `items` has it already.
 template <class Item>
 std::string freeId(const std::vector<Item>& items, const std::string& wanted) {
-    std::string id = wanted;
-    for (int i = 2; std::ranges::find(items, id, &Item::id) != items.end(); ++i) id = wanted + "-" + std::to_string(i);
-    return id;
+    return freeResourceId(
+        wanted, [&](const std::string& id) { return std::ranges::find(items, id, &Item::id) != items.end(); });
 }
 
 } // namespace burin

@@ -262,6 +262,19 @@ void SetupController::editPlacement(const Setup& setup) {
                                             [this](const Setup& value) { apply(value); }));
 }
 
+void SetupController::examineFace(const glm::dvec3& place, std::function<void(const PartFace&)> then) {
+    if (!model_) return;
+    desk_.tasks.start(
+        TaskKind::face, tr("Examining the face"),
+        [part = model_, place](Progress& progress) { return partFaceAt(*part, place, {}, progress); },
+        [this, part = model_, then = std::move(then)](const Result<PartFace>& face) {
+            if (face && part == model_)
+                then(*face);
+            else if (!face && face.error().code != ErrorCode::cancelled)
+                emit failed(face.error());
+        });
+}
+
 void SetupController::chooseZero(const ProgramZero& zero) {
     if (!model_ || zero == setup_.zero) return;
     Setup asked = setup_;

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/cad/part_face.h"
 #include "core/job/stock_file.h"
 #include "core/setup/setup.h"
 #include "core/volume/runs/property_list.h"
 #include "ui/workbench/controller.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -59,6 +61,9 @@ public:
     void place(const Placement& by);
     /// Where the programs have their zero; recordings or not.
     void chooseZero(const ProgramZero& zero);
+    /// The face of the part at a place, looked at in the background by the import program; `then` gets it unless the
+    /// part was exchanged meanwhile. @param place mm, setup frame
+    void examineFace(const glm::dvec3& place, std::function<void(const PartFace&)> then);
     bool placing() const { return desk_.tasks.running(TaskKind::placing); }
 
 signals:

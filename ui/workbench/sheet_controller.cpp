@@ -11,20 +11,15 @@ void SheetController::gather(const QString& project, const QString& file) {
     if (gathering()) return;
     asked_ = true;
     emit changed();
-    desk_.project.ask(
-        [name = project.toStdString()](const Project& asked) {
-            Result<SheetSource> source = sheetSource(asked, name);
-            return source ? Result<std::shared_ptr<SheetSource>>(std::make_shared<SheetSource>(std::move(*source)))
-                          : Result<std::shared_ptr<SheetSource>>(std::move(source).error());
-        },
-        [this, file](const Result<std::shared_ptr<SheetSource>>& source) {
-            asked_ = false;
-            if (source)
-                embed(std::move(**source), file);
-            else
-                emit failed(source.error());
-            emit changed();
-        });
+    desk_.project.ask([name = project.toStdString()](const Project& asked) { return sheetSource(asked, name); },
+                      [this, file](Result<SheetSource> source) {
+                          asked_ = false;
+                          if (source)
+                              embed(std::move(*source), file);
+                          else
+                              emit failed(source.error());
+                          emit changed();
+                      });
 }
 
 void SheetController::embed(SheetSource source, const QString& file) {

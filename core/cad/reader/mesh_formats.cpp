@@ -21,8 +21,6 @@ namespace burin {
 
 namespace {
 
-constexpr std::size_t mostUnpacked = std::size_t{1} << 40; // the import program's own limit of memory comes first
-
 /// Errors: fileDamaged (place: the byte).
 Result<void> parse(std::string_view text, pugi::xml_document& xml) {
     const pugi::xml_parse_result parsed = xml.load_buffer(text.data(), text.size());
@@ -87,7 +85,7 @@ FormatMatch matchFormat(ThreeMfFormat, std::string_view content) {
 }
 
 Result<Model> readFormat(ThreeMfFormat, ModelSource& source) {
-    const std::optional<std::string> xml = unzippedFile(source.content, ".model", mostUnpacked);
+    const std::optional<std::string> xml = unzippedFile(source.content, ".model");
     if (!xml) return Error{ErrorCode::fileDamaged, {}, "the archive can't be unpacked", {}};
     pugi::xml_document document;
     if (Result<void> parsed = parse(*xml, document); !parsed) return std::move(parsed).error();
@@ -111,7 +109,7 @@ FormatMatch matchFormat(AmfFormat, std::string_view content) {
 Result<Model> readFormat(AmfFormat, ModelSource& source) {
     std::string content = source.content;
     if (isArchiveWith(source.content, ".amf")) {
-        std::optional<std::string> xml = unzippedFile(source.content, ".amf", mostUnpacked);
+        std::optional<std::string> xml = unzippedFile(source.content, ".amf");
         if (!xml) return Error{ErrorCode::fileDamaged, {}, "the archive can't be unpacked", {}};
         content = std::move(*xml);
     }

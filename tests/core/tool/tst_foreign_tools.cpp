@@ -68,14 +68,17 @@ private slots:
         QCOMPARE(ball->tool.cutter.shankDiameter, 3.175);
         QCOMPARE(ball->tool.cutter.holder.size(), std::size_t{2});
         QCOMPARE(ball->tool.cutter.holder[0].upperDiameter, 16.0);
-        QVERIFY(tells(ball->notes, "Presets") && !tells(ball->notes, "holder"));
+        QVERIFY(tells(ball->notes, "presets") && !tells(ball->notes, "holder"));
         QVERIFY(ball->tool.source.find("Acme") != std::string::npos);
+        // How deep it may cut is in no such file: the lender's, which is told, and not the length of the flutes.
+        QCOMPARE(ball->tool.maximumDepthOfCut, std::min(12.0, lender().maximumDepthOfCut));
+        QVERIFY(lender().maximumDepthOfCut < 12.0 && tells(ball->notes, "Limits and strength"));
 
         const ReadTool* flat = named(*read, "1/4\" flat");
         QVERIFY(flat);
         QVERIFY(std::abs(flat->tool.cutter.diameter - 6.35) < 1e-12 && flat->tool.fluteCount == 3);
         QVERIFY(std::abs(flat->tool.cutter.stickOut - 38.1) < 1e-12);
-        QVERIFY(tells(flat->notes, "no holder"));
+        QVERIFY(tells(flat->notes, "No holder"));
         QCOMPARE(named(*read, "Bull 10 R2")->tool.cutter.cornerRadius, 2.0);
         QVERIFY(std::abs(named(*read, "Drill 5")->tool.cutter.taperAngle - 59.0 * pi / 180.0) < 1e-12);
         const Cutter& chamfer = named(*read, "Chamfer 90")->tool.cutter;
