@@ -182,6 +182,21 @@ std::vector<double> JsonObject::numbers(std::string_view key, std::size_t count,
     return result;
 }
 
+std::vector<double> JsonObject::numbers(std::string_view key, NumberRange range, std::size_t group) {
+    std::vector<double> result;
+    const json* value = find(key);
+    if (value == nullptr) return result;
+    if (!value->is_array() || value->size() % group != 0) {
+        fail(key, "has to be a list of numbers" +
+                      (group > 1 ? ", " + std::to_string(group) + " by " + std::to_string(group) : std::string()));
+        return result;
+    }
+    result.reserve(value->size());
+    for (std::size_t i = 0; i < value->size(); ++i)
+        result.push_back(checked(std::string(key) + "[" + std::to_string(i) + "]", (*value)[i], range));
+    return result;
+}
+
 std::vector<std::string> JsonObject::texts(std::string_view key) {
     std::vector<std::string> result;
     const json* value = find(key);

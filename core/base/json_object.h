@@ -35,6 +35,8 @@ public:
     /// Place of the text in `choices`; 0 stands in for a faulty one.
     std::size_t choice(std::string_view key, const std::vector<std::string_view>& choices);
     std::vector<double> numbers(std::string_view key, std::size_t count, NumberRange range = {});
+    /// Any number of them that `group` divides.
+    std::vector<double> numbers(std::string_view key, NumberRange range, std::size_t group);
     std::vector<std::string> texts(std::string_view key); ///< any number, none of them empty
     void object(std::string_view key, const std::function<void(JsonObject&)>& read);
     void objects(std::string_view key, const std::function<void(JsonObject&)>& read);

@@ -3,37 +3,21 @@
 #include "core/path/lowering.h"
 
 #include "core/base/parallel.h"
+#include "core/geometry/lowest_clear.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace burin {
-namespace {
-
-constexpr double shortestStep = 0.02;   // mm on the way down
-constexpr double touchPrecision = 1e-5; // mm of the position where the tool touches
-
-} // namespace
-
-/// The tool can go down by as much as it is farther than it has to be. Beside a wall that leads to ever shorter steps,
-/// hence a shortest one, and the place between two of them by halving.
-std::optional<glm::dvec3> Lowering::alongAxis(glm::dvec3 tip) const {
+std::optional<glm::dvec3> Lowering::alongAxis(const glm::dvec3& tip) const {
     const auto spareAt = [&](double z) {
         return guard_.clearance({tip.x, tip.y, z}, distance_ + 1e3).clearance - distance_;
     };
-    double high = std::max(guard_.top() + distance_ + shortestStep, floor_), spare = spareAt(high);
-    double low = high;
-    while (spare > 0.0) {
-        if (high <= floor_) return {};
-        low = std::max(floor_, high - std::max(spare, shortestStep));
-        spare = spareAt(low);
-        if (spare > 0.0) high = low;
-    }
-    while (high - low > touchPrecision) {
-        const double middle = 0.5 * (low + high);
-        (spareAt(middle) > 0.0 ? high : low) = middle;
-    }
-    return glm::dvec3{tip.x, tip.y, high};
+    constexpr double above = 0.02; // mm of a tip over the part
+    const std::optional<double> height =
+        lowestClear(spareAt, std::max(guard_.top() + distance_ + above, floor_), floor_);
+    if (!height) return {};
+    return glm::dvec3{tip.x, tip.y, *height};
 }
 
 std::optional<glm::dvec3> Lowering::alongNormal(glm::dvec3 tip) const {

@@ -24,7 +24,7 @@ public:
     }
 
 private:
-    std::optional<glm::dvec3> alongAxis(glm::dvec3 tip) const;
+    std::optional<glm::dvec3> alongAxis(const glm::dvec3& tip) const;
     std::optional<glm::dvec3> alongNormal(glm::dvec3 tip) const;
 
     const PartGuard& guard_;

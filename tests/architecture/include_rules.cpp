@@ -73,6 +73,9 @@ bool isZlib(std::string_view header) {
 bool isLibzip(std::string_view header) {
     return header == "zip.h";
 }
+bool isClipper(std::string_view header) {
+    return header.starts_with("polyclipping/");
+}
 bool isPugixml(std::string_view header) {
     return header == "pugixml.hpp";
 }
@@ -80,7 +83,7 @@ bool isSqlite(std::string_view header) {
     return header.starts_with("sqlite3");
 }
 
-constexpr std::array<Foreign, 12> foreigners{Foreign{"Qt", isQt},
+constexpr std::array<Foreign, 13> foreigners{Foreign{"Qt", isQt},
                                              Foreign{"VTK", isVtk},
                                              Foreign{"OpenCASCADE", isOcct},
                                              Foreign{"SQLite", isSqlite},
@@ -91,7 +94,8 @@ constexpr std::array<Foreign, 12> foreigners{Foreign{"Qt", isQt},
                                              Foreign{"assimp", isAssimp},
                                              Foreign{"zlib", isZlib},
                                              Foreign{"libzip", isLibzip},
-                                             Foreign{"pugixml", isPugixml}};
+                                             Foreign{"pugixml", isPugixml},
+                                             Foreign{"Clipper", isClipper}};
 
 bool allowed(const Arrows& arrows, const std::string& library, const std::string& header, const std::string& source) {
     if (library == "plugins")

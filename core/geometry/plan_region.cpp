@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/geometry/plan_region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <polyclipping/clipper.hpp>
+
+namespace burin {
+
+namespace {
+
+/// Clipper works on whole numbers; these stay in the range in which it needs no 128-bit products.
+constexpr double unitsPerMillimetre = 1e4;
+constexpr double lineTolerance = 1e-3; // mm, of the ends of lines
+constexpr double mitreLimit = 2.0;     // no corner is mitred, Clipper asks for it all the same
+
+ClipperLib::IntPoint toUnits(const glm::dvec2& place) {
+    const auto whole = [](double value) {
+        return static_cast<ClipperLib::cInt>(
+            std::llround(std::clamp(value, -farthestInPlan, farthestInPlan) * unitsPerMillimetre));
+    };
+    return {whole(place.x), whole(place.y)};
+}
+
+ClipperLib::Path toUnits(const std::vector<glm::dvec2>& places) {
+    ClipperLib::Path path;
+    path.reserve(places.size());
+    for (const glm::dvec2& place : places) path.push_back(toUnits(place));
+    return path;
+}
+
+ClipperLib::Paths toUnits(const PlanRegion& region) {
+    ClipperLib::Paths paths;
+    paths.reserve(region.rings.size());
+    for (const PlanRing& ring : region.rings) paths.push_back(toUnits(ring));
+    return paths;
+}
+
+PlanRing toMillimetres(const ClipperLib::Path& path) {
+    PlanRing ring;
+    ring.reserve(path.size());
+    for (const ClipperLib::IntPoint& point : path)
+        ring.emplace_back(static_cast<double>(point.X) / unitsPerMillimetre,
+                          static_cast<double>(point.Y) / unitsPerMillimetre);
+    return ring;
+}
+
+PlanRegion toMillimetres(const ClipperLib::Paths& paths) {
+    PlanRegion region;
+    for (const ClipperLib::Path& path : paths)
+        if (path.size() >= 3) region.rings.push_back(toMillimetres(path));
+    return region;
+}
+
+ClipperLib::Paths combined(const ClipperLib::Paths& one, const ClipperLib::Paths& other, ClipperLib::ClipType how) {
+    ClipperLib::Clipper clipper;
+    clipper.AddPaths(one, ClipperLib::ptSubject, true);
+    clipper.AddPaths(other, ClipperLib::ptClip, true);
+    ClipperLib::Paths solution;
+    clipper.Execute(how, solution, ClipperLib::pftEvenOdd, ClipperLib::pftEvenOdd);
+    return solution;
+}
+
+PlanRegion combined(const PlanRegion& one, const PlanRegion& other, ClipperLib::ClipType how) {
+    return toMillimetres(combined(toUnits(one), toUnits(other), how));
+}
+
+PlanRegion offset(const ClipperLib::Paths& paths, double distance, double tolerance, ClipperLib::EndType ends) {
+    ClipperLib::ClipperOffset clipper(mitreLimit, tolerance * unitsPerMillimetre);
+    clipper.AddPaths(paths, ClipperLib::jtRound, ends);
+    ClipperLib::Paths solution;
+    clipper.Execute(solution, distance * unitsPerMillimetre);
+    return toMillimetres(solution);
+}
+
+/// A ring is odd where it turns the other way than its kind should.
+PlanRing turned(PlanRing ring, bool anticlockwise) {
+    double twice = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const glm::dvec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+        twice += a.x * b.y - a.y * b.x;
+    }
+    if ((twice > 0.0) != anticlockwise) std::ranges::reverse(ring);
+    return ring;
+}
+
+} // namespace
+
+PlanRegion rectangle(const glm::dvec2& low, const glm::dvec2& high) {
+    return {{{low, {high.x, low.y}, high, {low.x, high.y}}}};
+}
+
+PlanBounds boundsOf(const PlanRegion& region) noexcept {
+    PlanBounds bounds;
+    bool first = true;
+    for (const PlanRing& ring : region.rings)
+        for (const glm::dvec2& place : ring) {
+            bounds.low = first ? place : glm::min(bounds.low, place);
+            bounds.high = first ? place : glm::max(bounds.high, place);
+            first = false;
+        }
+    return bounds;
+}
+
+double areaOf(const PlanRegion& region) {
+    double sum = 0.0;
+    for (const ClipperLib::Path& path : combined(toUnits(region), {}, ClipperLib::ctUnion))
+        sum += ClipperLib::Area(path);
+    return std::abs(sum) / (unitsPerMillimetre * unitsPerMillimetre);
+}
+
+bool holds(const PlanRegion& region, const glm::dvec2& place) noexcept {
+    bool inside = false;
+    for (const PlanRing& ring : region.rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const glm::dvec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+            if ((a.y > place.y) == (b.y > place.y)) continue;
+            if (place.x < a.x + (b.x - a.x) * (place.y - a.y) / (b.y - a.y)) inside = !inside;
+        }
+    return inside;
+}
+
+PlanRegion grown(const PlanRegion& region, double distance, double tolerance) {
+    // Rings that are nested oddly or cross themselves are put in order first: an offset goes by which way they turn.
+    return offset(combined(toUnits(region), {}, ClipperLib::ctUnion), distance, tolerance, ClipperLib::etClosedPolygon);
+}
+
+PlanRegion cleaned(const PlanRegion& region, double tolerance) {
+    ClipperLib::Paths paths = toUnits(region);
+    ClipperLib::CleanPolygons(paths, tolerance * unitsPerMillimetre);
+    return toMillimetres(paths);
+}
+
+PlanRegion around(const std::vector<glm::dvec2>& line, double distance) {
+    return offset({toUnits(line)}, distance, lineTolerance, ClipperLib::etOpenButt);
+}
+
+PlanRegion united(const PlanRegion& one, const PlanRegion& other) {
+    return combined(one, other, ClipperLib::ctUnion);
+}
+
+PlanRegion common(const PlanRegion& one, const PlanRegion& other) {
+    return combined(one, other, ClipperLib::ctIntersection);
+}
+
+PlanRegion without(const PlanRegion& one, const PlanRegion& other) {
+    return combined(one, other, ClipperLib::ctDifference);
+}
+
+std::vector<PlanPiece> piecesOf(const PlanRegion& region) {
+    ClipperLib::Clipper clipper;
+    clipper.AddPaths(toUnits(region), ClipperLib::ptSubject, true);
+    ClipperLib::PolyTree tree;
+    clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftEvenOdd, ClipperLib::pftEvenOdd);
+    std::vector<PlanPiece> pieces;
+    for (const ClipperLib::PolyNode* node = tree.GetFirst(); node != nullptr; node = node->GetNext()) {
+        if (node->IsHole()) continue;
+        PlanPiece piece{turned(toMillimetres(node->Contour), true), {}};
+        for (const ClipperLib::PolyNode* hole : node->Childs)
+            piece.holes.push_back(turned(toMillimetres(hole->Contour), false));
+        pieces.push_back(std::move(piece));
+    }
+    return pieces;
+}
+
+} // namespace burin
