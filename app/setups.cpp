@@ -6,6 +6,7 @@
 #include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/base/steps.h"
+#include "core/job/job_paths.h"
 #include "core/job/left_stock.h"
 
 #include <algorithm>
@@ -38,12 +39,12 @@ Result<TakenStock> add(Project& project, const SetupsArguments& arguments, Comma
 
 /// What was milled was milled of the part as it lay.
 Result<void> requireUntouched(const Project& project) {
-    const Result<std::vector<TakeInfo>> takes = project.takes();
-    if (!takes) return takes.error();
-    if (takes->empty()) return {};
+    const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
+    if (!sources) return sources.error();
+    if (sources->empty()) return {};
     return Error{ErrorCode::argumentInvalid, "setup",
-                 worded(BURIN_TEXT("Command", "%1 recordings"), {std::to_string(takes->size())}),
-                 worded(BURIN_TEXT("Command", "a setup without recordings, or --add-setup"))};
+                 worded(BURIN_TEXT("Command", "%1 recordings and passes"), {std::to_string(sources->size())}),
+                 worded(BURIN_TEXT("Command", "a setup without recordings and passes, or --add-setup"))};
 }
 
 Result<void> place(Project& project, const SetupsArguments& arguments, CommandContext& context) {

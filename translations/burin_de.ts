@@ -635,6 +635,14 @@
         <source>&amp;Touch off program zero</source>
         <translation>Nullpunkt an&amp;tasten</translation>
     </message>
+    <message>
+        <source>&amp;Compute a pass…</source>
+        <translation>Durchgang &amp;berechnen…</translation>
+    </message>
+    <message>
+        <source>Computes roughing, finishing, pockets, profiles or engraving of the loaded tool.</source>
+        <translation>Berechnet Schruppen, Schlichten, Taschen, Konturen oder Gravuren mit dem geladenen Werkzeug.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -892,10 +900,6 @@
     <message>
         <source>BODY=NAME</source>
         <translation>KÖRPER=NAME</translation>
-    </message>
-    <message>
-        <source>another file, or --replace (recordings in the project there: %1)</source>
-        <translation>eine andere Datei oder --replace (Aufzeichnungen im dortigen Projekt: %1)</translation>
     </message>
     <message>
         <source>no project was made</source>
@@ -1586,14 +1590,6 @@
         <translation>Rohteil wird vorbereitet</translation>
     </message>
     <message>
-        <source>%1 recordings</source>
-        <translation>%1 Aufnahmen</translation>
-    </message>
-    <message>
-        <source>a setup without recordings, or --add-setup</source>
-        <translation>eine Aufspannung ohne Aufnahmen, oder --add-setup</translation>
-    </message>
-    <message>
         <source>setup    %1 %2</source>
         <translation>Aufspannung %1 %2</translation>
     </message>
@@ -1656,6 +1652,54 @@
     <message>
         <source>left out:</source>
         <translation>ausgelassen:</translation>
+    </message>
+    <message>
+        <source>path %1 %2</source>
+        <translation>Bahn %1 %2</translation>
+    </message>
+    <message>
+        <source>a tool for the pass</source>
+        <translation>ein Werkzeug für den Durchgang</translation>
+    </message>
+    <message>
+        <source>%1, the tool of this path; make a new one for another tool</source>
+        <translation>%1, das Werkzeug dieser Bahn; für ein anderes eine neue anlegen</translation>
+    </message>
+    <message>
+        <source>Computing the pass</source>
+        <translation>Der Durchgang wird berechnet</translation>
+    </message>
+    <message>
+        <source>%1 mm in %2 strokes</source>
+        <translation>%1 mm in %2 Zügen</translation>
+    </message>
+    <message>
+        <source>; %1 mm were left out, as too much stock stands there for the tool: rough it first, or take a longer tool</source>
+        <translation>; %1 mm wurden ausgelassen, da dort zu viel Rohteil für das Werkzeug steht: zuerst schruppen, oder ein längeres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>an edit, or a pass with --pass</source>
+        <translation>eine Bearbeitung, oder ein Durchgang mit --pass</translation>
+    </message>
+    <message>
+        <source>X,Y in mm</source>
+        <translation>X,Y in mm</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not state its unit: one unit is taken as %2 mm. Set it with --unit.</source>
+        <translation>„%1“ nennt keine Einheit: eine Einheit gilt als %2 mm. Mit --unit lässt sie sich angeben.</translation>
+    </message>
+    <message>
+        <source>another file, or --replace (recordings and passes in the project there: %1)</source>
+        <translation>eine andere Datei, oder --replace (Aufnahmen und Durchgänge im Projekt dort: %1)</translation>
+    </message>
+    <message>
+        <source>%1 recordings and passes</source>
+        <translation>%1 Aufnahmen und Durchgänge</translation>
+    </message>
+    <message>
+        <source>a setup without recordings and passes, or --add-setup</source>
+        <translation>eine Aufspannung ohne Aufnahmen und Durchgänge, oder --add-setup</translation>
     </message>
 </context>
 <context>
@@ -2900,6 +2944,198 @@
         <source>The table gives only number, diameter and name. Everything else is that of %1, and the shank is as wide as the cutter: enter your own.</source>
         <translation>Die Tabelle enthält nur Nummer, Durchmesser und Name. Alles andere ist das von %1, und der Schaft ist so breit wie die Schneide: Geben Sie Ihre eigenen Werte ein.</translation>
     </message>
+    <message>
+        <source>so much stock stands where it would go that the tool can&apos;t: rough it first, or take a longer tool</source>
+        <translation>wo er verliefe, steht zu viel Rohteil für das Werkzeug: zuerst schruppen, oder ein längeres Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>no stock is left where it would go</source>
+        <translation>wo er verliefe, ist kein Rohteil übrig</translation>
+    </message>
+    <message>
+        <source>it has no stroke</source>
+        <translation>sie hat keinen Zug</translation>
+    </message>
+    <message>
+        <source>at most the cutter&apos;s radius, %1 mm</source>
+        <translation>höchstens der Radius des Fräsers, %1 mm</translation>
+    </message>
+    <message>
+        <source>below the top of what is to be taken away, %1 mm</source>
+        <translation>unter der Oberkante dessen, was abgetragen wird, %1 mm</translation>
+    </message>
+    <message>
+        <source>below the top, %1</source>
+        <translation>unter der Oberkante, %1</translation>
+    </message>
+    <message>
+        <source>a part to lay rows on; there is none</source>
+        <translation>ein Teil, auf das Zeilen gelegt werden; es gibt keins</translation>
+    </message>
+    <message>
+        <source>a part to go along; there is none</source>
+        <translation>ein Teil, an dem es entlanggeht; es gibt keins</translation>
+    </message>
+    <message>
+        <source>less than the rounding of the tool&apos;s end, %1 mm</source>
+        <translation>weniger als die Rundung des Werkzeugendes, %1 mm</translation>
+    </message>
+    <message>
+        <source>a tool with a rounded end; give a step-over for this one</source>
+        <translation>ein Werkzeug mit gerundetem Ende; für dieses einen Zeilenabstand angeben</translation>
+    </message>
+    <message>
+        <source>rings of 3 corners at least</source>
+        <translation>Ringe aus mindestens 3 Ecken</translation>
+    </message>
+    <message>
+        <source>places within 1e5 mm</source>
+        <translation>Orte innerhalb von 1e5 mm</translation>
+    </message>
+    <message>
+        <source>an area: there is no pocket without one</source>
+        <translation>ein Bereich: ohne ihn gibt es keine Tasche</translation>
+    </message>
+    <message>
+        <source>lines of 2 places at least</source>
+        <translation>Linien aus mindestens 2 Orten</translation>
+    </message>
+    <message>
+        <source>a line at least: a stroke or curves of a file</source>
+        <translation>mindestens eine Linie: ein Zug oder Kurven einer Datei</translation>
+    </message>
+    <message>
+        <source>it is a binary DXF; save it as ASCII</source>
+        <translation>sie ist eine binäre DXF; als ASCII speichern</translation>
+    </message>
+    <message>
+        <source>it is neither a DXF nor an SVG drawing</source>
+        <translation>sie ist weder eine DXF- noch eine SVG-Zeichnung</translation>
+    </message>
+    <message>
+        <source>there is no curve in it</source>
+        <translation>sie enthält keine Kurve</translation>
+    </message>
+    <message>
+        <source>it is larger than 64 MB</source>
+        <translation>sie ist größer als 64 MB</translation>
+    </message>
+    <message>
+        <source>a closed curve at least, as border of an area</source>
+        <translation>mindestens eine geschlossene Kurve als Rand eines Bereichs</translation>
+    </message>
+    <message>
+        <source>at most 20,000 of them; join them to polylines</source>
+        <translation>höchstens 20.000; zu Polylinien verbinden</translation>
+    </message>
+    <message>
+        <source>%1 open curves</source>
+        <translation>%1 offene Kurven</translation>
+    </message>
+    <message>
+        <source>its curves</source>
+        <translation>ihre Kurven</translation>
+    </message>
+    <message>
+        <source>ends before its EOF</source>
+        <translation>endet vor ihrem EOF</translation>
+    </message>
+    <message>
+        <source>line %1: a group code was expected</source>
+        <translation>Zeile %1: erwartet wurde ein Gruppencode</translation>
+    </message>
+    <message>
+        <source>has a place farther than 1e5 mm from its origin</source>
+        <translation>hat einen Ort weiter als 1e5 mm von ihrem Ursprung</translation>
+    </message>
+    <message>
+        <source>has more than two million places</source>
+        <translation>hat mehr als zwei Millionen Orte</translation>
+    </message>
+    <message>
+        <source>has a point that is too far, or too many of them</source>
+        <translation>hat einen Punkt, der zu weit weg liegt, oder zu viele</translation>
+    </message>
+    <message>
+        <source>its viewBox can&apos;t be read</source>
+        <translation>ihre viewBox ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>byte %1: &lt;%2&gt; has a transform that can&apos;t be read</source>
+        <translation>Byte %1: &lt;%2&gt; hat eine transform, die nicht lesbar ist</translation>
+    </message>
+    <message>
+        <source>byte %1: &lt;%2&gt; has a length &quot;%3&quot; that can&apos;t be read</source>
+        <translation>Byte %1: &lt;%2&gt; hat eine Länge „%3“, die nicht lesbar ist</translation>
+    </message>
+    <message>
+        <source>byte %1: &lt;%2&gt; has points that can&apos;t be read</source>
+        <translation>Byte %1: &lt;%2&gt; hat Punkte, die nicht lesbar sind</translation>
+    </message>
+    <message>
+        <source>byte %1: &lt;%2&gt; has a path that does not begin with M</source>
+        <translation>Byte %1: &lt;%2&gt; hat einen Pfad, der nicht mit M beginnt</translation>
+    </message>
+    <message>
+        <source>byte %1: &lt;%2&gt; has a path with numbers behind Z</source>
+        <translation>Byte %1: &lt;%2&gt; hat einen Pfad mit Zahlen hinter Z</translation>
+    </message>
+    <message>
+        <source>byte %1: &lt;%2&gt; has a path with wrong numbers behind %3</source>
+        <translation>Byte %1: &lt;%2&gt; hat einen Pfad mit falschen Zahlen hinter %3</translation>
+    </message>
+    <message>
+        <source>figures that do not lie in the XY plane are left out</source>
+        <translation>Figuren, die nicht in der XY-Ebene liegen, sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>a mesh of polygons is left out</source>
+        <translation>ein Netz aus Polygonen ist ausgelassen</translation>
+    </message>
+    <message>
+        <source>a spline that states fit points alone is left out</source>
+        <translation>ein Spline, der nur Stützpunkte nennt, ist ausgelassen</translation>
+    </message>
+    <message>
+        <source>a spline with wrong knots or weights is left out</source>
+        <translation>ein Spline mit falschen Knoten oder Gewichten ist ausgelassen</translation>
+    </message>
+    <message>
+        <source>a block that the file does not define is left out</source>
+        <translation>ein Block, den die Datei nicht definiert, ist ausgelassen</translation>
+    </message>
+    <message>
+        <source>blocks within blocks deeper than 16 are left out</source>
+        <translation>Blöcke in Blöcken, tiefer als 16, sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>more than 100,000 blocks are left out</source>
+        <translation>mehr als 100.000 Blöcke sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>elements nested deeper than 100 are left out</source>
+        <translation>Elemente, tiefer als 100 verschachtelt, sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>&lt;use&gt; of another file is left out</source>
+        <translation>&lt;use&gt; einer anderen Datei ist ausgelassen</translation>
+    </message>
+    <message>
+        <source>more than 10,000 &lt;use&gt; are left out</source>
+        <translation>mehr als 10.000 &lt;use&gt; sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>&lt;use&gt; of something that is not there is left out</source>
+        <translation>&lt;use&gt; von etwas, das es nicht gibt, ist ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 is left out</source>
+        <translation>%1 ist ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 recordings and passes</source>
+        <translation>%1 Aufnahmen und Durchgänge</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -3937,6 +4173,14 @@
         <source>Tools for other programs (*.fctb *.tbl *.tools *.ctbl *.json)</source>
         <translation>Werkzeuge für andere Programme (*.fctb *.tbl *.tools *.ctbl *.json)</translation>
     </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnung</translation>
+    </message>
+    <message>
+        <source>Drawings (*.dxf *.svg *.DXF *.SVG);;All files (*)</source>
+        <translation>Zeichnungen (*.dxf *.svg *.DXF *.SVG);;Alle Dateien (*)</translation>
+    </message>
 </context>
 <context>
     <name>FileUnits</name>
@@ -4270,7 +4514,7 @@
     </message>
     <message>
         <source>pass %1</source>
-        <translation>berechnete Bahn %1</translation>
+        <translation>Durchgang %1</translation>
     </message>
     <message>
         <source>move %1</source>
@@ -4652,16 +4896,8 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Die Bahnen und ihre Bearbeitungen auflisten</translation>
     </message>
     <message>
-        <source>Make a path from takes, with the standard edits</source>
-        <translation>Eine Bahn aus Aufnahmen erstellen, mit den üblichen Bearbeitungen</translation>
-    </message>
-    <message>
         <source>Takes in order, all of one tool (default: all takes of the last tool that milled)</source>
         <translation>Aufnahmen in ihrer Reihenfolge, alle von einem Werkzeug (Vorgabe: alle Aufnahmen des Werkzeugs, das zuletzt fräste)</translation>
-    </message>
-    <message>
-        <source>Name of the path</source>
-        <translation>Name der Bahn</translation>
     </message>
     <message>
         <source>Evaluate a path and report what each edit did</source>
@@ -4678,10 +4914,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Machine (default: the project&apos;s)</source>
         <translation>Maschine (Vorgabe: die des Projekts)</translation>
-    </message>
-    <message>
-        <source>Add an edit to a path</source>
-        <translation>Einer Bahn eine Bearbeitung hinzufügen</translation>
     </message>
     <message>
         <source>The edit as JSON, as &quot;burin path P list --json&quot; shows them</source>
@@ -5195,6 +5427,102 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>Write tools for other programs: a LinuxCNC tool table (*.tbl), a Fusion library (*.tools), a CAMotics table (*.ctbl), a FreeCAD tool bit (*.fctb), or Burin&apos;s own form (*.json)</source>
         <translation>Werkzeuge für andere Programme schreiben: eine Werkzeugtabelle für LinuxCNC (*.tbl), eine Fusion-Bibliothek (*.tools), eine CAMotics-Tabelle (*.ctbl), ein Werkzeug für FreeCAD (*.fctb) oder Burins eigene Form (*.json)</translation>
     </message>
+    <message>
+        <source>Make a path from takes or of a computed pass, with the standard edits</source>
+        <translation>Eine Bahn aus Aufnahmen oder einem berechneten Durchgang anlegen, mit den üblichen Bearbeitungen</translation>
+    </message>
+    <message>
+        <source>Name of the path (default: &quot;path&quot;, or what the pass is)</source>
+        <translation>Name der Bahn (Vorgabe: „path“, oder was der Durchgang ist)</translation>
+    </message>
+    <message>
+        <source>Add an edit or a computed pass to a path</source>
+        <translation>Einer Bahn eine Bearbeitung oder einen berechneten Durchgang hinzufügen</translation>
+    </message>
+    <message>
+        <source>Compute a pass: levels (roughing), pocket, profile, face, parallel, radial, spiral, flow (rows that follow --lead or --lines), waterline, engrave</source>
+        <translation>Einen Durchgang berechnen: levels (Schruppen), pocket (Tasche), profile (Kontur), face (Planen), parallel, radial, spiral, flow (Zeilen, die --lead oder --lines folgen), waterline (Höhenlinien), engrave (Gravur)</translation>
+    </message>
+    <message>
+        <source>Tool of the pass (default: the tool of the path)</source>
+        <translation>Werkzeug des Durchgangs (Vorgabe: das der Bahn)</translation>
+    </message>
+    <message>
+        <source>Stock to leave on the part, mm</source>
+        <translation>Aufmaß auf dem Teil, mm</translation>
+    </message>
+    <message>
+        <source>Between rows or loops, and between the heights of a waterline, mm (default: 0.4 of the diameter to rough, a fifteenth to finish)</source>
+        <translation>Zwischen Zeilen oder Schleifen, und zwischen den Höhen von Höhenlinien, mm (Vorgabe: 0,4 des Durchmessers zum Schruppen, ein Fünfzehntel zum Schlichten)</translation>
+    </message>
+    <message>
+        <source>Instead of --step-over: height of the ridges between rows, mm</source>
+        <translation>Statt --step-over: Höhe der Grate zwischen Zeilen, mm</translation>
+    </message>
+    <message>
+        <source>Between levels, mm (default: what material, tool and spindle bear)</source>
+        <translation>Zwischen Ebenen, mm (Vorgabe: was Material, Werkzeug und Spindel aushalten)</translation>
+    </message>
+    <message>
+        <source>Of levels: height of the stairs that are left on slopes, mm (default: a tenth of the diameter)</source>
+        <translation>Von levels: Höhe der Stufen, die auf Schrägen bleiben, mm (Vorgabe: ein Zehntel des Durchmessers)</translation>
+    </message>
+    <message>
+        <source>Direction of parallel rows, degrees from X</source>
+        <translation>Richtung paralleler Zeilen, Grad von X aus</translation>
+    </message>
+    <message>
+        <source>Only where the part is at least so steep, degrees</source>
+        <translation>Nur wo das Teil mindestens so steil ist, Grad</translation>
+    </message>
+    <message>
+        <source>Only where the part is at most so steep, degrees</source>
+        <translation>Nur wo das Teil höchstens so steil ist, Grad</translation>
+    </message>
+    <message>
+        <source>Where to begin, mm (default: the stock&apos;s top)</source>
+        <translation>Wo begonnen wird, mm (Vorgabe: Oberkante des Rohteils)</translation>
+    </message>
+    <message>
+        <source>Lowest tip, mm (default: the part&apos;s lowest point, of face its top)</source>
+        <translation>Tiefste Spitze, mm (Vorgabe: tiefster Punkt des Teils, bei face sein höchster)</translation>
+    </message>
+    <message>
+        <source>Of engrave: below the top, mm</source>
+        <translation>Von engrave: unter der Oberkante, mm</translation>
+    </message>
+    <message>
+        <source>All rows in the same direction</source>
+        <translation>Alle Zeilen in dieselbe Richtung</translation>
+    </message>
+    <message>
+        <source>Of profile: within the border of --area instead of around it</source>
+        <translation>Von profile: innen am Rand von --area statt außen herum</translation>
+    </message>
+    <message>
+        <source>Rows only where stock is left</source>
+        <translation>Zeilen nur, wo Rohteil übrig ist</translation>
+    </message>
+    <message>
+        <source>Area of the pass: closed curves of a DXF or SVG drawing, or a JSON file as &quot;path list --json&quot; shows a pass, in the coordinates of the setup</source>
+        <translation>Bereich des Durchgangs: geschlossene Kurven einer DXF- oder SVG-Zeichnung, oder eine JSON-Datei, wie „path list --json“ einen Durchgang zeigt, in den Koordinaten der Aufspannung</translation>
+    </message>
+    <message>
+        <source>Curves to engrave, or that lead flow: DXF, SVG or JSON</source>
+        <translation>Kurven, die graviert werden oder flow führen: DXF, SVG oder JSON</translation>
+    </message>
+    <message>
+        <source>Takes whose strokes lead the pass</source>
+        <translation>Aufnahmen, deren Züge den Durchgang führen</translation>
+    </message>
+    <message>
+        <source>Move the drawing by X,Y, mm</source>
+        <translation>Die Zeichnung um X,Y verschieben, mm</translation>
+    </message>
+    <message>
+        <source>Unit of the drawing (default: as it says)</source>
+        <translation>Einheit der Zeichnung (Vorgabe: wie angegeben)</translation>
+    </message>
 </context>
 <context>
     <name>ImportFormat</name>
@@ -5595,6 +5923,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>&quot;%1&quot; reaches out of the stock (%2); enlarge the stock or its margin.</source>
         <translation>„%1“ ragt aus dem Rohteil heraus (%2); vergrößern Sie das Rohteil oder seine Zugabe.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; has no moves: %2.</source>
+        <translation>„%1“ hat keine Bewegungen: %2.</translation>
+    </message>
 </context>
 <context>
     <name>Migration</name>
@@ -5625,6 +5957,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Program zero and its work offset can be chosen.</source>
         <translation>Nullpunkt und Nullpunktverschiebung sind wählbar.</translation>
+    </message>
+    <message>
+        <source>Paths can be computed, and keep what was asked for.</source>
+        <translation>Bahnen lassen sich berechnen und behalten, was verlangt war.</translation>
     </message>
 </context>
 <context>
@@ -5979,6 +6315,89 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>%1, form tools</source>
         <translation>%1, Formwerkzeuge</translation>
+    </message>
+</context>
+<context>
+    <name>Pass</name>
+    <message>
+        <source>Levels</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Roughing: takes away what stands, level by level, in loops along the part</source>
+        <translation>Schruppen: trägt ab, was steht, Ebene für Ebene, in Schleifen am Teil entlang</translation>
+    </message>
+    <message>
+        <source>Pocket</source>
+        <translation>Tasche</translation>
+    </message>
+    <message>
+        <source>Takes away what stands within an area that the cutter does not leave, level by level</source>
+        <translation>Trägt Ebene für Ebene ab, was in einem Bereich steht, den der Fräser nicht verlässt</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Kontur</translation>
+    </message>
+    <message>
+        <source>Once along the border of an area, or along the part&apos;s outline, level by level</source>
+        <translation>Einmal am Rand eines Bereichs oder am Umriss des Teils entlang, Ebene für Ebene</translation>
+    </message>
+    <message>
+        <source>Facing</source>
+        <translation>Planen</translation>
+    </message>
+    <message>
+        <source>Takes away what stands above the part, in loops</source>
+        <translation>Trägt in Schleifen ab, was über dem Teil steht</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Parallel</translation>
+    </message>
+    <message>
+        <source>Finishing: parallel rows on the part</source>
+        <translation>Schlichten: parallele Zeilen auf dem Teil</translation>
+    </message>
+    <message>
+        <source>Radial</source>
+        <translation>Radial</translation>
+    </message>
+    <message>
+        <source>Finishing: rows on the part from a centre outwards</source>
+        <translation>Schlichten: Zeilen auf dem Teil von einer Mitte nach außen</translation>
+    </message>
+    <message>
+        <source>Spiral</source>
+        <translation>Spirale</translation>
+    </message>
+    <message>
+        <source>Finishing: one row on the part, round a centre outwards</source>
+        <translation>Schlichten: eine Zeile auf dem Teil, um eine Mitte nach außen</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Fluss</translation>
+    </message>
+    <message>
+        <source>Finishing: rows on the part that follow a stroke, or are blended from one stroke to the next</source>
+        <translation>Schlichten: Zeilen auf dem Teil, die einem Zug folgen oder von einem Zug zum nächsten übergehen</translation>
+    </message>
+    <message>
+        <source>Waterline</source>
+        <translation>Höhenlinien</translation>
+    </message>
+    <message>
+        <source>Finishing of steep faces: along the part at one height after the other</source>
+        <translation>Schlichten steiler Flächen: am Teil entlang, eine Höhe nach der anderen</translation>
+    </message>
+    <message>
+        <source>Engraving</source>
+        <translation>Gravur</translation>
+    </message>
+    <message>
+        <source>Along lines at a depth below the top of the stock</source>
+        <translation>Linien entlang, in einer Tiefe unter der Oberkante des Rohteils</translation>
     </message>
 </context>
 <context>
@@ -7165,6 +7584,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>layer</source>
         <translation>Schicht</translation>
+    </message>
+    <message>
+        <source>checked program</source>
+        <translation>geprüftes Programm</translation>
+    </message>
+    <message>
+        <source>generated moves</source>
+        <translation>berechneter Durchgang</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>Durchgang</translation>
     </message>
 </context>
 <context>
@@ -9958,6 +10389,236 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::PassController</name>
+    <message>
+        <source>Computing the pass</source>
+        <translation>Der Durchgang wird berechnet</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PassDialog</name>
+    <message>
+        <source>Compute a pass</source>
+        <translation>Durchgang berechnen</translation>
+    </message>
+    <message>
+        <source>Burin computes the moves of %1 on the stock that the paths before leave, and adds them to its path. You edit, check and undo them like those of a recording.</source>
+        <translation>Burin berechnet die Bewegungen von %1 auf dem Rohteil, das die Bahnen davor übrig lassen, und fügt sie der Bahn des Werkzeugs hinzu. Sie lassen sich wie aufgezeichnete bearbeiten, prüfen und rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>What the pass does</source>
+        <translation>Was der Durchgang tut</translation>
+    </message>
+    <message>
+        <source>Compute</source>
+        <translation>Berechnen</translation>
+    </message>
+    <message>
+        <source>Compute the pass; you can go on and cancel it meanwhile</source>
+        <translation>Den Durchgang berechnen; inzwischen kann man weiterarbeiten und ihn abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Change nothing</source>
+        <translation>Nichts ändern</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>Stock that stays on the part</source>
+        <translation>Rohteil, das auf dem Teil bleibt</translation>
+    </message>
+    <message>
+        <source>Step-over</source>
+        <translation>Zeilenabstand</translation>
+    </message>
+    <message>
+        <source>Between rows or loops, and between the heights of a waterline</source>
+        <translation>Zwischen Zeilen oder Schleifen, und zwischen den Höhen von Höhenlinien</translation>
+    </message>
+    <message>
+        <source>Scallop height</source>
+        <translation>Rauhtiefe</translation>
+    </message>
+    <message>
+        <source>In place of a step-over: how high the ridges between rows may be. 0: not used</source>
+        <translation>Anstelle eines Zeilenabstands: wie hoch die Grate zwischen Zeilen sein dürfen. 0: nicht verwendet</translation>
+    </message>
+    <message>
+        <source>Depth of a level</source>
+        <translation>Tiefe einer Ebene</translation>
+    </message>
+    <message>
+        <source>At most; proposed is what material, tool and spindle bear</source>
+        <translation>Höchstens; vorgeschlagen wird, was Material, Werkzeug und Spindel aushalten</translation>
+    </message>
+    <message>
+        <source>Stairs on slopes</source>
+        <translation>Stufen auf Schrägen</translation>
+    </message>
+    <message>
+        <source>How high they may be after all levels</source>
+        <translation>Wie hoch sie nach allen Ebenen sein dürfen</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Of the lines below the top</source>
+        <translation>Der Linien unter der Oberkante</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Of the rows, from X</source>
+        <translation>Der Zeilen, von X aus</translation>
+    </message>
+    <message>
+        <source>Steeper than</source>
+        <translation>Steiler als</translation>
+    </message>
+    <message>
+        <source>Only where the part is at least so steep</source>
+        <translation>Nur wo das Teil mindestens so steil ist</translation>
+    </message>
+    <message>
+        <source>Flatter than</source>
+        <translation>Flacher als</translation>
+    </message>
+    <message>
+        <source>Only where the part is at most so steep</source>
+        <translation>Nur wo das Teil höchstens so steil ist</translation>
+    </message>
+    <message>
+        <source>From height</source>
+        <translation>Ab Höhe</translation>
+    </message>
+    <message>
+        <source>Z of the top of what is taken away, in the coordinates of the setup</source>
+        <translation>Z der Oberkante dessen, was abgetragen wird, in den Koordinaten der Aufspannung</translation>
+    </message>
+    <message>
+        <source>Down to height</source>
+        <translation>Bis Höhe</translation>
+    </message>
+    <message>
+        <source>Z of the lowest tip, in the coordinates of the setup</source>
+        <translation>Z der tiefsten Spitze, in den Koordinaten der Aufspannung</translation>
+    </message>
+    <message>
+        <source>Only where stock is left</source>
+        <translation>Nur wo Rohteil übrig ist</translation>
+    </message>
+    <message>
+        <source>Leaves out rows that would touch no stock</source>
+        <translation>Lässt Zeilen aus, die kein Rohteil berühren würden</translation>
+    </message>
+    <message>
+        <source>All rows in one direction</source>
+        <translation>Alle Zeilen in eine Richtung</translation>
+    </message>
+    <message>
+        <source>Back in the air in place of there and back</source>
+        <translation>In der Luft zurück statt hin und her</translation>
+    </message>
+    <message>
+        <source>Inside of the border</source>
+        <translation>Innen am Rand</translation>
+    </message>
+    <message>
+        <source>The cutter goes along the inner side of the area&apos;s border</source>
+        <translation>Der Fräser geht innen am Rand des Bereichs entlang</translation>
+    </message>
+    <message>
+        <source>whole part</source>
+        <translation>ganzes Teil</translation>
+    </message>
+    <message>
+        <source>from a drawing…</source>
+        <translation>aus einer Zeichnung…</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Where the tool may go: the closed curves of a DXF or SVG drawing, in the coordinates of the setup</source>
+        <translation>Wo das Werkzeug sein darf: die geschlossenen Kurven einer DXF- oder SVG-Zeichnung, in den Koordinaten der Aufspannung</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>strokes of take %1</source>
+        <translation>Züge der Aufnahme %1</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>What rows follow, or what is engraved: strokes of a recording, or the curves of a drawing</source>
+        <translation>Dem die Zeilen folgen, oder was graviert wird: Züge einer Aufzeichnung, oder die Kurven einer Zeichnung</translation>
+    </message>
+    <message>
+        <source>as it states</source>
+        <translation>wie angegeben</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Unit of the drawing</source>
+        <translation>Einheit der Zeichnung</translation>
+    </message>
+    <message>
+        <source>Not every drawing states its unit</source>
+        <translation>Nicht jede Zeichnung nennt ihre Einheit</translation>
+    </message>
+    <message>
+        <source>Choose a drawing of the pocket&apos;s area.</source>
+        <translation>Wählen Sie eine Zeichnung vom Bereich der Tasche.</translation>
+    </message>
+    <message>
+        <source>Choose a drawing of the area along whose border the cutter goes.</source>
+        <translation>Wählen Sie eine Zeichnung des Bereichs, an dessen Rand der Fräser entlanggeht.</translation>
+    </message>
+    <message>
+        <source>Choose strokes or a drawing to engrave.</source>
+        <translation>Wählen Sie Züge oder eine Zeichnung, die graviert werden.</translation>
+    </message>
+    <message>
+        <source>Choose strokes or a drawing that the rows follow.</source>
+        <translation>Wählen Sie Züge oder eine Zeichnung, denen die Zeilen folgen.</translation>
+    </message>
+    <message>
+        <source>Enter the depth of the lines.</source>
+        <translation>Geben Sie die Tiefe der Linien ein.</translation>
+    </message>
+</context>
+<context>
     <name>burin::PathController</name>
     <message>
         <source>change of an edit</source>
@@ -9987,6 +10648,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>new path</source>
         <translation>neue Bahn</translation>
     </message>
+    <message>
+        <source>computed pass</source>
+        <translation>Berechneter Durchgang</translation>
+    </message>
 </context>
 <context>
     <name>burin::PathHand</name>
@@ -10005,10 +10670,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 </context>
 <context>
     <name>burin::PathPanel</name>
-    <message>
-        <source>Takes</source>
-        <translation>Aufnahmen</translation>
-    </message>
     <message>
         <source>Points</source>
         <translation>Punkte</translation>
@@ -10044,10 +10705,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Work is under way.</source>
         <translation>Es wird noch gerechnet.</translation>
-    </message>
-    <message>
-        <source>Record a take first.</source>
-        <translation>Zeichnen Sie zuerst eine Aufnahme auf.</translation>
     </message>
     <message>
         <source>The path is up to date.</source>
@@ -10130,12 +10787,32 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Werkzeug</translation>
     </message>
     <message>
-        <source>%1 has not milled yet. Choose a tool that has, or record a take first.</source>
-        <translation>%1 hat noch nicht gefräst. Wählen Sie ein Werkzeug, das gefräst hat, oder zeichnen Sie zuerst eine Aufnahme auf.</translation>
-    </message>
-    <message>
         <source>With a spindle that rotates clockwise; conventional cuts are pink in the view. Other moves cut on both sides, or from above. Reverse changes the direction of strokes</source>
         <translation>Bei rechtsdrehender Spindel; Gegenlauf ist in der Ansicht rosa. Andere Bewegungen schneiden auf beiden Seiten oder von oben. Umkehren ändert die Richtung von Zügen</translation>
+    </message>
+    <message>
+        <source>Takes and passes</source>
+        <translation>Aufnahmen und Durchgänge</translation>
+    </message>
+    <message>
+        <source>Compute a pass…</source>
+        <translation>Durchgang berechnen…</translation>
+    </message>
+    <message>
+        <source>The workpiece has to be ready, and no pass under way.</source>
+        <translation>Das Werkstück muss bereit sein, und kein Durchgang in Arbeit.</translation>
+    </message>
+    <message>
+        <source>Compute roughing, finishing, a pocket, a profile or engraving with the loaded tool</source>
+        <translation>Schruppen, Schlichten, eine Tasche, eine Kontur oder eine Gravur mit dem geladenen Werkzeug berechnen</translation>
+    </message>
+    <message>
+        <source>Record a take first, or compute a pass.</source>
+        <translation>Zeichnen Sie zuerst etwas auf, oder berechnen Sie einen Durchgang.</translation>
+    </message>
+    <message>
+        <source>%1 has not milled yet. Choose a tool that has, record a take, or compute a pass.</source>
+        <translation>%1 hat noch nicht gefräst. Wählen Sie eines, das gefräst hat, zeichnen Sie etwas auf, oder berechnen Sie einen Durchgang.</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,7 @@
 #include "core/cad/import.h"
 #include "core/document/companions.h"
 #include "core/document/project_change.h"
+#include "core/job/job_paths.h"
 #include "core/job/stock_file.h"
 #include "core/setup/setup.h"
 
@@ -68,11 +69,12 @@ Result<void> mayBeReplaced(const EmbedArguments& arguments) {
     if (arguments.replace || !std::filesystem::exists(arguments.output, unreached)) return {};
     const Result<Project> standing = Project::openForReading(arguments.output);
     if (!standing) return {};
-    const Result<std::vector<TakeInfo>> takes = standing->takes();
-    if (!takes || takes->empty()) return {};
-    return Error{ErrorCode::argumentInvalid, "--output", arguments.output,
-                 worded(BURIN_TEXT("Command", "another file, or --replace (recordings in the project there: %1)"),
-                        {std::to_string(takes->size())})};
+    const Result<std::vector<SourceInfo>> sources = sourcesOf(*standing);
+    if (!sources || sources->empty()) return {};
+    return Error{
+        ErrorCode::argumentInvalid, "--output", arguments.output,
+        worded(BURIN_TEXT("Command", "another file, or --replace (recordings and passes in the project there: %1)"),
+               {std::to_string(sources->size())})};
 }
 
 const char* optionOf(const std::filesystem::path& input, const EmbedArguments& arguments) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/chosen_setup.h"
 #include "app/command.h"
+#include "app/pass_arguments.h"
 #include "app/report.h"
 #include "app/surroundings.h"
 #include "app/wording.h"
@@ -9,6 +10,7 @@
 #include "core/base/numbers.h"
 #include "core/document/companions.h"
 #include "core/document/project_change.h"
+#include "core/job/computed_pass.h"
 #include "core/job/job_paths.h"
 #include "core/path/milling_side.h"
 #include "core/recording/take_csv.h"
@@ -25,24 +27,47 @@ namespace {
 using nlohmann::json;
 
 struct PathArguments {
-    std::string project, machine, output, edit, name = "path";
+    std::string project, machine, output, edit, name;
     std::string outputOption = "--output"; ///< that the user gave the output with
     std::int64_t path = 0, take = 0;
     std::vector<std::int64_t> takes;
     std::size_t place = 0;
+    PassArguments pass;
 };
 
-json jsonOf(const StoredPath& path) {
-    json edits = json::array();
-    for (const Edit& edit : path.edits) edits.push_back(json::parse(toJson(edit)));
-    return {{"id", path.id}, {"name", path.name}, {"takes", takesOf(path.sources)}, {"edits", edits}};
+/// What a path is made of besides takes, in its order. Errors: those of Project::generated.
+Result<std::vector<GeneratedInfo>> passesOf(const Project& project, const StoredPath& path) {
+    const Result<std::vector<GeneratedInfo>> all = project.generated();
+    if (!all) return all;
+    std::vector<GeneratedInfo> passes;
+    for (const PathSource source : path.sources)
+        if (const auto found = std::ranges::find(*all, source.id, &GeneratedInfo::id); found != all->end())
+            passes.push_back(*found);
+    return passes;
 }
 
-std::string textOf(const StoredPath& path) {
+json jsonOf(const StoredPath& path, const std::vector<GeneratedInfo>& passes) {
+    json edits = json::array(), made = json::array();
+    for (const Edit& edit : path.edits) edits.push_back(json::parse(toJson(edit)));
+    for (const GeneratedInfo& pass : passes)
+        made.push_back({{"id", pass.id},
+                        {"name", pass.name},
+                        {"tool", pass.toolId},
+                        {"points", pass.pointCount},
+                        {"request", json::parse(pass.request, nullptr, false)}});
+    return {{"id", path.id}, {"name", path.name}, {"takes", takesOf(path.sources)}, {"passes", made}, {"edits", edits}};
+}
+
+std::string textOf(const StoredPath& path, const std::vector<GeneratedInfo>& passes) {
     std::ostringstream text;
     std::string takes;
     for (const std::int64_t take : takesOf(path.sources)) takes += " " + std::to_string(take);
-    text << worded(BURIN_TEXT("Command", "path %1 %2, takes%3"), {std::to_string(path.id), path.name, takes});
+    const std::string id = std::to_string(path.id);
+    text << (takes.empty() ? worded(BURIN_TEXT("Command", "path %1 %2"), {id, path.name})
+                           : worded(BURIN_TEXT("Command", "path %1 %2, takes%3"), {id, path.name, takes}));
+    for (const GeneratedInfo& pass : passes)
+        text << "\n  " << nameOf(PathSource{pass.id}) << "  " << pass.name << ", " << pass.toolId << ", "
+             << pass.pointCount << (pass.request.empty() ? "" : "  " + pass.request);
     for (std::size_t i = 0; i < path.edits.size(); ++i) text << "\n  " << i << "  " << toJson(path.edits[i]);
     return text.str();
 }
@@ -66,8 +91,10 @@ int list(const PathArguments& arguments, CommandContext& context) {
     json answer{{"paths", json::array()}};
     std::string text = paths->empty() ? worded(BURIN_TEXT("Command", "no paths")) : "";
     for (const StoredPath& path : *paths) {
-        answer["paths"].push_back(jsonOf(path));
-        text += (text.empty() ? "" : "\n") + textOf(path);
+        const Result<std::vector<GeneratedInfo>> passes = passesOf(*project, path);
+        if (!passes) return context.fail(passes.error());
+        answer["paths"].push_back(jsonOf(path, *passes));
+        text += (text.empty() ? "" : "\n") + textOf(path, *passes);
     }
     context.answer(answer, text);
     return 0;
@@ -88,14 +115,78 @@ Result<std::string> toolForNew(const Project& project, const PathArguments& argu
     return first->toolId;
 }
 
+/// Saves a change and answers with the path as it is now.
+int finish(ProjectChange& project, const StoredPath& path, CommandContext& context, json further = json::object(),
+           const std::string& furtherText = {}) {
+    const Result<std::vector<GeneratedInfo>> passes = passesOf(*project, path);
+    if (!passes) return context.fail(passes.error());
+    if (const Result<void> saved = project.save(); !saved) return context.fail(saved.error());
+    tellKeptEarlier(context, *project);
+    further.update(jsonOf(path, *passes));
+    context.answer(further, textOf(path, *passes) + furtherText);
+    return 0;
+}
+
+/// Computes a pass and makes it the last source of a path, or the first of a new one.
+int addPassTo(ProjectChange& project, StoredPath path, const PathArguments& arguments, CommandContext& context) {
+    const Result<std::vector<SourceInfo>> sources = sourcesOf(*project);
+    if (!sources) return context.fail(sources.error());
+    const bool isNew = path.sources.empty();
+    const std::string own = isNew ? std::string() : toolOf(path, *sources);
+    const std::string toolId = arguments.pass.tool.empty() ? own : arguments.pass.tool;
+    if (toolId.empty())
+        return context.fail(
+            {ErrorCode::argumentInvalid, "--tool", "", worded(BURIN_TEXT("Command", "a tool for the pass"))});
+    if (!own.empty() && toolId != own)
+        return context.fail(
+            {ErrorCode::argumentInvalid, "--tool", toolId,
+             worded(BURIN_TEXT("Command", "%1, the tool of this path; make a new one for another tool"), {own})});
+    const Result<Tool> tool = toolFor(*project, toolId);
+    if (!tool) return context.fail(tool.error());
+    context.stage(BURIN_TEXT("Command", "Opening"));
+    const Result<MillingContext> milling =
+        makeMillingContext(*project, *tool, machineFor(*project, arguments.machine, context), context.progress());
+    if (!milling) return context.fail(milling.error());
+    const Result<PassRequest> request = requestOf(arguments.pass, *project, context);
+    if (!request) return context.fail(request.error());
+    context.stage(BURIN_TEXT("Command", "Computing the pass"));
+    Result<std::vector<PathMatter>> before = pathsBeforePass(*project, path, toolId, *request);
+    if (!before) return context.fail(before.error());
+    const Result<ComputedPass> pass = computePass(*milling, std::move(*before), *request, context.progress());
+    if (!pass) return context.fail(pass.error());
+    const Result<std::int64_t> source = project->addGenerated(pass->moves);
+    if (!source) return context.fail(source.error());
+    if (const Result<void> kept = project->setTool(*tool); !kept) return context.fail(kept.error());
+    path = withPass(std::move(path), pass->moves.info.name, *source);
+    const Result<std::int64_t> id = isNew ? project->addPath(path) : Result<std::int64_t>(path.id);
+    if (!id) return context.fail(id.error());
+    path.id = *id;
+    if (!isNew)
+        if (const Result<void> stored = project->setPath(path); !stored) return context.fail(stored.error());
+    std::string told = "\n" + worded(BURIN_TEXT("Command", "%1 mm in %2 strokes"),
+                                     {formatFixed(pass->length, 1), std::to_string(pass->moves.strokes.size())});
+    if (pass->leftOut > 0.0)
+        told +=
+            worded(BURIN_TEXT("Command", "; %1 mm were left out, as too much stock stands there for the tool: rough "
+                                         "it first, or take a longer tool"),
+                   {formatFixed(pass->leftOut, 1)});
+    return finish(project, path, context,
+                  {{"pass", *source},
+                   {"length_mm", pass->length},
+                   {"left_out_mm", pass->leftOut},
+                   {"strokes", pass->moves.strokes.size()}},
+                  told);
+}
+
 int create(const PathArguments& arguments, CommandContext& context) {
     Result<ProjectChange> project = projectToChange(arguments.project, context);
     if (!project) return context.fail(project.error());
+    if (!arguments.pass.kind.empty()) return addPassTo(*project, {0, arguments.name, {}, {}}, arguments, context);
     const Result<std::string> tool = toolForNew(**project, arguments);
     if (!tool) return context.fail(tool.error());
     Result<StoredPath> path = standardPath(**project, *tool);
     if (!path) return context.fail(path.error());
-    path->name = arguments.name;
+    path->name = arguments.name.empty() ? "path" : arguments.name;
     for (const std::int64_t take : arguments.takes)
         if (std::ranges::find(path->sources, PathSource{take}) == path->sources.end())
             return context.fail({ErrorCode::argumentInvalid, "--takes", std::to_string(take),
@@ -104,10 +195,7 @@ int create(const PathArguments& arguments, CommandContext& context) {
     const Result<std::int64_t> id = (*project)->addPath(*path);
     if (!id) return context.fail(id.error());
     path->id = *id;
-    if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
-    tellKeptEarlier(context, **project);
-    context.answer(jsonOf(*path), textOf(*path));
-    return 0;
+    return finish(*project, *path, context);
 }
 
 /// Changes the edits of one path and saves.
@@ -119,10 +207,7 @@ int change(const PathArguments& arguments, CommandContext& context,
     if (!path) return context.fail(path.error());
     if (const Result<void> changed = changeEdits(*path); !changed) return context.fail(changed.error());
     if (const Result<void> stored = (*project)->setPath(*path); !stored) return context.fail(stored.error());
-    if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
-    tellKeptEarlier(context, **project);
-    context.answer(jsonOf(*path), textOf(*path));
-    return 0;
+    return finish(*project, *path, context);
 }
 
 Result<void> applyEdit(StoredPath& path, const PathArguments& arguments) {
@@ -133,6 +218,21 @@ Result<void> applyEdit(StoredPath& path, const PathArguments& arguments) {
                      worded(BURIN_TEXT("Command", "%1 to %2"), {"0", std::to_string(path.edits.size())})};
     path.edits.insert(path.edits.begin() + static_cast<std::ptrdiff_t>(arguments.place), *edit);
     return {};
+}
+
+/// An edit, or a pass.
+
+int addTo(const PathArguments& arguments, CommandContext& context) {
+    if (arguments.pass.kind.empty() && arguments.edit.empty())
+        return context.fail({ErrorCode::argumentInvalid, "--edit", "",
+                             worded(BURIN_TEXT("Command", "an edit, or a pass with --pass"))});
+    if (arguments.pass.kind.empty())
+        return change(arguments, context, [&](StoredPath& path) { return applyEdit(path, arguments); });
+    Result<ProjectChange> project = projectToChange(arguments.project, context);
+    if (!project) return context.fail(project.error());
+    const Result<StoredPath> path = pathWithId(**project, arguments.path);
+    if (!path) return context.fail(path.error());
+    return addPassTo(*project, *path, arguments, context);
 }
 
 Result<void> checkPosition(const StoredPath& path, const PathArguments& arguments) {
@@ -185,6 +285,23 @@ Result<void> checkPlace(const PathArguments& arguments) {
     return arguments.output.empty() ? Result<void>() : checkOutput(arguments.outputOption, arguments.output, inputs);
 }
 
+/// Adds to each pass how long its own moves are, and how long they take at their feeds.
+void tellPasses(const Path& path, json& passes) {
+    for (json& pass : passes) {
+        const std::int64_t id = pass["id"].get<std::int64_t>();
+        double length = 0.0, minutes = 0.0;
+        for (std::size_t i = 1; i < path.points.size(); ++i) {
+            const PathPoint& point = path.points[i];
+            if (point.source != id || point.kind == MoveKind::rapid) continue;
+            const double way = lengthOf(path.points[i - 1].pose.tip, point);
+            length += way;
+            if (point.feed > 0.0) minutes += way / point.feed;
+        }
+        pass["length_mm"] = length;
+        pass["time_s"] = 60.0 * minutes;
+    }
+}
+
 /// Evaluates a path, reports its edits and, with an output, writes its points.
 int show(const PathArguments& arguments, CommandContext& context) {
     if (const Result<void> free = checkPlace(arguments); !free) return context.fail(free.error());
@@ -203,7 +320,10 @@ int show(const PathArguments& arguments, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Editing"));
     const Result<EvaluatedPath> path = evaluateInJob(*project, *milling, *stored, context.progress());
     if (!path) return context.fail(path.error());
-    json answer = jsonOf(*stored);
+    const Result<std::vector<GeneratedInfo>> passes = passesOf(*project, *stored);
+    if (!passes) return context.fail(passes.error());
+    json answer = jsonOf(*stored, *passes);
+    tellPasses(path->path, answer["passes"]);
     answer["reports"] = burin::jsonOf(path->reports);
     answer["points"] = path->path.points.size();
     answer["error_budget_mm"] = path->errorBudget;
@@ -212,7 +332,7 @@ int show(const PathArguments& arguments, CommandContext& context) {
                  conventional = bySide[static_cast<std::size_t>(MillingSide::conventional)];
     answer["climb_mm"] = climb;
     answer["conventional_mm"] = conventional;
-    std::string text = textOf(*stored) + "\n" +
+    std::string text = textOf(*stored, *passes) + "\n" +
                        worded(BURIN_TEXT("Command", "%1 points, error budget %2 mm, climb %3 mm, conventional %4 mm"),
                               {std::to_string(path->path.points.size()), formatFixed(path->errorBudget, 4),
                                formatFixed(climb, 1), formatFixed(conventional, 1)});
@@ -290,11 +410,15 @@ void registerPath(CommandParser program, CommandContext& context, int& status) {
     });
     add("list", BURIN_TEXT("Help", "List the paths and their edits"), list);
     const CommandParser make =
-        add("new", BURIN_TEXT("Help", "Make a path from takes, with the standard edits"), create);
+        add("new", BURIN_TEXT("Help", "Make a path from takes or of a computed pass, with the standard edits"), create);
+    const Argument pass = addPass(make, arguments->pass);
     make.option("--takes", arguments->takes,
                 BURIN_TEXT("Help", "Takes in order, all of one tool (default: all takes of the last tool that milled)"))
-        .separatedBy(',');
-    make.option("--name", arguments->name, BURIN_TEXT("Help", "Name of the path")).showDefault();
+        .separatedBy(',')
+        .excludes(pass);
+    make.option("--name", arguments->name,
+                BURIN_TEXT("Help", "Name of the path (default: \"path\", or what the pass is)"));
+    make.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
     const CommandParser evaluateOne =
         withPath(add("show", BURIN_TEXT("Help", "Evaluate a path and report what each edit did"), show));
     const Argument output =
@@ -309,15 +433,17 @@ void registerPath(CommandParser program, CommandContext& context, int& status) {
             BURIN_TEXT("Help", "The same as --output"))
         .excludes(output);
     evaluateOne.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
-    const CommandParser apply = withPath(add(
-        "apply", BURIN_TEXT("Help", "Add an edit to a path"), [](const PathArguments& given, CommandContext& where) {
-            return change(given, where, [&](StoredPath& path) { return applyEdit(path, given); });
-        }));
-    apply
-        .option("--edit", arguments->edit,
-                BURIN_TEXT("Help", "The edit as JSON, as \"burin path P list --json\" shows them"))
-        .required();
-    apply.option("--place", arguments->place, BURIN_TEXT("Help", "Position in the list of edits, from 0")).required();
+    const CommandParser further =
+        withPath(add("apply", BURIN_TEXT("Help", "Add an edit or a computed pass to a path"), addTo));
+    const Argument furtherPass = addPass(further, arguments->pass);
+    const Argument edit =
+        further
+            .option("--edit", arguments->edit,
+                    BURIN_TEXT("Help", "The edit as JSON, as \"burin path P list --json\" shows them"))
+            .excludes(furtherPass);
+    further.option("--place", arguments->place, BURIN_TEXT("Help", "Position in the list of edits, from 0"))
+        .needs(edit);
+    further.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
     const CommandParser undo =
         withPath(add("undo", BURIN_TEXT("Help", "Delete an edit from a path"),
                      [](const PathArguments& given, CommandContext& where) {

@@ -30,10 +30,10 @@ struct VerifyArguments {
 /// The tool asked for, or that of the first take.
 Result<Tool> chosenTool(const Project& project, const std::string& id) {
     if (!id.empty()) return toolFor(project, id);
-    const Result<std::vector<TakeInfo>> takes = project.takes();
-    if (!takes) return takes.error();
-    if (takes->empty()) return Error{ErrorCode::projectIncomplete, "a tool", "--tool NAME", {}};
-    return toolFor(project, takes->front().toolId);
+    const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
+    if (!sources) return sources.error();
+    if (sources->empty()) return Error{ErrorCode::projectIncomplete, "a tool", "--tool NAME", {}};
+    return toolFor(project, sources->front().toolId);
 }
 
 /// The scale of the map's colours, from the deepest gouge to the most stock.

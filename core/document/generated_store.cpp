@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* selectGenerated =
     "SELECT id, setup, name, tool_id, allowance, "
-    "(SELECT COALESCE(SUM(count), 0) FROM generated_chunk WHERE generated = generated.id) FROM generated";
+    "(SELECT COALESCE(SUM(count), 0) FROM generated_chunk WHERE generated = generated.id), request FROM generated";
 
 /// A table counts from 1 on; a project's ids of generated moves are below 0.
 std::int64_t rowOf(std::int64_t id) noexcept {
@@ -29,6 +29,7 @@ GeneratedInfo generatedInfoOf(const Statement& row) {
     info.toolId = cleanLine(row.text(3));
     info.allowance = row.real(4);
     info.pointCount = static_cast<std::uint64_t>(row.integer(5));
+    info.request = row.text(6);
     return info;
 }
 
@@ -79,8 +80,9 @@ Result<void> loadStrokes(Database& database, GeneratedMoves& moves) {
 Result<std::int64_t> storeGenerated(Database& database, const GeneratedMoves& moves, SetupId setup) {
     if (Result<void> valid = checkGenerated(moves); !valid) return std::move(valid).error();
     if (Result<void> known = requireSetup(database, setup); !known) return std::move(known).error();
-    if (Result<void> done = run(database, "INSERT INTO generated(setup, name, tool_id, allowance) VALUES(?, ?, ?, ?)",
-                                numberOf(setup), moves.info.name, moves.info.toolId, moves.info.allowance);
+    if (Result<void> done =
+            run(database, "INSERT INTO generated(setup, name, tool_id, allowance, request) VALUES(?, ?, ?, ?, ?)",
+                numberOf(setup), moves.info.name, moves.info.toolId, moves.info.allowance, moves.info.request);
         !done)
         return std::move(done).error();
     const Result<std::int64_t> row = database.integer("SELECT last_insert_rowid()");

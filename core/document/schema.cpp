@@ -205,6 +205,7 @@ INSERT INTO setup_setting SELECT 1, name, json FROM milling_setting WHERE name I
 DELETE FROM milling_setting WHERE name IN ('program_draft', 'kept_program');
 )sql";
 constexpr std::string_view brepPlacementColumn = ",brep_placementTEXTNOTNULLDEFAULT'')";
+constexpr std::string_view requestColumn = ",requestTEXTNOTNULLDEFAULT'')";
 
 std::string withoutSpaces(std::string_view sql) {
     std::string text;
@@ -287,6 +288,10 @@ Result<void> addProgramZero(Database&) {
     return {};
 }
 
+Result<void> addPassRequests(Database& file) {
+    return file.execute("ALTER TABLE generated ADD COLUMN request TEXT NOT NULL DEFAULT ''");
+}
+
 Result<void> checkIdentity(Database& file, int newest) {
     const Result<std::int64_t> application = file.integer("PRAGMA application_id");
     if (!application) return application.error();
@@ -308,6 +313,7 @@ Result<void> checkSchema(Database& file) {
     if (*version >= 4) addSetupsTo(expected);
     if (*version >= 6) expected.merge(statementsOf(stockVolumes));
     if (*version >= 7) addColumn(expected["model"], brepPlacementColumn);
+    if (*version >= 9) addColumn(expected["generated"], requestColumn);
     Result<Statement> rows =
         Statement::prepare(file, "SELECT name, sql FROM sqlite_schema WHERE type IN ('table', 'index')");
     if (!rows) return std::move(rows).error();

@@ -28,6 +28,7 @@ Result<void> addRoles(Database& file);
 Result<void> addStockVolumes(Database& file);
 Result<void> addPlacements(Database& file);
 Result<void> addProgramZero(Database& file);
+Result<void> addPassRequests(Database& file);
 inline constexpr std::array projectMigrations{
     Migration{1, BURIN_TEXT("Migration", "Strokes of a take can be undone."), addUndoneStretches},
     Migration{2, BURIN_TEXT("Migration", "Fixtures, the tool axis and guides are kept."), addSurroundings},
@@ -37,6 +38,7 @@ inline constexpr std::array projectMigrations{
     Migration{6, BURIN_TEXT("Migration", "The part can be rotated, and each setup has its own program."),
               addPlacements},
     Migration{7, BURIN_TEXT("Migration", "Program zero and its work offset can be chosen."), addProgramZero},
+    Migration{8, BURIN_TEXT("Migration", "Paths can be computed, and keep what was asked for."), addPassRequests},
 };
 inline constexpr int projectVersion = static_cast<int>(projectMigrations.size()) + 1;
 

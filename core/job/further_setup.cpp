@@ -77,8 +77,11 @@ Result<AddedSetup> takeStockAnew(Project& project, SetupId id, Progress& progres
     if (!setup) return std::move(setup).error();
     const Result<std::vector<TakeInfo>> takes = project.takes(id);
     if (!takes) return takes.error();
-    if (!setup->leftBy || !takes->empty())
-        return Error{ErrorCode::argumentInvalid, "stock", std::to_string(takes->size()) + " recordings",
+    const Result<std::vector<GeneratedInfo>> passes = project.generated(id);
+    if (!passes) return passes.error();
+    if (!setup->leftBy || !takes->empty() || !passes->empty())
+        return Error{ErrorCode::argumentInvalid, "stock",
+                     std::to_string(takes->size() + passes->size()) + " recordings and passes",
                      "a setup whose stock another one left, and in which nothing is milled yet"};
     const Result<LeftStock> stock = leftStock(project, setup->leftBy->setup, setup->placement, progress);
     if (!stock) return stock.error();

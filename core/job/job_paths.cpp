@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace burin {
@@ -282,6 +283,70 @@ Result<EvaluatedPath> evaluateInJob(const Project& project, const MillingContext
     const Result<std::vector<MilledPath>> milled = evaluateEach(milling, std::move(matters), order, progress);
     if (!milled) return milled.error();
     return *milled->back().evaluated;
+}
+
+namespace {
+
+/// The paths that the job mills with other tools: those there are, and standard ones of tools that lack one.
+Result<std::vector<PathMatter>> mattersOfOthers(const Project& project, const std::string& toolId) {
+    const Result<std::vector<StoredPath>> paths = project.paths();
+    if (!paths) return paths.error();
+    const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
+    if (!sources) return sources.error();
+    const Result<std::vector<SourceInfo>> standing = standingSources(project);
+    if (!standing) return standing.error();
+    const std::vector<StoredPath> first = firstPaths(*paths, *sources);
+    std::vector<PathMatter> matters;
+    for (const std::string& tool : toolsOf(*standing)) {
+        if (tool == toolId) continue;
+        const auto made =
+            std::ranges::find(first, tool, [&](const StoredPath& each) { return toolOf(each, *sources); });
+        Result<StoredPath> path = made != first.end() ? Result<StoredPath>(*made) : standardPath(project, tool);
+        if (!path) return std::move(path).error();
+        Result<PathMatter> matter = matterOf(project, *path);
+        if (!matter) return std::move(matter).error();
+        matters.push_back(std::move(*matter));
+    }
+    return matters;
+}
+
+} // namespace
+
+Result<std::vector<PathMatter>> pathsBefore(const Project& project, const StoredPath& path, const SourceInfo& next) {
+    Result<std::vector<PathMatter>> matters = mattersOfOthers(project, next.toolId);
+    if (!matters) return matters;
+    const Result<Tool> tool = toolFor(project, next.toolId);
+    if (!tool) return tool.error();
+    PathMatter own{path, {}, *tool, nullptr};
+    if (!path.sources.empty()) {
+        Result<PathMatter> known = matterOf(project, path);
+        if (!known) return std::move(known).error();
+        own = std::move(*known);
+    }
+    own.sources.push_back({next, {}}); // it counts for the order
+    matters->push_back(std::move(own));
+    const std::vector<std::size_t> order = milledOrder(*matters);
+    matters->back().sources.pop_back();
+    std::vector<PathMatter> before;
+    for (const std::size_t place : order) {
+        const bool itself = place + 1 == matters->size();
+        if (!itself || !path.sources.empty()) before.push_back(std::move((*matters)[place]));
+        if (itself) break;
+    }
+    return before;
+}
+
+Result<void> lendStockBehind(const MillingContext& milling, std::vector<PathMatter> paths, const StockUse& use,
+                             Progress& progress) {
+    std::vector<std::size_t> order(paths.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    Result<std::vector<MilledPath>> milled = [&] {
+        const ProgressPart part(progress, 0.0, 0.8);
+        return evaluateEach(milling, std::move(paths), order, progress);
+    }();
+    if (!milled) return std::move(milled).error();
+    const ProgressPart part(progress, 0.8, 1.0);
+    return milling.stock->lend(*milled, use, progress);
 }
 
 Result<std::vector<Path>> promisedPaths(const Project& project, const MillingContext& milling, Progress& progress) {

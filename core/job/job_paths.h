@@ -81,6 +81,16 @@ struct EvaluatedPaths {
 Result<EvaluatedPaths> evaluateInOrder(const MillingContext& milling, std::vector<PathMatter> matters,
                                        Progress& progress);
 
+/// The job's paths that are milled before a further source of a path, in their order, what the path has already among
+/// them; tools that have milled and have no path yet count with their standard one.
+/// @param path of `next`'s tool, with or without sources @param next its tool and allowance
+/// Errors: those of matterOf.
+Result<std::vector<PathMatter>> pathsBefore(const Project& project, const StoredPath& path, const SourceInfo& next);
+
+/// Lends the stock as paths, in this order, leave it. Errors: those of evaluateStored, MilledStock::lend and `use`.
+Result<void> lendStockBehind(const MillingContext& milling, std::vector<PathMatter> paths, const StockUse& use,
+                             Progress& progress);
+
 /// All paths of a project as the job mills them: those of the job, then their variants; what edits leave nothing of
 /// promises nothing.
 /// Errors: those of matterOf, evaluateInOrder and evaluateInJob.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/job/left_stock.h"
+#include "core/job/job_paths.h"
 
 #include "core/job/kept_program.h"
 #include "core/volume/operations/moved.h"
@@ -127,15 +128,21 @@ Result<Moved> movedStock(const VolumeSnapshot& volume, const Box& stock, const P
 }
 
 Result<VolumeSnapshot> afterRecordings(MillingContext& milling, const Project& project, Progress& progress) {
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    // Computed passes have cut nothing until their program has been checked.
+    if (takes->empty())
+        return Error{ErrorCode::projectIncomplete, "checked program", "burin post", project.file().string()};
     if (Result<void> cut = replayTakes(project, milling, progress); !cut) return std::move(cut).error();
     return milling.embedded.workpiece.snapshot();
 }
 
 Result<MillingContext> millingOf(const Project& project, Progress& progress) {
-    const Result<std::vector<TakeInfo>> takes = project.takes();
-    if (!takes) return takes.error();
-    if (takes->empty()) return Error{ErrorCode::projectIncomplete, "recording", "burin mill", project.file().string()};
-    const Result<Tool> tool = toolFor(project, takes->front().toolId);
+    const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
+    if (!sources) return sources.error();
+    if (sources->empty())
+        return Error{ErrorCode::projectIncomplete, "recording", "burin mill", project.file().string()};
+    const Result<Tool> tool = toolFor(project, sources->front().toolId);
     if (!tool) return tool.error();
     return makeMillingContext(project, *tool, {}, progress);
 }

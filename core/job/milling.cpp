@@ -5,9 +5,9 @@
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/haptics/operator/hostile_stylus.h"
+#include "core/job/cut_depth.h"
 #include "core/job/milling_session.h"
 #include "core/job/planning_frame.h"
-#include "core/verify/load_limits.h"
 
 #include <algorithm>
 #include <chrono>
@@ -96,58 +96,11 @@ std::vector<IntentPoint> freeHandGrooves(const MillingContext& milling) {
     return points;
 }
 
-/// How deep, of its diameter, a tool is taken through a material in rows nearly as wide as it is, by what cutting takes
-/// in energy: workshop rules of a full diameter and more in wax and board, half of one in aluminium, a quarter in
-/// steel. Estimates; a tool's own limit holds as well.
-double depthShare(const Property& material) {
-    constexpr double soft = 0.2, light = 1.5; // J/mm³
-    const double energy = material.valueOr(specificCuttingEnergy, light);
-    return energy <= soft ? 2.0 : energy <= light ? 0.5 : 0.25;
-}
-
-/// mm that a tool may deflect by while stock is left on the part: longer tools that bend by more than a hundredth of
-/// their diameter are heard in the shop. Our estimate.
-double roughingBending(const Tool& tool) {
-    constexpr double share = 0.01, least = 0.02;
-    return std::max(least, share * tool.cutter.diameter);
-}
-
-/// The deepest cut of a width in the stock, as spindle and tool bear it and the tool itself states.
-double deepestCut(const MillingContext& milling, double width) {
-    const PropertyIndex stock = milling.embedded.stockProperty;
-    const CuttingCoefficients::Entry law =
-        cuttingCoefficients(milling.embedded.workpiece.properties(), milling.tool.cutter.diameter).byProperty[stock];
-    const double borne =
-        bearableDepth(milling.tool, milling.conditions, law, milling.machine, {width, roughingBending(milling.tool)});
-    return milling.tool.maximumDepthOfCut > 0.0 ? std::min(borne, milling.tool.maximumDepthOfCut) : borne;
-}
-
-/// The tool as the operator uses it in the stock.
-Tool operatedTool(const MillingContext& milling) {
-    Tool tool = milling.tool;
-    const double share = depthShare(milling.embedded.workpiece.properties()[milling.embedded.stockProperty]);
-    tool.maximumDepthOfCut = std::min(share * tool.cutter.diameter, deepestCut(milling, tool.cutter.diameter));
-    return tool;
-}
-
 /// What earlier takes have left of the stock, seen from above; nothing where it is complete.
 StandingStock standingStock(const MillingContext& milling) {
-    const RunVolume& workpiece = milling.embedded.workpiece;
-    const Grid& grid = workpiece.grid();
     constexpr double untouched = 1e-6; // of its volume
-    if (grid.axis() != RunAxis::z || milling.workpieceVolume() > (1.0 - untouched) * milling.embedded.stockVolume)
-        return {};
-    StandingStock standing{glm::dvec2(grid.low()), grid.edge(), grid.lineCountU(), grid.lineCountV(), {}};
-    for (std::int32_t v = 0; v < grid.lineCountV(); ++v)
-        for (std::int32_t u = 0; u < grid.lineCountU(); ++u) {
-            double highest = WorkpieceHeights::nothing;
-            for (const Segment& segment : workpiece.line({u, v}))
-                if (segment.property() != airProperty &&
-                    workpiece.properties()[segment.property()].machinability == Machinability::machinable)
-                    highest = std::max(highest, grid.toMillimetres(segment.end()));
-            standing.heights.push_back(highest);
-        }
-    return standing;
+    if (milling.workpieceVolume() > (1.0 - untouched) * milling.embedded.stockVolume) return {};
+    return seenFromAbove(milling.embedded.workpiece);
 }
 
 Result<MillingPlan> planFor(const MillingContext& milling, const PlanningFrame& frame, const OperatorRequest& request,
@@ -168,7 +121,7 @@ Result<MillingPlan> planFor(const MillingContext& milling, const PlanningFrame& 
     wanted.finishing.floor = frame.part().low.z;
     wanted.finishing.press = request.press;
     wanted.finishing.stepOver = request.finishingStepOver;
-    const Tool tool = operatedTool(milling);
+    const Tool tool = plannedTool(milling);
     constexpr double allowances = 2.0; // what the levels leave stands out further than the allowance
     wanted.finishing.deepest =
         deepestCut(milling, std::max(allowances * request.allowance, 0.1 * tool.cutter.diameter));

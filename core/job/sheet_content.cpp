@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/job/sheet_content.h"
+#include "core/job/job_paths.h"
 
 #include "core/job/kept_program.h"
 #include "core/job/setup_title.h"
@@ -27,12 +28,11 @@ std::vector<Tool> calledBy(const CheckedProgram& program) {
 }
 
 Result<std::vector<Tool>> milledWith(const Project& project) {
-    const Result<std::vector<TakeInfo>> takes = project.takes();
-    if (!takes) return takes.error();
+    const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
+    if (!sources) return sources.error();
     std::vector<Tool> tools;
-    for (const TakeInfo& take : *takes) {
-        if (std::ranges::find(tools, take.toolId, &Tool::id) != tools.end()) continue;
-        Result<Tool> tool = toolFor(project, take.toolId);
+    for (const std::string& id : toolsOf(*sources)) {
+        Result<Tool> tool = toolFor(project, id);
         if (!tool) return std::move(tool).error();
         tools.push_back(std::move(*tool));
     }

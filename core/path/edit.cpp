@@ -131,6 +131,15 @@ std::vector<Edit> standardEdits() {
             {FitArcs{}},     {gentle},       {feeds},         {LevelFeed{.goal = LevelFeed::Goal::limits}}};
 }
 
+std::vector<Edit> computedEdits() {
+    Link low;
+    low.entry = Link::Entry::ramp;
+    low.travel = Link::Travel::lowest;
+    SetFeed feeds;
+    feeds.spindle = SetFeed::Spindle::byMaterial;
+    return {{HoldOut{}}, {FitArcs{}}, {low}, {feeds}, {LevelFeed{.goal = LevelFeed::Goal::limits}}};
+}
+
 std::vector<Edit> everyEdit() {
     return allKinds(std::make_index_sequence<std::variant_size_v<EditParameters>>{});
 }

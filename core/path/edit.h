@@ -74,6 +74,8 @@ std::optional<Edit> updated(const Edit& edit);
 
 /// The edits of the main job, in the order that keeps their guarantees.
 std::vector<Edit> standardEdits();
+/// Those of a path that is computed: the same without what makes up for a hand.
+std::vector<Edit> computedEdits();
 /// One of each kind, with its first values, in the order in which they may follow each other.
 std::vector<Edit> everyEdit();
 

@@ -30,6 +30,7 @@ struct GeneratedInfo {
     std::string toolId;
     double allowance = 0.0; ///< mm that they leave on the part
     std::uint64_t pointCount = 0;
+    std::string request{}; ///< what their planner was asked for (toJson of a PassRequest); empty: not known
 };
 
 /// Moves that a planner made in place of a hand: a source of paths, as a take is. They have no time of their own: how

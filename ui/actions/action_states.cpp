@@ -61,6 +61,7 @@ void ActionStates::update() {
     enable(ActionId::rateControl, workbench.hand.canRate());
     enable(ActionId::newPath,
            (workbench.path.hasTakes() || !workbench.path.toolsWithoutPath().empty()) && workbench.workpiece.embedded());
+    enable(ActionId::newPass, workbench.passes.possible());
     enable(ActionId::evaluatePath, workbench.path.stored() != nullptr && workbench.workpiece.embedded());
     enable(ActionId::drawStretch, workbench.path.selection().has_value());
     enable(ActionId::drawEdit, workbench.path.evaluated() && workbench.path.stored() != nullptr &&

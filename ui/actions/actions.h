@@ -77,6 +77,7 @@ enum class ActionId : std::size_t {
     coarserHand,
     rateControl,
     newPath,
+    newPass,
     evaluatePath,
     drawStretch,
     drawEdit,

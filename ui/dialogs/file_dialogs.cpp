@@ -80,6 +80,11 @@ QString askStockToRead(QWidget* parent, const QString& folder) {
                          .arg((volumes + modelGlobs()).join(QLatin1Char(' '))));
 }
 
+QString askDrawingToRead(QWidget* parent, const QString& folder) {
+    return askToOpen(parent, FileDialogs::tr("Drawing"), folder,
+                     FileDialogs::tr("Drawings (*.dxf *.svg *.DXF *.SVG);;All files (*)"));
+}
+
 QString askToolToAdd(QWidget* parent, const QString& folder) {
     return askToOpen(parent, FileDialogs::tr("Add a tool"), folder,
                      FileDialogs::tr("Tools (*.json *.tools *.fctb *.fctl *.ctbl *.tbl);;All files (*)"));

@@ -15,6 +15,8 @@ QString askPartToImport(QWidget* parent, const QString& folder);
 QString askFixtureToImport(QWidget* parent, const QString& folder);
 /// A volume file, a voxel array or a model.
 QString askStockToRead(QWidget* parent, const QString& folder);
+/// DXF or SVG.
+QString askDrawingToRead(QWidget* parent, const QString& folder);
 /// Burin's own form.
 QString askToolToAdd(QWidget* parent, const QString& folder);
 /// Where a tool is written to, or the table of all. @param name that is proposed for it

@@ -164,6 +164,7 @@ QString Messages::sentence(const Error& error) {
         return tr("The disk could not keep up, so the recording ended after %1 samples; use a faster disk.")
             .arg(subject);
     case ErrorCode::pathEmpty:
+        if (!error.detail.empty()) return tr("\"%1\" has no moves: %2.").arg(subject, detail);
         return tr("The path \"%1\" contains no move; add a take that cuts, or switch off the edit that drops "
                   "everything.")
             .arg(subject);

@@ -17,6 +17,9 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "model"),
     BURIN_TEXT("Subject", "embedded stock"),
     BURIN_TEXT("Subject", "recording"),
+    BURIN_TEXT("Subject", "checked program"),
+    BURIN_TEXT("Subject", "generated moves"),
+    BURIN_TEXT("Subject", "pass"),
     BURIN_TEXT("Subject", "a recording"),
     BURIN_TEXT("Subject", "a tool"),
     // kinds of named things

@@ -53,7 +53,7 @@ private:
 
     PathPanel* panel_;
     QVBoxLayout* column_;
-    QPushButton *new_, *update_, *add_;
+    QPushButton *new_, *update_, *pass_, *add_;
     QToolButton* eye_;
     ChoiceBox* tool_;
     Notice* notice_;
@@ -76,7 +76,7 @@ PathPanel::Fields::Fields(PathPanel* panel)
     auto* inner = new QVBoxLayout(content_);
     inner->setContentsMargins(0, 0, 0, 0);
     inner->setSpacing(8);
-    for (auto [row, text, name] : {std::tuple{&takes_, PathPanel::tr("Takes"), "pathTakes"},
+    for (auto [row, text, name] : {std::tuple{&takes_, PathPanel::tr("Takes and passes"), "pathTakes"},
                                    {&points_, PathPanel::tr("Points"), "pathPoints"},
                                    {&length_, PathPanel::tr("Cutting length"), "pathLength"},
                                    {&sides_, PathPanel::tr("Climb / conventional"), "pathSides"},
@@ -119,10 +119,14 @@ void PathPanel::Fields::addHead() {
     update_ = makePrimaryButton(PathPanel::tr("Update path"), QStringLiteral("updatePathButton"), panel_);
     column_->addWidget(new_);
     column_->addWidget(update_);
+    pass_ =
+        makeButton(PathPanel::tr("Compute a pass…"), QStringLiteral("path"), QStringLiteral("newPassButton"), panel_);
+    column_->addWidget(pass_);
     auto* notices = new NoticePlace(panel_);
     notice_ = notices->add("pathNotice");
     column_->addWidget(notices);
     connect(new_, &QPushButton::clicked, panel_, &PathPanel::newPathRequested);
+    connect(pass_, &QPushButton::clicked, panel_, &PathPanel::passRequested);
     connect(update_, &QPushButton::clicked, panel_, &PathPanel::evaluateRequested);
     connect(eye_, &QToolButton::clicked, this, [this](bool shown) {
         showIcon(eye_, shown ? QStringLiteral("eye") : QStringLiteral("eye-off"));
@@ -165,13 +169,16 @@ void PathPanel::Fields::refreshButtons() {
                                  : PathPanel::tr("The path is up to date."),
                  PathPanel::tr("Apply the edits again"));
     enableUnless(add_, busy, PathPanel::tr("Adds an edit, at the position that the order of edits allows"));
+    enableUnless(
+        pass_, state.passPossible ? QString() : PathPanel::tr("The workpiece has to be ready, and no pass under way."),
+        PathPanel::tr("Compute roughing, finishing, a pocket, a profile or engraving with the loaded tool"));
     setEnabledKeepingFocus(eye_, state.exists);
 }
 
 QString PathPanel::Fields::withoutTakes() const {
     return state.milled.empty()
-               ? PathPanel::tr("Record a take first.")
-               : PathPanel::tr("%1 has not milled yet. Choose a tool that has, or record a take first.")
+               ? PathPanel::tr("Record a take first, or compute a pass.")
+               : PathPanel::tr("%1 has not milled yet. Choose a tool that has, record a take, or compute a pass.")
                      .arg(state.tool.name);
 }
 

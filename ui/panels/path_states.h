@@ -27,6 +27,7 @@ struct PathState {
     };
     std::vector<Tool> milled;     ///< the tools that have takes
     Tool tool;                    ///< in force
+    bool passPossible = false;    ///< one can be computed now
     bool hasTakes = false;        ///< of the tool in force
     bool someWithoutPath = false; ///< of those that milled
     bool exists = false;

@@ -83,7 +83,7 @@ JobStepState JobPresenter::mill() const {
 
 JobStepState JobPresenter::path() const {
     const PathController& path = workbench_.path;
-    if (workbench_.mill.takes().empty()) return {StepProgress::missing, tr("no take yet")};
+    if (workbench_.mill.takes().empty() && !path.hasPasses()) return {StepProgress::missing, tr("no path yet")};
     if (path.busy()) return {StepProgress::current, tr("being made")};
     if (path.waiting()) return {StepProgress::current, tr("waits for the workpiece")};
     if (path.problem()) return {StepProgress::ready, tr("not possible")};

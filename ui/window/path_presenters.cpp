@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/path_presenters.h"
 
+#include "core/job/cut_depth.h"
 #include "core/machine/machine_library.h"
 #include "core/path/hand_stretch.h"
 #include "core/path/milling_side.h"
 #include "ui/messages/messages.h"
 #include "ui/panels/program_editor.h"
 #include "ui/panels/texts.h"
+#include "ui/window/pass_dialog.h"
 
 #include <QFileInfo>
 
@@ -67,12 +69,14 @@ QString programName(const Workbench& workbench) {
 }
 
 PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePresenter& scene, QObject* parent)
-    : Presenter(workbench, {&workbench.path, &workbench.mill, &workbench.workpiece, &workbench.tool}, parent)
+    : Presenter(workbench, {&workbench.path, &workbench.passes, &workbench.mill, &workbench.workpiece, &workbench.tool},
+                parent)
     , panel_(panel)
     , scene_(scene) {
     yieldWhileHidden(panel);
     connect(&panel, &PathPanel::toolChosen, &workbench.tool, &ToolController::choose);
     connect(&panel, &PathPanel::newPathRequested, &workbench.path, &PathController::makeNew);
+    connect(&panel, &PathPanel::passRequested, this, &PathPresenter::askPass);
     connect(&panel, &PathPanel::editChanged, &workbench.path, &PathController::changeEdit);
     connect(&panel, &PathPanel::editAdded, &scene, &PathScenePresenter::addEdit);
     connect(&panel, &PathPanel::fieldDrawingWanted, &scene, &PathScenePresenter::setFieldDrawing);
@@ -88,10 +92,35 @@ PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePr
 void PathPresenter::connectActions(const Actions& actions) {
     PathController& path = workbench_.path;
     connect(actions[ActionId::newPath], &QAction::triggered, &path, [&path] { path.makeNew(); });
+    connect(actions[ActionId::newPass], &QAction::triggered, this, &PathPresenter::askPass);
     connect(actions[ActionId::evaluatePath], &QAction::triggered, &path, [&path] { path.evaluate(); });
     connect(actions[ActionId::drawStretch], &QAction::triggered, this,
             [this] { scene_.setDrawing(!scene_.drawing()); });
     connect(&panel_, &PathPanel::visibilityToggled, actions[ActionId::showPath], &QAction::setChecked);
+}
+
+void PathPresenter::askPass() {
+    if (!workbench_.passes.possible()) return;
+    const std::filesystem::path project = workbench_.document.file();
+    const MillingContext& milling = *workbench_.workpiece.milling();
+    const double diameter = milling.tool.cutter.diameter;
+    const Box part = milling.partModel->box();
+    const bool free = milling.partModel->bodies.empty();
+    const PassDefaults defaults{usualRoughStep * diameter,
+                                usualFineStep * diameter,
+                                plannedTool(milling).maximumDepthOfCut,
+                                usualStairs * diameter,
+                                milling.setup.stock.high.z,
+                                free ? milling.setup.stock.low.z : part.low.z,
+                                free ? milling.setup.stock.low.z : part.high.z};
+    PassDialog dialog({toolName(workbench_.tool.current()), workbench_.mill.takes(), lastPass_, defaults,
+                       QString::fromStdString(project.parent_path().string()), unit()},
+                      panel_.window());
+    if (dialog.exec() != QDialog::Accepted) return;
+    lastPass_ = dialog.wanted();
+    lastPass_.request.area = {};
+    lastPass_.request.lines.clear();
+    workbench_.passes.compute(dialog.wanted());
 }
 
 void PathPresenter::setUnit(LengthUnit unit) {
@@ -103,6 +132,7 @@ void PathPresenter::present() {
     const PathController& path = workbench_.path;
     PathState state;
     state.hasTakes = path.hasTakes();
+    state.passPossible = workbench_.passes.possible();
     for (const std::string& tool : path.toolsThatMilled())
         state.milled.push_back({tool, toolName(workbench_.tool.tools(), tool)});
     state.tool = {workbench_.tool.current().id, toolName(workbench_.tool.current())};

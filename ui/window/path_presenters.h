@@ -22,8 +22,11 @@ public:
 
 private:
     void present() override;
+    void askPass();
+
     PathPanel& panel_;
     PathScenePresenter& scene_;
+    WantedPass lastPass_; ///< without its drawings
 };
 
 class ProgramPresenter final : public Presenter {

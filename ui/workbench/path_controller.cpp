@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/path_controller.h"
 
+#include "core/job/computed_pass.h"
 #include "core/path/edit_step.h"
 #include "ui/workbench/value_command.h"
 
@@ -87,7 +88,12 @@ void PathController::load(const std::vector<StoredPath>& paths, const std::vecto
 void PathController::updateJob() {
     const std::vector<StoredPath> paths = jobPaths();
     evaluation_.setJob(paths, inForce());
-    for (const StoredPath& path : paths) evaluation_.setRecorded(path.id, recordedKey(toolOf(path.id)));
+    for (const StoredPath& path : paths) {
+        RecordedKey key = recordedKey(toolOf(path.id));
+        for (const PathSource source : path.sources)
+            if (source.isGenerated()) key.emplace_back(source.id, 0, true, 0);
+        evaluation_.setRecorded(path.id, key);
+    }
 }
 
 void PathController::countVersion() {
@@ -150,7 +156,7 @@ std::string PathController::toolOf(std::int64_t path) const {
 }
 
 std::vector<std::string> PathController::toolsThatMilled() const {
-    return toolsOf(sourcesOf(standing_, generated_));
+    return toolsOf(sourcesOf(standing_, generatedInUse()));
 }
 
 std::vector<std::string> PathController::toolsWithoutPath() const {
@@ -167,8 +173,19 @@ bool PathController::hasTakes() const {
 }
 
 bool PathController::isMilledWith(const std::string& tool) const {
-    return std::ranges::find(standing_, tool, &TakeInfo::toolId) != standing_.end() ||
-           std::ranges::find(generated_, tool, &GeneratedInfo::toolId) != generated_.end();
+    const std::vector<std::string> tools = toolsThatMilled();
+    return std::ranges::find(tools, tool) != tools.end();
+}
+
+/// Passes whose path was taken back wait for it to come again, and mean nothing meanwhile.
+std::vector<GeneratedInfo> PathController::generatedInUse() const {
+    std::vector<GeneratedInfo> used = generated_;
+    std::erase_if(used, [&](const GeneratedInfo& pass) {
+        return std::ranges::none_of(paths_, [&](const StoredPath& path) {
+            return std::ranges::find(path.sources, PathSource{pass.id}) != path.sources.end();
+        });
+    });
+    return used;
 }
 
 void PathController::takesChanged(const std::vector<TakeInfo>& all, const std::vector<TakeInfo>& standing,
@@ -231,6 +248,65 @@ void PathController::makeNew() {
                            }
                            emit changed();
                        });
+    emit changed();
+}
+
+void PathController::addPass(const GeneratedMoves& moves, const Tool& tool) {
+    struct Kept {
+        GeneratedInfo pass;
+        StoredPath before, after;
+    };
+    const auto own =
+        std::ranges::find_if(paths_, [&](const StoredPath& path) { return burin::toolOf(path, sources_) == tool.id; });
+    const StoredPath before = own != paths_.end() ? *own : StoredPath{};
+    desk_.project.post(
+        [moves, tool, before](Project& project) -> Result<Kept> {
+            const Result<std::int64_t> source = project.addGenerated(moves);
+            if (!source) return source.error();
+            if (Result<void> kept = project.setTool(tool); !kept) return std::move(kept).error();
+            Kept kept{moves.info, before, withPass(before, moves.info.name, *source)};
+            kept.pass.id = *source;
+            if (before.id != 0) {
+                if (Result<void> stored = project.setPath(kept.after); !stored) return std::move(stored).error();
+                return kept;
+            }
+            const Result<std::int64_t> id = project.addPath(kept.after);
+            if (!id) return id.error();
+            kept.after.id = *id;
+            return kept;
+        },
+        [this, load = loads_](const Result<Kept>& kept) {
+            if (load != loads_) return; // another project
+            if (kept)
+                keepPass(kept->pass, kept->before, kept->after);
+            else
+                emit failed(kept.error());
+        });
+}
+
+/// The project has it already.
+void PathController::keepPass(const GeneratedInfo& pass, const StoredPath& before, const StoredPath& after) {
+    generated_.push_back(pass);
+    sources_.push_back(sourceOf(pass));
+    if (before.id == 0) {
+        keepNew({after});
+        return;
+    }
+    desk_.undo.push(new ValueCommand<std::vector<PathSource>>(
+        tr("computed pass"), -1, before.sources, after.sources,
+        [this, id = after.id](const std::vector<PathSource>& sources) { applySources(id, sources); }));
+}
+
+void PathController::applySources(std::int64_t id, const std::vector<PathSource>& sources) {
+    const auto path = std::ranges::find(paths_, id, &StoredPath::id);
+    if (path == paths_.end()) return;
+    path->sources = sources;
+    selection_.reset();
+    store([path = *path](Project& project) { return project.setPath(path); });
+    updateJob();
+    evaluation_.touch(id);
+    countVersion();
+    evaluate();
     emit changed();
 }
 

@@ -29,6 +29,8 @@ public:
     /// Tools that have recordings and no path, by id.
     std::vector<std::string> toolsWithoutPath() const;
     std::vector<std::string> toolsThatMilled() const; ///< by when they first did
+    /// Any path is made of computed passes: part and stock have to stay as they are.
+    bool hasPasses() const { return !generatedInUse().empty(); }
     /// The tool in force has recordings.
     bool hasTakes() const;
     /// Of the newest evaluation that went well; null: none yet.
@@ -51,6 +53,9 @@ public:
     /// With the edits of the main job, of the tool in force and of all others that have recordings and no path; where
     /// the tool in force has one, its edits are these again. An entry of the undo stack.
     void makeNew();
+    /// Keeps a computed pass as the last source of its tool's path, or of a new one. An entry of the undo stack.
+    /// @param tool that it is for; the project gets it
+    void addPass(const GeneratedMoves& moves, const Tool& tool);
     void changeEdit(std::size_t index, const Edit& edit); ///< an entry of the undo stack; evaluates it
     /// Entries of the undo stack; each evaluates the path. A new edit comes as late as the order of edits allows.
     /// @return its place
@@ -92,6 +97,9 @@ private:
     void apply(std::int64_t path, const std::vector<Edit>& edits);
     void countVersion();
     bool isMilledWith(const std::string& tool) const;
+    std::vector<GeneratedInfo> generatedInUse() const;
+    void keepPass(const GeneratedInfo& pass, const StoredPath& before, const StoredPath& after);
+    void applySources(std::int64_t path, const std::vector<PathSource>& sources);
     RecordedKey recordedKey(const std::string& tool) const;
     void followRecordings();
     void keepNew(const std::vector<StoredPath>& paths);

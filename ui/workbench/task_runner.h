@@ -27,6 +27,7 @@ enum class TaskKind {
     edges,
     fixture,
     path,
+    pass,
     program,
     device,
     exporting,

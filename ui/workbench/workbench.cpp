@@ -35,6 +35,7 @@ Workbench::Workbench(QObject* parent)
     , hand(desk_, workpiece, mill, session, styluses, guides, this)
     , showMe(desk_, workpiece, session, this)
     , path(desk_, workpiece, tool, this)
+    , passes(desk_, workpiece, path, tool, this)
     , program(desk_, workpiece, path, target, this)
     , setups(desk_, {document, setup, workpiece, program, target}, this)
     , sheet(desk_, this) {
@@ -49,8 +50,8 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document, &model,        &setup,  &material, &tool,   &target, &workpiece, &styluses, &session,
-            &mill,     &surroundings, &guides, &hand,     &showMe, &path,   &program,   &setups,   &sheet};
+    return {&document,     &model,  &setup, &material, &tool, &target, &workpiece, &styluses, &session, &mill,
+            &surroundings, &guides, &hand,  &showMe,   &path, &passes, &program,   &setups,   &sheet};
 }
 
 void Workbench::wire() {
@@ -76,7 +77,7 @@ void Workbench::wire() {
     connect(&tool, &ToolController::chosen, this, &Workbench::updateWanted);
     connect(&target, &Controller::changed, this, [this] { workpiece.setWanted(target.machine()); });
     connect(&mill, &MillController::takesChanged, this, [this] {
-        setup.setLocked(mill.recording() || !mill.takes().empty());
+        lockSetup();
         path.takesChanged(mill.allTakes(), mill.takes(), mill.newestStrokes());
     });
     connect(&session, &SessionRunner::recordingStarted, this, [this] {
@@ -84,6 +85,7 @@ void Workbench::wire() {
         if (!setup.locked()) undo_.clear(); // what is locked now can't be undone any more
         setup.setLocked(true);
     });
+    connect(&path, &Controller::changed, this, &Workbench::lockSetup); // a pass that came or went
     connect(&program, &ProgramController::textWanted, this, &Workbench::textWanted);
     connect(&workpiece, &Controller::failed, this, [this] { showWhenReady_ = false; });
     connect(&session, &SessionRunner::changed, this, [this] { tool.setLocked(mill.recording() || showMe.showing()); });
@@ -108,17 +110,22 @@ void Workbench::load(const ProjectContents& contents) {
     model.load(contents.model);
     tool.load(contents.tools, contents.takes.empty() ? std::string() : contents.takes.back().toolId);
     setup.load(contents.model, contents.setup, contents.materials);
-    setup.setLocked(!contents.takes.empty());
     setups.load(contents);
     target.load(contents.target);
     surroundings.load(contents.obstacles, contents.axis, contents.travel);
     guides.load(contents.guides);
     mill.load(contents.takes);
     mill.setStrokes({});
+    passes.forget();
     path.load(contents.paths, contents.takes, contents.generated);
+    lockSetup();
     program.load(contents.programs, contents.programDraft, contents.keptProgram);
     updateWanted();
-    if (!contents.takes.empty()) workpiece.embed();
+    if (!contents.takes.empty() || !contents.generated.empty()) workpiece.embed();
+}
+
+void Workbench::lockSetup() {
+    setup.setLocked(mill.recording() || !mill.takes().empty() || path.hasPasses());
 }
 
 void Workbench::clear() {

@@ -7,6 +7,7 @@
 #include "ui/workbench/material_controller.h"
 #include "ui/workbench/mill_controller.h"
 #include "ui/workbench/model_controller.h"
+#include "ui/workbench/pass_controller.h"
 #include "ui/workbench/path_controller.h"
 #include "ui/workbench/program_controller.h"
 #include "ui/workbench/setup_controller.h"
@@ -51,6 +52,7 @@ public:
     HandController hand;
     ShowMe showMe;
     PathController path;
+    PassController passes;
     ProgramController program;
     SetupsController setups;
     SheetController sheet;
@@ -89,6 +91,7 @@ signals:
 private:
     void wire();
     void load(const ProjectContents& contents);
+    void lockSetup();
     void clear();
     void updateWanted();
     void continueShow();

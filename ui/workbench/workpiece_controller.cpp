@@ -289,6 +289,7 @@ void WorkpieceController::stopReaders(std::function<void()> then) {
     desk_.tasks.abandon(TaskKind::growth);
     desk_.tasks.abandon(TaskKind::planning);
     desk_.tasks.abandon(TaskKind::path);
+    desk_.tasks.abandon(TaskKind::pass);
     desk_.tasks.abandon(TaskKind::program);
     desk_.tasks.whenIdle(std::move(then));
 }

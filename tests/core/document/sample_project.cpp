@@ -251,11 +251,12 @@ std::vector<Obstacle> obstacles() {
     return {jaw, column, above};
 }
 
-GeneratedMoves generatedMoves() {
+GeneratedMoves generatedMoves(int version) {
     GeneratedMoves moves;
     moves.info.name = "Parallele Bahnen";
     moves.info.toolId = tool().id;
     moves.info.allowance = 0.3;
+    if (version >= 9) moves.info.request = R"({"pass":"parallel","allowance_mm":0.3,"step_over_mm":0.1})";
     for (std::int64_t stroke = 0; stroke < 2; ++stroke) {
         std::vector<GeneratedPoint>& points = moves.strokes.emplace_back();
         for (std::int64_t i = 0; i < 3; ++i) {
@@ -272,7 +273,7 @@ bool identical(const GeneratedMoves& one, const GeneratedMoves& other) {
                a.removes == b.removes && a.onBoundary == b.onBoundary;
     };
     return one.info.name == other.info.name && one.info.toolId == other.info.toolId &&
-           one.info.allowance == other.info.allowance &&
+           one.info.allowance == other.info.allowance && one.info.request == other.info.request &&
            std::ranges::equal(one.strokes, other.strokes,
                               [&](const auto& a, const auto& b) { return std::ranges::equal(a, b, same); });
 }

@@ -94,7 +94,7 @@ bool holdsSetups(const Project& project, int version) {
     const Result<std::vector<Obstacle>> stored = project.obstacles(second);
     const Result<ProgramTarget> target = project.programTarget(second);
     const Result<GeneratedMoves> planned = project.generatedMoves(ofSecond->front().sources.front().id);
-    if (!planned || planned->info.setup != second || !identical(*planned, generatedMoves())) return false;
+    if (!planned || planned->info.setup != second || !identical(*planned, generatedMoves(version))) return false;
     return setups->back().name == "Rückseite" && turned && turned->voxel == 0.5 * setup().voxel && stored &&
            *stored == std::vector<Obstacle>{obstacles().front()} && target && target->machine == "shapeoko-like" &&
            ofSecond->front().setup == second && postedThere->front().setup == second;

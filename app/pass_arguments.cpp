@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/pass_arguments.h"
+
+#include "app/number_list.h"
+#include "app/wording.h"
+#include "core/base/file.h"
+#include "core/base/numbers.h"
+#include "core/base/units.h"
+#include "core/exchange/plan_drawing.h"
+#include "core/job/computed_pass.h"
+#include "ui/messages/details.h"
+
+#include <map>
+
+namespace burin {
+
+namespace {
+
+const std::map<std::string, double>& drawingUnits() {
+    static const std::map<std::string, double> units{{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"inch", 25.4}};
+    return units;
+}
+
+std::vector<std::string> passIds() {
+    std::vector<std::string> ids;
+    for (const PassKindRow& row : passKinds) ids.emplace_back(row.id);
+    return ids;
+}
+
+double radians(double degrees) {
+    return degrees * pi / 180.0;
+}
+
+/// How far drawings are moved. Errors: argumentInvalid.
+Result<glm::dvec2> moveOf(const PassArguments& arguments) {
+    if (arguments.move.empty()) return glm::dvec2(0.0);
+    const std::optional<glm::dvec3> by = vectorOf(arguments.move + ",0");
+    if (!by)
+        return Error{ErrorCode::argumentInvalid, "--move", arguments.move, worded(BURIN_TEXT("Command", "X,Y in mm"))};
+    return glm::dvec2(*by);
+}
+
+Result<PlanDrawing> drawingOf(const std::string& file, const PassArguments& arguments, CommandContext& context) {
+    const Result<glm::dvec2> by = moveOf(arguments);
+    if (!by) return by.error();
+    Result<PlanDrawing> drawing = readDrawing(file, arguments.unit.empty() ? 0.0 : drawingUnits().at(arguments.unit));
+    if (!drawing) return drawing;
+    for (DrawnCurve& curve : drawing->curves)
+        for (glm::dvec2& place : curve.places) place += *by;
+    if (!drawing->unitStated)
+        context.message(worded(BURIN_TEXT("Command", "\"%1\" does not state its unit: one unit is taken as %2 mm. "
+                                                     "Set it with --unit."),
+                               {file, formatShortest(drawing->unit)}));
+    for (const std::string& note : drawing->notes) context.message(file + ": " + detailText(note).toStdString());
+    return drawing;
+}
+
+/// A request's own form, which `path list --json` shows: a file with areas or lines of it.
+std::optional<Result<PassRequest>> fromJson(const std::string& file) {
+    if (!file.ends_with(".json")) return std::nullopt;
+    const Result<std::string> text = readFile(file);
+    if (!text) return Result<PassRequest>(text.error());
+    return passRequestFromJson(*text, file);
+}
+
+Result<void> addArea(const PassArguments& arguments, CommandContext& context, PassRequest& request) {
+    if (arguments.area.empty()) return {};
+    if (const std::optional<Result<PassRequest>> read = fromJson(arguments.area)) {
+        if (!*read) return read->error();
+        request.area = (*read)->area;
+        return {};
+    }
+    const Result<PlanDrawing> drawing = drawingOf(arguments.area, arguments, context);
+    if (!drawing) return drawing.error();
+    Result<PlanRegion> region = regionOf(*drawing, arguments.area);
+    if (!region) return std::move(region).error();
+    request.area = std::move(*region);
+    return {};
+}
+
+Result<void> addLines(const PassArguments& arguments, const Project& project, CommandContext& context,
+                      PassRequest& request) {
+    for (const std::int64_t take : arguments.leads) {
+        Result<std::vector<PassLine>> lines = linesOfTake(project, take, context.progress());
+        if (!lines) return std::move(lines).error();
+        for (PassLine& line : *lines) request.lines.push_back(std::move(line));
+    }
+    if (arguments.lines.empty()) return {};
+    if (const std::optional<Result<PassRequest>> read = fromJson(arguments.lines)) {
+        if (!*read) return read->error();
+        request.lines.insert(request.lines.end(), (*read)->lines.begin(), (*read)->lines.end());
+        return {};
+    }
+    const Result<PlanDrawing> drawing = drawingOf(arguments.lines, arguments, context);
+    if (!drawing) return drawing.error();
+    for (PassLine& line : linesOf(*drawing)) request.lines.push_back(std::move(line));
+    return {};
+}
+
+} // namespace
+
+Argument addPass(CommandParser command, PassArguments& arguments) {
+    PassRequest& request = arguments.request;
+    const Argument pass =
+        command
+            .option("--pass", arguments.kind,
+                    BURIN_TEXT("Help", "Compute a pass: levels (roughing), pocket, profile, face, parallel, radial, "
+                                       "spiral, flow (rows that follow --lead or --lines), waterline, engrave"))
+            .choices(passIds());
+    const auto withPass = [&](const Argument& argument) { return argument.needs(pass); };
+    withPass(command.option("--tool", arguments.tool,
+                            BURIN_TEXT("Help", "Tool of the pass (default: the tool of the path)")));
+    withPass(command.option("--allowance", request.allowance, BURIN_TEXT("Help", "Stock to leave on the part, mm")));
+    withPass(command.option("--step-over", request.stepOver,
+                            BURIN_TEXT("Help", "Between rows or loops, and between the heights of a waterline, mm "
+                                               "(default: 0.4 of the diameter to rough, a fifteenth to finish)")));
+    withPass(command.option("--scallop", request.scallop,
+                            BURIN_TEXT("Help", "Instead of --step-over: height of the ridges between rows, mm")));
+    withPass(command.option("--level-depth", request.levelDepth,
+                            BURIN_TEXT("Help", "Between levels, mm (default: what material, tool and spindle bear)")));
+    withPass(
+        command.option("--stairs", request.stairs,
+                       BURIN_TEXT("Help", "Of levels: height of the stairs that are left on slopes, mm (default: a "
+                                          "tenth of the diameter)")));
+    withPass(command.option("--direction", arguments.directionDegrees,
+                            BURIN_TEXT("Help", "Direction of parallel rows, degrees from X")));
+    withPass(command.option("--flattest", arguments.flattestDegrees,
+                            BURIN_TEXT("Help", "Only where the part is at least so steep, degrees")));
+    withPass(command.option("--steepest", arguments.steepestDegrees,
+                            BURIN_TEXT("Help", "Only where the part is at most so steep, degrees")));
+    withPass(command.option("--top", request.top, BURIN_TEXT("Help", "Where to begin, mm (default: the stock's top)")));
+    withPass(command.option("--bottom", request.bottom,
+                            BURIN_TEXT("Help", "Lowest tip, mm (default: the part's lowest point, of face its top)")));
+    withPass(command.option("--depth", request.depth, BURIN_TEXT("Help", "Of engrave: below the top, mm")));
+    withPass(command.flag("--one-way", request.oneWay, BURIN_TEXT("Help", "All rows in the same direction")));
+    withPass(command.flag("--inside", request.inside,
+                          BURIN_TEXT("Help", "Of profile: within the border of --area instead of around it")));
+    withPass(command.flag("--rest", request.restOnly, BURIN_TEXT("Help", "Rows only where stock is left")));
+    withPass(
+        command.option("--area", arguments.area,
+                       BURIN_TEXT("Help", "Area of the pass: closed curves of a DXF or SVG drawing, or a JSON file "
+                                          "as \"path list --json\" shows a pass, in the coordinates of the setup")));
+    withPass(command.option("--lines", arguments.lines,
+                            BURIN_TEXT("Help", "Curves to engrave, or that lead flow: DXF, SVG or JSON")));
+    withPass(command.option("--lead", arguments.leads, BURIN_TEXT("Help", "Takes whose strokes lead the pass"))
+                 .separatedBy(','));
+    withPass(command.option("--move", arguments.move, BURIN_TEXT("Help", "Move the drawing by X,Y, mm")));
+    withPass(command.option("--unit", arguments.unit, BURIN_TEXT("Help", "Unit of the drawing (default: as it says)"))
+                 .choices(keysOf(drawingUnits())));
+    return pass;
+}
+
+Result<PassRequest> requestOf(const PassArguments& arguments, const Project& project, CommandContext& context) {
+    PassRequest request = arguments.request;
+    const Result<PassKind> kind = passKindWithId(arguments.kind);
+    if (!kind) return kind.error();
+    request.kind = *kind;
+    request.direction = radians(arguments.directionDegrees);
+    if (arguments.flattestDegrees) request.flattest = radians(*arguments.flattestDegrees);
+    if (arguments.steepestDegrees) request.steepest = radians(*arguments.steepestDegrees);
+    if (Result<void> added = addArea(arguments, context, request); !added) return std::move(added).error();
+    if (Result<void> added = addLines(arguments, project, context, request); !added) return std::move(added).error();
+    if (Result<void> valid = validate(request); !valid) return std::move(valid).error();
+    return request;
+}
+
+} // namespace burin

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/computed_pass.h"
+
+#include "core/job/cut_depth.h"
+#include "core/job/job_paths.h"
+#include "core/passes/plan_pass.h"
+#include "core/passes/surface_pass.h"
+#include "core/path/path_source.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace burin {
+
+namespace {
+
+/// Room in the order of a path's sources for one that has no id yet: none of a project has this one.
+constexpr std::int64_t yetToCome = std::numeric_limits<std::int64_t>::min();
+
+double lengthOf(const PlannedPass& planned) {
+    double length = 0.0;
+    for (const TipLine& line : planned.strokes)
+        for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
+    return length;
+}
+
+} // namespace
+
+Result<std::vector<PathMatter>> pathsBeforePass(const Project& project, const StoredPath& path,
+                                                const std::string& toolId, const PassRequest& request) {
+    return pathsBefore(project, path, {{yetToCome}, toolId, request.allowance, 0.0});
+}
+
+Result<ComputedPass> computePass(const MillingContext& milling, std::vector<PathMatter> before,
+                                 const PassRequest& request, Progress& progress) {
+    if (Result<void> valid = validate(request); !valid) return std::move(valid).error();
+    StandingStock standing;
+    {
+        const ProgressPart part(progress, 0.0, 0.4);
+        const auto look = [&](RunVolume& stock) -> Result<void> {
+            standing = seenFromAbove(stock);
+            return {};
+        };
+        if (Result<void> seen = lendStockBehind(milling, std::move(before), look, progress); !seen)
+            return std::move(seen).error();
+    }
+    Result<std::unique_ptr<const ClearanceField>> field = [&] {
+        const ProgressPart part(progress, 0.4, 0.6);
+        return clearanceField(milling, request.allowance, progress);
+    }();
+    if (!field) return std::move(field).error();
+    const ProgressPart part(progress, 0.6, 1.0);
+    const Tool tool = plannedTool(milling);
+    const double stated = milling.tool.maximumDepthOfCut; // what force bends and breaks is for feeds: a row is narrow
+    const PassGround ground{milling.part,
+                            **field,
+                            tool,
+                            milling.setup.stock,
+                            std::move(standing),
+                            tool.maximumDepthOfCut,
+                            stated > 0.0 ? stated : tool.cutter.fluteLength};
+    const Result<PlannedPass> planned = planPass(request, ground, progress);
+    if (!planned) return planned.error();
+    if (planned->strokes.empty())
+        return Error{ErrorCode::pathEmpty, rowOf(request.kind).title.text, "",
+                     planned->leftOut > 0.0
+                         ? "so much stock stands where it would go that the tool can't: rough it first, "
+                           "or take a longer tool"
+                         : "no stock is left where it would go"};
+    GeneratedInfo info;
+    info.name = rowOf(request.kind).title.text;
+    info.toolId = milling.tool.id;
+    info.allowance = request.allowance;
+    info.request = toJson(request);
+    return ComputedPass{movesOf(*planned, std::move(info)), lengthOf(*planned), planned->leftOut};
+}
+
+StoredPath withPass(StoredPath path, const std::string& passName, std::int64_t source) {
+    if (path.sources.empty()) {
+        if (path.name.empty()) path.name = passName;
+        path.edits = computedEdits();
+    }
+    path.sources.push_back({source});
+    return path;
+}
+
+Result<std::vector<PassLine>> linesOfTake(const Project& project, std::int64_t take, Progress& progress) {
+    const Result<Take> recorded = project.take(take);
+    if (!recorded) return recorded.error();
+    const Result<Tool> tool = toolFor(project, recorded->info.toolId);
+    if (!tool) return tool.error();
+    constexpr double tremor = 6.0, follows = 0.2, apart = 0.2; // mm
+    const std::vector<Edit> edits{{DropDwells{}}, {SmoothShape{tremor, follows}}};
+    PathContext context;
+    context.tool = *tool;
+    const Result<EvaluatedPath> path = evaluate(recorded->info.name, {*recorded}, edits, context, progress);
+    if (!path) return path.error();
+    std::vector<PassLine> lines;
+    for (const PathPoint& point : path->path.points) {
+        if (point.kind == MoveKind::rapid || lines.empty()) lines.emplace_back();
+        if (lines.back().empty() || glm::distance(lines.back().back(), point.pose.tip) >= apart)
+            lines.back().push_back(point.pose.tip);
+    }
+    std::erase_if(lines, [](const PassLine& line) { return line.size() < 2; });
+    if (lines.empty()) return Error{ErrorCode::pathEmpty, recorded->info.name, "", "it has no stroke"};
+    return lines;
+}
+
+} // namespace burin

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/job/job_paths.h"
+#include "core/job/milling_context.h"
+#include "core/passes/pass_request.h"
+#include "core/recording/generated_moves.h"
+
+#include <optional>
+
+namespace burin {
+
+/// A pass that was computed for a path.
+struct ComputedPass {
+    GeneratedMoves moves; ///< with its request; no id yet
+    double length = 0.0;  ///< mm, of its strokes
+    double leftOut = 0.0; ///< mm, see PlannedPass
+};
+
+/// What stands before a pass in the job. @param path that it becomes the last source of; without sources: a new one
+/// Errors: those of matterOf.
+Result<std::vector<PathMatter>> pathsBeforePass(const Project& project, const StoredPath& path,
+                                                const std::string& toolId, const PassRequest& request);
+
+/// Computes a pass on the stock as the paths before it leave it. Any thread.
+/// @param milling with the pass's tool
+/// Errors: those of planPass, clearanceField and lendStockBehind; pathEmpty (nothing is left to do, or all of it had to
+/// be left out).
+Result<ComputedPass> computePass(const MillingContext& milling, std::vector<PathMatter> before,
+                                 const PassRequest& request, Progress& progress);
+
+/// A path with a pass as its last source, or as its first with the edits of computed paths.
+/// @param path with or without sources @param source id of the pass in the project
+StoredPath withPass(StoredPath path, const std::string& passName, std::int64_t source);
+
+/// The strokes of a take as lines that lead a pass: smoothed, so that a hand's tremor is in no row. mm, setup frame.
+/// Errors: those of Project::take and evaluate; pathEmpty.
+Result<std::vector<PassLine>> linesOfTake(const Project& project, std::int64_t take, Progress& progress);
+
+} // namespace burin

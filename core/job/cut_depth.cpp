@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/cut_depth.h"
+
+#include "core/verify/load_limits.h"
+
+#include <algorithm>
+
+namespace burin {
+
+namespace {
+
+/// How deep, of its diameter, a tool is taken through a material in rows nearly as wide as it is, by what cutting takes
+/// in energy: workshop rules of a full diameter and more in wax and board, half of one in aluminium, a quarter in
+/// steel. Estimates; a tool's own limit holds as well.
+double depthShare(const Property& material) {
+    constexpr double soft = 0.2, light = 1.5; // J/mm³
+    const double energy = material.valueOr(specificCuttingEnergy, light);
+    return energy <= soft ? 2.0 : energy <= light ? 0.5 : 0.25;
+}
+
+/// mm that a tool may deflect by while stock is left on the part: longer tools that bend by more than a hundredth of
+/// their diameter are heard in the shop. Our estimate.
+double roughingBending(const Tool& tool) {
+    constexpr double share = 0.01, least = 0.02;
+    return std::max(least, share * tool.cutter.diameter);
+}
+
+} // namespace
+
+double deepestCut(const MillingContext& milling, double width) {
+    const PropertyIndex stock = milling.embedded.stockProperty;
+    const CuttingCoefficients::Entry law =
+        cuttingCoefficients(milling.embedded.workpiece.properties(), milling.tool.cutter.diameter).byProperty[stock];
+    const double borne =
+        bearableDepth(milling.tool, milling.conditions, law, milling.machine, {width, roughingBending(milling.tool)});
+    return milling.tool.maximumDepthOfCut > 0.0 ? std::min(borne, milling.tool.maximumDepthOfCut) : borne;
+}
+
+Tool plannedTool(const MillingContext& milling) {
+    Tool tool = milling.tool;
+    const double share = depthShare(milling.embedded.workpiece.properties()[milling.embedded.stockProperty]);
+    tool.maximumDepthOfCut = std::min(share * tool.cutter.diameter, deepestCut(milling, tool.cutter.diameter));
+    return tool;
+}
+
+StandingStock seenFromAbove(const RunVolume& workpiece) {
+    const Grid& grid = workpiece.grid();
+    if (grid.axis() != RunAxis::z) return {};
+    StandingStock standing{glm::dvec2(grid.low()), grid.edge(), grid.lineCountU(), grid.lineCountV(), {}};
+    for (std::int32_t v = 0; v < grid.lineCountV(); ++v)
+        for (std::int32_t u = 0; u < grid.lineCountU(); ++u) {
+            double highest = WorkpieceHeights::nothing;
+            for (const Segment& segment : workpiece.line({u, v}))
+                if (segment.property() != airProperty &&
+                    workpiece.properties()[segment.property()].machinability == Machinability::machinable)
+                    highest = std::max(highest, grid.toMillimetres(segment.end()));
+            standing.heights.push_back(highest);
+        }
+    return standing;
+}
+
+} // namespace burin

@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/passes/level_pass.h"
+
+#include "core/base/numbers.h"
+#include "core/passes/level_order.h"
+#include "core/passes/tip_raster.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+constexpr double tolerance = 1e-6;      // mm
+constexpr double beyondStock = 1.0;     // mm between the cutter and the stock where a loop has nothing to take any more
+constexpr double insetShare = 0.05;     // of the radius: what only the cutter's rim would touch is no stock
+constexpr double longestGap = 1.0;      // diameters of a loop without stock that are gone, and not flown over
+constexpr double seedHalfWidth = 0.01;  // mm
+constexpr double loopTolerance = 0.01;  // mm between a loop's chords and its arcs
+constexpr int mostLoops = 100'000;      // of one level, one within the other
+constexpr double levelFaceShare = 0.25; // of the cutter's square: smaller level faces get no level of their own
+
+class LevelPlanner {
+public:
+    LevelPlanner(const PassRequest& request, const PassGround& ground, Progress& progress)
+        : request_(request)
+        , ground_(ground)
+        , progress_(progress)
+        , heights_(ground.stock, ground.tool.cutter)
+        , stepOver_(request.stepOver > 0.0 ? request.stepOver : usualRoughStep * ground.tool.cutter.diameter)
+        // Above all of the part the field's error is no reason to stay away from it.
+        , keep_(request.allowance + (request.kind == PassKind::face ? -1.0 : 1.0) * ground.field.errorBound())
+        , top_(request.top.value_or(ground.stock.high.z))
+        , bottom_(bottomOf(request, ground)) {
+        heights_.lowerTo(ground.standing);
+    }
+
+    Result<PlannedPass> plan() {
+        if (stepOver_ > ground_.tool.cutter.radius() + tolerance)
+            return Error{ErrorCode::argumentInvalid, "step_over_mm", formatShortest(stepOver_),
+                         "at most the cutter's radius, " + formatShortest(ground_.tool.cutter.radius()) + " mm"};
+        if (!(bottom_ < top_))
+            return Error{ErrorCode::argumentInvalid, "bottom_mm", formatShortest(bottom_),
+                         "below the top of what is to be taken away, " + formatShortest(top_) + " mm"};
+        const TipRaster raster = rasterOf();
+        const std::vector<double> levels = levelsOf(raster);
+        for (std::size_t i = 0; i < levels.size(); ++i) {
+            progress_.report(0.3 + 0.7 * static_cast<double>(i) / static_cast<double>(levels.size()));
+            if (progress_.cancelled()) return Error{ErrorCode::cancelled, "pass", "", ""};
+            millLevel(raster, levels[i], false);
+            millStairs(raster, i == 0 ? top_ : levels[i - 1], levels[i]);
+        }
+        return std::move(planned_);
+    }
+
+private:
+    static double bottomOf(const PassRequest& request, const PassGround& ground) {
+        if (request.bottom) return *request.bottom;
+        const Box part = ground.part.bounds();
+        if (part.empty()) return ground.stock.low.z;
+        return request.kind == PassKind::face ? part.high.z + request.allowance : part.low.z;
+    }
+
+    TipRaster rasterOf() {
+        const double reach = ground_.tool.cutter.radius() + beyondStock + heights_.raster();
+        const PlanBounds bounds{glm::dvec2(ground_.stock.low) - reach, glm::dvec2(ground_.stock.high) + reach};
+        progress_.report(0.0);
+        return {ground_.field,
+                bounds,
+                heights_.raster(),
+                keep_,
+                std::max(top_, ground_.part.bounds().high.z) + travelHeight_,
+                bottom_,
+                progress_};
+    }
+
+    /// Equal steps between the level faces, falling.
+    std::vector<double> levelsOf(const TipRaster& raster) const {
+        std::vector<double> stops;
+        const double diameter = ground_.tool.cutter.diameter;
+        for (const double face : raster.levelFaces(levelFaceShare * diameter * diameter))
+            if (face < top_ - tolerance && face > bottom_ + tolerance) stops.push_back(face);
+        stops.push_back(bottom_);
+        std::vector<double> levels;
+        double above = top_;
+        for (const double stop : stops) {
+            const int count = std::max(1, static_cast<int>(std::ceil((above - stop) / levelDepth() - tolerance)));
+            for (int i = 1; i <= count; ++i) levels.push_back(above + (stop - above) * i / count);
+            above = stop;
+        }
+        return levels;
+    }
+
+    /// Takes the stairs between two levels down to lower ones, from below, so that each takes as little as it can.
+    void millStairs(const TipRaster& raster, double above, double level) {
+        if (request_.kind != PassKind::levels) return;
+        const double height = request_.stairs > 0.0 ? request_.stairs : usualStairs * ground_.tool.cutter.diameter;
+        const int count = static_cast<int>(std::ceil((above - level) / height - tolerance));
+        for (int i = 1; i < count && !progress_.cancelled(); ++i)
+            millLevel(raster, level + (above - level) * i / count, true);
+    }
+
+    double levelDepth() const {
+        double depth = request_.levelDepth > 0.0 ? request_.levelDepth : ground_.levelDepth;
+        if (ground_.tool.maximumDepthOfCut > 0.0) depth = std::min(depth, ground_.tool.maximumDepthOfCut);
+        return std::min(depth, usableFlutes(ground_.tool.cutter));
+    }
+
+    /// Where the tip may be on a level, and in which loops begin at even distances.
+    PlanRegion roomOn(const TipRaster& raster, double level) const {
+        const double radius = ground_.tool.cutter.radius();
+        const PlanRegion blocked = cleaned(raster.blockedAt(level), loopTolerance);
+        if (request_.kind == PassKind::profile) {
+            if (request_.area.empty()) return without(frame(), blocked);
+            const PlanRegion room = request_.inside
+                                        ? grown(request_.area, -radius - request_.allowance)
+                                        : without(frame(), grown(request_.area, radius + request_.allowance));
+            return without(room, blocked);
+        }
+        if (request_.kind == PassKind::pocket)
+            return without(grown(request_.area, -radius - request_.allowance), blocked);
+        if (!request_.area.empty()) return without(request_.area, blocked);
+        // Where the part is nowhere near, loops go round the middle of the stock.
+        return without(frame(), blocked.empty() ? middleOfStock() : blocked);
+    }
+
+    /// So far around that what is inset from it never matters.
+    PlanRegion frame() const {
+        const double away = 3.0 * glm::length(glm::dvec2(ground_.stock.size())) + 10.0 * ground_.tool.cutter.diameter;
+        return rectangle(glm::dvec2(ground_.stock.low) - away, glm::dvec2(ground_.stock.high) + away);
+    }
+
+    PlanRegion middleOfStock() const {
+        const glm::dvec2 size(ground_.stock.size()), centre(ground_.stock.centre());
+        const glm::dvec2 half = 0.5 * (size - std::min(size.x, size.y)) + seedHalfWidth;
+        return rectangle(centre - half, centre + half);
+    }
+
+    /// Stretches of loops that take something away, by how many steps they are from the room's border.
+    /// @param stairs stock is left next to the part alone: no loop farther away than the first that takes nothing
+    std::vector<LevelRun> runsIn(const PlanRegion& room, double level, bool stairs) {
+        const double reach = ground_.tool.cutter.diameter + beyondStock;
+        const PlanBounds stock{glm::dvec2(ground_.stock.low) - reach, glm::dvec2(ground_.stock.high) + reach};
+        const auto isNearStock = [&](const glm::dvec2& place) {
+            return place.x > stock.low.x && place.y > stock.low.y && place.x < stock.high.x && place.y < stock.high.y;
+        };
+        std::vector<LevelRun> runs;
+        const int most = request_.kind == PassKind::profile ? 1 : mostLoops;
+        for (int step = 0; step < most && !progress_.cancelled(); ++step) {
+            const std::size_t before = runs.size();
+            bool near = false;
+            // Each from the border itself: a step from the loop before would carry its errors on.
+            for (PlanPiece& piece : piecesOf(step == 0 ? room : grown(room, -step * stepOver_, loopTolerance))) {
+                piece.holes.push_back(std::move(piece.border)); // both have the room on their left
+                for (PlanRing& ring : piece.holes) {
+                    if (!std::ranges::any_of(ring, isNearStock)) continue;
+                    near = true;
+                    addRuns({std::move(ring), step}, level, runs);
+                }
+            }
+            if (!near || (stairs && runs.size() == before)) break;
+        }
+        return runs;
+    }
+
+    void millLevel(const TipRaster& raster, double level, bool stairs) {
+        std::vector<LevelRun> runs = runsIn(roomOn(raster, level), level, stairs);
+        LevelOrder order(std::move(runs), stepOver_);
+        bool open = false;
+        while (std::optional<LevelRun> run = order.next(tip_ ? std::optional(glm::dvec2(*tip_)) : std::nullopt)) {
+            const glm::dvec3 first(run->places.front(), level);
+            if (!open || !mayGo(*tip_, first))
+                planned_.strokes.emplace_back();
+            else
+                heights_.cut(*tip_, first);
+            open = true;
+            glm::dvec3 before = first;
+            for (const glm::dvec2& place : run->places) {
+                const glm::dvec3 tip(place, level);
+                heights_.cut(before, tip);
+                planned_.strokes.back().push_back(tip);
+                before = tip;
+            }
+            tip_ = before;
+        }
+    }
+
+    /// Stretches of a loop on which the flutes take something, and nothing else touches the stock.
+    void addRuns(const LevelLoop& loop, double level, std::vector<LevelRun>& runs) {
+        const std::vector<glm::dvec2> places = spaced(loop.ring, heights_.raster());
+        const std::size_t count = places.size();
+        std::vector<LevelPlace> work(count, LevelPlace::idle);
+        const double inset = insetShare * ground_.tool.cutter.radius();
+        const double least = std::min(WorkpieceHeights::leastRest, 0.5 * levelDepth());
+        for (std::size_t i = 0; i < count; ++i) {
+            const glm::dvec2& place = places[i];
+            if (heights_.safeHeight({place, level}) > level + tolerance) {
+                work[i] = LevelPlace::forbidden;
+                planned_.leftOut += glm::distance(place, places[(i + 1) % count]);
+            } else if (heights_.freeTip(place.x, place.y, inset) > level + least) {
+                work[i] = LevelPlace::cuts;
+            }
+        }
+        const auto gap = static_cast<std::size_t>(longestGap * ground_.tool.cutter.diameter / heights_.raster());
+        for (LevelRun& run : runsAlong(places, std::move(work), gap)) {
+            run.step = loop.step;
+            runs.push_back(std::move(run));
+        }
+    }
+
+    /// Whether the tool may go straight on its level: within two steps, or where nothing stands any more.
+    bool mayGo(const glm::dvec3& from, const glm::dvec3& to) const {
+        const double length = glm::distance(from, to), reach = 2.0 * ground_.tool.cutter.diameter;
+        if (from.z != to.z || length > reach) return false;
+        const bool cuts = length <= 3.0 * stepOver_;
+        const int steps = std::max(1, static_cast<int>(std::ceil(length / heights_.raster())));
+        for (int i = 0; i <= steps; ++i) {
+            const glm::dvec3 tip = glm::mix(from, to, static_cast<double>(i) / steps);
+            if (!(ground_.field.at(tip).clearance >= keep_ - 1e-3)) return false;
+            if (!request_.area.empty() && request_.kind == PassKind::levels && !holds(request_.area, glm::dvec2(tip)))
+                return false;
+            if (heights_.safeHeight(tip) > tip.z + tolerance) return false;
+            if (!cuts && heights_.freeTip(tip.x, tip.y) > tip.z + tolerance) return false;
+        }
+        return true;
+    }
+
+    static constexpr double travelHeight_ = 1.0; // mm: where tips that come down begin
+    const PassRequest& request_;
+    const PassGround& ground_;
+    Progress& progress_;
+    WorkpieceHeights heights_;
+    double stepOver_, keep_, top_, bottom_;
+    PlannedPass planned_;
+    std::optional<glm::dvec3> tip_;
+};
+
+} // namespace
+
+Result<PlannedPass> planLevels(const PassRequest& request, const PassGround& ground, Progress& progress) {
+    return LevelPlanner(request, ground, progress).plan();
+}
+
+} // namespace burin

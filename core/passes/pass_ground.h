@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/field/tool_field.h"
+#include "core/geometry/box.h"
+#include "core/geometry/mesh_distance.h"
+#include "core/passes/workpiece_heights.h"
+#include "core/tool/tool.h"
+
+namespace burin {
+
+/// What a pass is planned on: part, stock and tool, setup frame, mm. What it refers to outlives it.
+struct PassGround {
+    const MeshDistance& part;    ///< what nothing may cut; may be empty
+    const ClearanceField& field; ///< of the tool from the part, fine at least up to the allowance of the pass
+    const Tool& tool;
+    Box stock;
+    StandingStock standing;  ///< what has been left of the stock; none: the whole box stands
+    double levelDepth = 0.0; ///< mm: the deepest level that tool, spindle and material bear
+    double rowDepth = 0.0;   ///< mm: the deepest cut of a row beside the one before it, as the tool states it
+};
+
+/// Tips of one stretch of a pass, mm.
+using TipLine = std::vector<glm::dvec3>;
+
+/// What a planner made.
+struct PlannedPass {
+    std::vector<TipLine> strokes;
+    /// mm of ways that were left out: so much stock stands there that shank or holder would touch it, or that the cut
+    /// would be deeper than the tool bears. Roughing has to come first, or a longer tool.
+    double leftOut = 0.0;
+};
+
+} // namespace burin

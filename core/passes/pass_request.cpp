@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/passes/pass_request.h"
+
+#include "core/base/numbers.h"
+#include "core/recording/generated_moves.h"
+
+#include <cmath>
+
+namespace burin {
+
+const std::array<PassKindRow, 10> passKinds{{
+    {PassKind::levels, "levels", BURIN_TEXT("Pass", "Levels"),
+     BURIN_TEXT("Pass", "Roughing: takes away what stands, level by level, in loops along the part")},
+    {PassKind::pocket, "pocket", BURIN_TEXT("Pass", "Pocket"),
+     BURIN_TEXT("Pass", "Takes away what stands within an area that the cutter does not leave, level by level")},
+    {PassKind::profile, "profile", BURIN_TEXT("Pass", "Profile"),
+     BURIN_TEXT("Pass", "Once along the border of an area, or along the part's outline, level by level")},
+    {PassKind::face, "face", BURIN_TEXT("Pass", "Facing"),
+     BURIN_TEXT("Pass", "Takes away what stands above the part, in loops")},
+    {PassKind::parallel, "parallel", BURIN_TEXT("Pass", "Parallel"),
+     BURIN_TEXT("Pass", "Finishing: parallel rows on the part")},
+    {PassKind::radial, "radial", BURIN_TEXT("Pass", "Radial"),
+     BURIN_TEXT("Pass", "Finishing: rows on the part from a centre outwards")},
+    {PassKind::spiral, "spiral", BURIN_TEXT("Pass", "Spiral"),
+     BURIN_TEXT("Pass", "Finishing: one row on the part, round a centre outwards")},
+    {PassKind::flow, "flow", BURIN_TEXT("Pass", "Flow"),
+     BURIN_TEXT("Pass",
+                "Finishing: rows on the part that follow a stroke, or are blended from one stroke to the next")},
+    {PassKind::waterline, "waterline", BURIN_TEXT("Pass", "Waterline"),
+     BURIN_TEXT("Pass", "Finishing of steep faces: along the part at one height after the other")},
+    {PassKind::engrave, "engrave", BURIN_TEXT("Pass", "Engraving"),
+     BURIN_TEXT("Pass", "Along lines at a depth below the top of the stock")},
+}};
+
+namespace {
+
+Result<void> within(const char* key, double value, double low, double high) {
+    if (value >= low && value <= high) return {};
+    return Error{ErrorCode::argumentInvalid, key, formatShortest(value),
+                 formatShortest(low) + " to " + formatShortest(high)};
+}
+
+bool isInPlan(const glm::dvec2& place) noexcept {
+    return std::abs(place.x) <= farthestInPlan && std::abs(place.y) <= farthestInPlan;
+}
+
+Result<void> checkArea(const PassRequest& request) {
+    for (const PlanRing& ring : request.area.rings) {
+        if (ring.size() < 3)
+            return Error{ErrorCode::argumentInvalid, "area_mm", std::to_string(ring.size()),
+                         "rings of 3 corners at least"};
+        for (const glm::dvec2& place : ring)
+            if (!isInPlan(place))
+                return Error{ErrorCode::argumentInvalid, "area_mm",
+                             formatShortest(place.x) + ", " + formatShortest(place.y), "places within 1e5 mm"};
+    }
+    if (request.area.empty() &&
+        (request.kind == PassKind::pocket || (request.kind == PassKind::profile && request.inside)))
+        return Error{ErrorCode::argumentInvalid, "area_mm", "none", "an area: there is no pocket without one"};
+    return {};
+}
+
+Result<void> checkLines(const PassRequest& request) {
+    for (const PassLine& line : request.lines) {
+        if (line.size() < 2)
+            return Error{ErrorCode::argumentInvalid, "lines_mm", std::to_string(line.size()),
+                         "lines of 2 places at least"};
+        for (const glm::dvec3& place : line)
+            if (!isInPlan(place) || !(std::abs(place.z) <= farthestInPlan))
+                return Error{ErrorCode::argumentInvalid, "lines_mm",
+                             formatShortest(place.x) + ", " + formatShortest(place.y), "places within 1e5 mm"};
+    }
+    if (request.lines.empty() && (request.kind == PassKind::engrave || request.kind == PassKind::flow))
+        return Error{ErrorCode::argumentInvalid, "lines_mm", "none", "a line at least: a stroke or curves of a file"};
+    return {};
+}
+
+} // namespace
+
+const PassKindRow& rowOf(PassKind kind) noexcept {
+    return passKinds[static_cast<std::size_t>(kind)];
+}
+
+Result<PassKind> passKindWithId(std::string_view id) {
+    std::string known;
+    for (const PassKindRow& row : passKinds) {
+        if (row.id == id) return row.kind;
+        known += (known.empty() ? "" : ", ") + std::string(row.id);
+    }
+    return Error{ErrorCode::nameUnknown, "pass", std::string(id), known};
+}
+
+Result<void> validate(const PassRequest& request) {
+    constexpr double thinnest = 0.01, widest = 1000.0; // mm
+    const auto length = [](const char* key, double value, double low) -> Result<void> {
+        return value == 0.0 ? Result<void>() : within(key, value, low, widest);
+    };
+    for (const Result<void>& checked :
+         {within("allowance_mm", request.allowance, 0.0, largestAllowance),
+          length("step_over_mm", request.stepOver, thinnest), length("scallop_mm", request.scallop, 1e-4),
+          length("level_depth_mm", request.levelDepth, thinnest), length("stairs_mm", request.stairs, thinnest),
+          within("direction_rad", request.direction, -10.0, 10.0), within("flattest_rad", request.flattest, 0.0, 1.6),
+          within("steepest_rad", request.steepest, request.flattest, 1.6),
+          within("top_mm", request.top.value_or(0.0), -farthestInPlan, farthestInPlan),
+          within("bottom_mm", request.bottom.value_or(0.0), -farthestInPlan, farthestInPlan),
+          length("depth_mm", request.depth, thinnest), checkArea(request), checkLines(request)})
+        if (!checked) return checked;
+    if (request.top && request.bottom && *request.bottom >= *request.top)
+        return Error{ErrorCode::argumentInvalid, "bottom_mm", formatShortest(*request.bottom),
+                     "below the top, " + formatShortest(*request.top)};
+    if (request.kind == PassKind::engrave && request.depth == 0.0)
+        return Error{ErrorCode::argumentInvalid, "depth_mm", "0", "above 0"};
+    return {};
+}
+
+} // namespace burin

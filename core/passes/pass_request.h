@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.h"
+#include "core/base/text.h"
+#include "core/geometry/plan_region.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+/// What a computed pass does.
+enum class PassKind : std::uint8_t {
+    levels,    ///< takes away what stands, level by level, along the part
+    pocket,    ///< the same within an area that the cutter does not leave
+    profile,   ///< once along an area's border, or the part's outline, level by level
+    face,      ///< takes away what stands above the part
+    parallel,  ///< parallel rows on the part
+    radial,    ///< rows from a centre outwards on the part
+    spiral,    ///< one row round a centre on the part
+    flow,      ///< rows on the part that follow lines, blended between them
+    waterline, ///< along the part at one height after the other
+    engrave,   ///< along lines, at a depth
+};
+
+/// What a request without them means, of the tool's diameter.
+inline constexpr double usualRoughStep = 0.4, usualFineStep = 1.0 / 15.0, usualStairs = 0.1;
+
+/// One kind, as users name and read it.
+struct PassKindRow {
+    PassKind kind = PassKind::levels;
+    std::string_view id; ///< "levels", stable
+    TextId title, toolTip;
+};
+/// All kinds, in the order of the enumeration.
+extern const std::array<PassKindRow, 10> passKinds;
+const PassKindRow& rowOf(PassKind kind) noexcept;
+/// Errors: nameUnknown (detail: those that there are).
+Result<PassKind> passKindWithId(std::string_view id);
+
+/// A line that leads a pass or is engraved, mm, setup frame.
+using PassLine = std::vector<glm::dvec3>;
+
+/// What a planner is asked for. Lengths in mm, angles in rad, setup frame; upright tools.
+struct PassRequest {
+    PassKind kind = PassKind::levels;
+    double allowance = 0.0; ///< left on the part
+    double stepOver = 0.0; ///< between rows or loops, between heights of `waterline`; 0: by scallop, or the kind's rule
+    double scallop = 0.0;  ///< height of the ridges between rows of a tool with a rounded end; 0: not asked for
+    double levelDepth = 0.0; ///< between levels; 0: what tool, spindle and material bear
+    double stairs = 0.0;     ///< of `levels`: what they leave on slopes, at most; 0: a tenth of the diameter
+    double direction = 0.0;  ///< of parallel rows, anticlockwise from X
+    double flattest = 0.0;   ///< slope of the part, from level: rows and waterlines stay where it is no less …
+    double steepest = 1.6;   ///< … and no more; beyond a right angle: no limit
+    std::optional<double> top,
+        bottom;            ///< heights of the first stock and of the lowest tip; none: the stock's, the part's
+    bool oneWay = false;   ///< rows all in one direction
+    bool inside = false;   ///< of `profile`: within the area's border instead of around it
+    bool restOnly = false; ///< rows only where stock is left
+    PlanRegion area;       ///< where the tip may be; of pocket and profile: what the cutter makes. Empty: everywhere
+    std::vector<PassLine> lines;
+    double depth = 0.0; ///< of `engrave`, below the top
+
+    friend bool operator==(const PassRequest&, const PassRequest&) = default;
+};
+
+/// Errors: argumentInvalid (subject: the key of its JSON, place: the value, detail: what is allowed).
+Result<void> validate(const PassRequest& request);
+
+/// {"pass": id, keys with their unit}; what has its first value is left out.
+std::string toJson(const PassRequest& request);
+/// Errors: resourceInvalid, nameUnknown, those of `validate`. @param origin for messages
+Result<PassRequest> passRequestFromJson(std::string_view text, const std::string& origin);
+
+} // namespace burin

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/passes/plan_pass.h"
+
+#include "core/geometry/upright.h"
+#include "core/passes/level_pass.h"
+#include "core/passes/milling_plan.h"
+#include "core/passes/surface_pass.h"
+
+#include <algorithm>
+
+namespace burin {
+
+Result<PlannedPass> planPass(const PassRequest& request, const PassGround& ground, Progress& progress) {
+    if (Result<void> valid = validate(request); !valid) return std::move(valid).error();
+    if (Result<void> plannable = checkPlannable(ground.tool); !plannable) return std::move(plannable).error();
+    Result<PlannedPass> planned = [&] {
+        switch (request.kind) {
+        case PassKind::levels:
+        case PassKind::pocket:
+        case PassKind::profile:
+        case PassKind::face:
+            return planLevels(request, ground, progress);
+        case PassKind::waterline:
+            return planWaterlines(request, ground, progress);
+        case PassKind::engrave:
+            return planEngraving(request, ground, progress);
+        case PassKind::parallel:
+        case PassKind::radial:
+        case PassKind::spiral:
+        case PassKind::flow:
+            break;
+        }
+        return planRows(request, ground, progress);
+    }();
+    if (planned) std::erase_if(planned->strokes, [](const TipLine& line) { return line.size() < 2; });
+    return planned;
+}
+
+GeneratedMoves movesOf(const PlannedPass& planned, GeneratedInfo info) {
+    GeneratedMoves moves{std::move(info), {}};
+    std::int64_t moment = 0;
+    for (const TipLine& line : planned.strokes) {
+        std::vector<GeneratedPoint>& stroke = moves.strokes.emplace_back();
+        stroke.reserve(line.size());
+        for (const glm::dvec3& tip : line) stroke.push_back({{tip, uprightAxis}, moment++, true, true});
+    }
+    moves.info.pointCount = static_cast<std::uint64_t>(moment);
+    return moves;
+}
+
+} // namespace burin

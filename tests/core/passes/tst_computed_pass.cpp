@@ -1,0 +1,450 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/units.h"
+#include "core/passes/plan_pass.h"
+#include "core/passes/tip_drop.h"
+#include "tests/core/passes/plan_stage.h"
+
+#include <QtTest>
+#include <random>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+/// A block from z = 0 up to a surface over a square grid, closed.
+TriangleMesh blockUnder(const std::function<double(double, double)>& top, double half, int cells) {
+    TriangleMesh mesh;
+    const auto corner = [&](int i) { return -half + 2.0 * half * i / cells; };
+    const auto index = [&](int i, int j, bool above) {
+        return static_cast<std::uint32_t>(2 * (j * (cells + 1) + i) + (above ? 1 : 0));
+    };
+    for (int j = 0; j <= cells; ++j)
+        for (int i = 0; i <= cells; ++i) {
+            mesh.vertices.emplace_back(corner(i), corner(j), 0.0);
+            mesh.vertices.emplace_back(corner(i), corner(j), top(corner(i), corner(j)));
+        }
+    const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        mesh.triangles.push_back({a, b, c});
+        mesh.triangles.push_back({a, c, d});
+    };
+    for (int j = 0; j < cells; ++j)
+        for (int i = 0; i < cells; ++i) {
+            quad(index(i, j, true), index(i + 1, j, true), index(i + 1, j + 1, true), index(i, j + 1, true));
+            quad(index(i, j, false), index(i, j + 1, false), index(i + 1, j + 1, false), index(i + 1, j, false));
+        }
+    for (int i = 0; i < cells; ++i) {
+        quad(index(i, 0, false), index(i + 1, 0, false), index(i + 1, 0, true), index(i, 0, true));
+        quad(index(i + 1, cells, false), index(i, cells, false), index(i, cells, true), index(i + 1, cells, true));
+        quad(index(0, i + 1, false), index(0, i, false), index(0, i, true), index(0, i + 1, true));
+        quad(index(cells, i, false), index(cells, i + 1, false), index(cells, i + 1, true), index(cells, i, true));
+    }
+    return mesh;
+}
+
+Tool endMill(double diameter, double cornerRadius) {
+    Tool tool = ballTool(diameter, 40.0);
+    tool.cutter.type = cornerRadius == 0.0              ? CutterType::flat
+                       : cornerRadius == 0.5 * diameter ? CutterType::ball
+                                                        : CutterType::bullNose;
+    tool.cutter.cornerRadius = cornerRadius;
+    tool.cutter.stickOut = 60.0;
+    return tool;
+}
+
+/// Lets a cutter down on every triangle by the closed formulas for vertex and facet; on an edge the height is concave,
+/// and its greatest value is found by thirds. Knows nothing of the code under test.
+class BruteDrop {
+public:
+    BruteDrop(const TriangleMesh& mesh, double radius, double corner) : mesh_(mesh), radius_(radius), corner_(corner) {}
+
+    double at(const glm::dvec2& place) const {
+        double highest = -1e300;
+        for (const auto& triangle : mesh_.triangles) {
+            const glm::dvec3 p[3] = {mesh_.vertices[triangle[0]], mesh_.vertices[triangle[1]],
+                                     mesh_.vertices[triangle[2]]};
+            for (int i = 0; i < 3; ++i) {
+                highest = std::max(highest, onVertex(place, p[i]));
+                highest = std::max(highest, onEdge(place, p[i], p[(i + 1) % 3]));
+            }
+            highest = std::max(highest, onFacet(place, p));
+        }
+        return highest;
+    }
+
+private:
+    /// mm of the cutter's lower side above its tip; infinite beside it.
+    double rise(double distance) const {
+        if (distance > radius_ + 1e-9) return 1e300; // what rounding takes an end of an edge out by
+        const double out = distance - (radius_ - corner_);
+        return out <= 0.0 ? 0.0 : corner_ - std::sqrt(std::max(0.0, corner_ * corner_ - out * out));
+    }
+    double onVertex(const glm::dvec2& place, const glm::dvec3& p) const {
+        return p.z - rise(glm::distance(place, glm::dvec2(p)));
+    }
+    double onEdge(const glm::dvec2& place, const glm::dvec3& a, const glm::dvec3& b) const {
+        double low = 0.0, high = 1.0; // of the edge, the part that lies under the cutter
+        const glm::dvec2 along = glm::dvec2(b - a), from = glm::dvec2(a) - place;
+        const double square = glm::dot(along, along);
+        if (square < 1e-12) return -1e300;
+        const double middle = -glm::dot(from, along) / square;
+        const double half = (radius_ * radius_ - glm::dot(from, from)) / square + middle * middle;
+        if (half <= 0.0) return -1e300;
+        low = std::max(low, middle - std::sqrt(half));
+        high = std::min(high, middle + std::sqrt(half));
+        if (low >= high) return -1e300;
+        const auto height = [&](double t) { return onVertex(place, glm::mix(a, b, t)); };
+        for (int i = 0; i < 100; ++i) {
+            const double one = low + (high - low) / 3.0, two = high - (high - low) / 3.0;
+            (height(one) < height(two) ? low : high) = height(one) < height(two) ? one : two;
+        }
+        return height(0.5 * (low + high));
+    }
+    double onFacet(const glm::dvec2& place, const glm::dvec3 (&p)[3]) const {
+        glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+        if (std::abs(normal.z) < 1e-12) return -1e300;
+        normal = glm::normalize(normal.z > 0.0 ? normal : -normal);
+        const glm::dvec2 side(normal);
+        const double slant = glm::length(side);
+        const glm::dvec2 out = slant > 0.0 ? side / slant : glm::dvec2(0.0);
+        const glm::dvec2 touch = place - (radius_ - corner_) * out - corner_ * side;
+        for (int i = 0; i < 3; ++i) {
+            const glm::dvec2 a(p[i]), b(p[(i + 1) % 3]), c(p[(i + 2) % 3]);
+            const auto cross = [](const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; };
+            if (cross(b - a, touch - a) * cross(b - a, c - a) < 0.0) return -1e300;
+        }
+        const double z = p[0].z - glm::dot(side, touch - glm::dvec2(p[0])) / normal.z;
+        return z + corner_ * normal.z - corner_;
+    }
+
+    const TriangleMesh& mesh_;
+    double radius_, corner_;
+};
+
+/// A part with what planning needs of it.
+struct Ground {
+    MeshDistance part;
+    Tool tool;
+    Box stock;
+    std::unique_ptr<const ClearanceField> field;
+    PassGround ground;
+
+    Ground(const TriangleMesh& mesh, const Tool& withTool, const Box& of, double allowance)
+        : part(mesh), tool(withTool), stock(of), field(fieldOf(allowance)), ground{part, *field, tool, stock,
+                                                                                   {},   4.0,    40.0} {}
+
+    Result<PlannedPass> plan(const PassRequest& request) const {
+        Progress progress;
+        return planPass(request, ground, progress);
+    }
+
+private:
+    std::unique_ptr<const ClearanceField> fieldOf(double allowance) const {
+        ToolFieldRequest request;
+        request.tool = pieces(tool.cutter);
+        request.tips = stock.grown(tool.cutter.diameter);
+        request.tips.high.z += 20.0;
+        request.voxel = 0.5;
+        request.maximumAllowance = std::max(allowance, 0.5);
+        Progress progress;
+        return std::make_unique<ToolField>(std::move(*ToolField::build(part, request, progress)));
+    }
+};
+
+double lengthOf(const PlannedPass& pass) {
+    double length = 0.0;
+    for (const TipLine& line : pass.strokes)
+        for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
+    return length;
+}
+
+/// Visits the ways of a pass, places 0.1 mm apart at most.
+void follow(const PlannedPass& pass, const std::function<void(const glm::dvec3&)>& visit) {
+    for (const TipLine& line : pass.strokes)
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(line[i - 1], line[i]) / 0.1)));
+            for (int k = 0; k <= steps; ++k) visit(glm::mix(line[i - 1], line[i], static_cast<double>(k) / steps));
+        }
+}
+
+double step(double x, double y) {
+    return std::abs(x) < 12.0 && std::abs(y) < 8.0 ? 18.0 : 6.0;
+}
+
+} // namespace
+
+class ComputedPassTest final : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// 10,000 places of three cutters on a rugged mesh.
+    void theDropAgreesWithEveryTriangle_data() {
+        QTest::addColumn<double>("corner");
+        QTest::newRow("ball") << 3.0;
+        QTest::newRow("flat") << 0.0;
+        QTest::newRow("bull nose") << 1.0;
+    }
+    void theDropAgreesWithEveryTriangle() {
+        QFETCH(double, corner);
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> height(4.0, 9.0), place(-19.0, 19.0);
+        std::map<std::pair<double, double>, double> heights;
+        const TriangleMesh mesh = blockUnder(
+            [&](double x, double y) {
+                return heights.try_emplace({x, y}, height(random)).first->second;
+            },
+            20.0, 16);
+        const MeshDistance part(mesh);
+        const Tool tool = endMill(6.0, corner);
+        const std::vector<RevolvedPiece> tooled = pieces(tool.cutter);
+        TipDrop drop(part, tooled, 0.0, -5.0);
+        const BruteDrop brute(mesh, 3.0, corner);
+        double worst = 0.0;
+        for (int i = 0; i < 3334; ++i) {
+            const glm::dvec2 at(place(random), place(random));
+            const std::optional<double> found = drop.at(at);
+            QVERIFY(found);
+            worst = std::max(worst, std::abs(*found - brute.at(at)));
+        }
+        QVERIFY2(worst <= 0.001, qPrintable(QString::number(worst)));
+    }
+
+    /// What levels leave, by a height map of the test's own: the allowance up to a step more, and nothing beside.
+    void levelsLeaveTheirAllowance() {
+        const Box stock{{-25.0, -25.0, 0.0}, {25.0, 25.0, 20.0}};
+        const Ground ground(blockUnder(step, 25.0, 100), endMill(8.0, 0.0), stock, 0.5);
+        PassRequest request;
+        request.kind = PassKind::levels;
+        request.allowance = 0.5;
+        request.bottom = 6.0;
+        const Result<PlannedPass> pass = ground.plan(request);
+        QVERIFY(pass);
+        QCOMPARE(pass->leftOut, 0.0);
+        constexpr double width = 0.25;
+        constexpr int count = 200;
+        std::vector<double> heights(count * count, 20.0);
+        double nearest = 1e9;
+        follow(*pass, [&](const glm::dvec3& tip) {
+            nearest =
+                std::min(nearest, ground.part.clearance(pieces(ground.tool.cutter), {tip, {0.0, 0.0, 1.0}}).clearance);
+            for (int j = 0; j < count; ++j)
+                for (int i = 0; i < count; ++i) {
+                    const glm::dvec2 at(-25.0 + (i + 0.5) * width, -25.0 + (j + 0.5) * width);
+                    if (glm::distance(at, glm::dvec2(tip)) > 4.0) continue;
+                    double& standing = heights[static_cast<std::size_t>(j * count + i)];
+                    standing = std::min(standing, tip.z);
+                }
+        });
+        QVERIFY2(nearest >= 0.5 - 0.03, qPrintable(QString::number(nearest)));
+        for (int j = 0; j < count; ++j)
+            for (int i = 0; i < count; ++i) {
+                const double x = -25.0 + (i + 0.5) * width, y = -25.0 + (j + 0.5) * width;
+                const double beside = std::max(std::abs(x) - 12.0, std::abs(y) - 8.0); // mm from the step's wall
+                const double above = heights[static_cast<std::size_t>(j * count + i)];
+                // The mesh slants over one of its cells, half a millimetre, from the upper face to the lower one.
+                if (beside > 0.5 + 0.5 + 0.3)
+                    QVERIFY2(above <= 6.0 + 0.5 + 0.1, qPrintable(QString("%1 at %2 %3").arg(above).arg(x).arg(y)));
+                if (beside < 0.0)
+                    QVERIFY2(above <= 18.0 + 0.5 + 0.1 && above >= 18.5 - 0.03,
+                             qPrintable(QString("%1 at %2 %3").arg(above).arg(x).arg(y)));
+            }
+    }
+
+    /// With the part to the right of the tool its teeth come into the stock from outside: it climbs.
+    void levelsClimb() {
+        const Box stock{{-25.0, -25.0, 0.0}, {25.0, 25.0, 20.0}};
+        const Ground ground(blockUnder(step, 25.0, 100), endMill(8.0, 0.0), stock, 0.5);
+        PassRequest request;
+        request.kind = PassKind::profile;
+        request.bottom = 6.1;
+        request.top = 10.0;
+        const Result<PlannedPass> pass = ground.plan(request);
+        QVERIFY(pass && !pass->strokes.empty());
+        double right = 0.0;
+        for (const TipLine& line : pass->strokes)
+            for (std::size_t i = 1; i < line.size(); ++i) {
+                const glm::dvec2 along(line[i] - line[i - 1]), towardsPart = -glm::dvec2(line[i]);
+                right += along.y * towardsPart.x - along.x * towardsPart.y;
+            }
+        QVERIFY(right > 0.0);
+    }
+
+    /// Ridges between rows of a ball on a level face, by the height of two circles that cross.
+    void ridgesAreAsHighAsAsked_data() {
+        QTest::addColumn<double>("diameter");
+        for (const double diameter : {3.0, 6.0, 12.0}) QTest::addRow("%g mm", diameter) << diameter;
+    }
+    void ridgesAreAsHighAsAsked() {
+        QFETCH(double, diameter);
+        const Ground ground(blockUnder([](double, double) { return 5.0; }, 15.0, 4), endMill(diameter, 0.5 * diameter),
+                            {{-15.0, -15.0, 0.0}, {15.0, 15.0, 5.2}}, 0.0);
+        PassRequest request;
+        request.kind = PassKind::parallel;
+        request.scallop = 0.01;
+        request.direction = 0.3;
+        request.area = rectangle({-10.0, -10.0}, {10.0, 10.0});
+        const Result<PlannedPass> pass = ground.plan(request);
+        QVERIFY(pass && pass->strokes.size() > 0);
+        // Across the rows: where each one passes, and what the circles of two neighbours leave between them.
+        const glm::dvec2 across(-std::sin(0.3), std::cos(0.3));
+        std::vector<double> rows;
+        for (const TipLine& line : pass->strokes)
+            for (std::size_t i = 1; i < line.size(); ++i) {
+                QVERIFY(std::abs(line[i].z - 5.0) < 2e-4);
+                const glm::dvec2 along(line[i] - line[i - 1]);
+                if (glm::length(along) > 1.0 && std::abs(glm::dot(glm::normalize(along), across)) < 1e-6)
+                    rows.push_back(glm::dot(glm::dvec2(line[i]), across));
+            }
+        std::ranges::sort(rows);
+        double highest = 0.0;
+        const double radius = 0.5 * diameter;
+        for (std::size_t i = 1; i < rows.size(); ++i) {
+            const double half = 0.5 * (rows[i] - rows[i - 1]);
+            highest = std::max(highest, radius - std::sqrt(radius * radius - half * half));
+        }
+        QVERIFY2(highest > 0.009 && highest < 0.011, qPrintable(QString::number(highest)));
+    }
+
+    /// Rows of every kind touch a hemisphere where the closed formula says that a ball rests on it.
+    void rowsLieOnTheSphere_data() {
+        QTest::addColumn<int>("kind");
+        for (const PassKind kind : {PassKind::parallel, PassKind::radial, PassKind::spiral, PassKind::flow})
+            QTest::addRow("%s", rowOf(kind).id.data()) << static_cast<int>(kind);
+    }
+    void rowsLieOnTheSphere() {
+        QFETCH(int, kind);
+        constexpr double radius = 14.0;
+        const auto dome = [](double x, double y) {
+            return 2.0 + std::sqrt(std::max(0.0, radius * radius - x * x - y * y));
+        };
+        const Ground ground(blockUnder(dome, 16.0, 160), endMill(6.0, 3.0), {{-16.0, -16.0, 0.0}, {16.0, 16.0, 17.0}},
+                            0.0);
+        PassRequest request;
+        request.kind = static_cast<PassKind>(kind);
+        request.stepOver = 0.5;
+        request.area = rectangle({-7.0, -7.0}, {7.0, 7.0});
+        if (request.kind == PassKind::flow) request.lines = {{{-9.0, -6.0, 0.0}, {0.0, -2.0, 0.0}, {9.0, -6.0, 0.0}}};
+        const Result<PlannedPass> pass = ground.plan(request);
+        QVERIFY(pass);
+        // All of the area is gone over: rows nowhere farther apart than asked.
+        QVERIFY2(lengthOf(*pass) > 14.0 * 14.0 / 0.5 * 0.9, qPrintable(QString::number(lengthOf(*pass))));
+        double worst = 0.0;
+        std::vector<glm::dvec2> places;
+        follow(*pass, [&](const glm::dvec3& tip) {
+            const double reach = radius + 3.0;
+            const double resting = 2.0 + std::sqrt(reach * reach - tip.x * tip.x - tip.y * tip.y) - 3.0;
+            worst = std::max(worst, std::abs(tip.z - resting));
+            places.emplace_back(tip);
+        });
+        QVERIFY2(worst < 0.004, qPrintable(QString::number(worst))); // facets of 0.2 mm lie 0.0004 mm below the sphere
+        for (double x = -6.5; x <= 6.5; x += 0.5)
+            for (double y = -6.5; y <= 6.5; y += 0.5) {
+                double nearest = 1e9;
+                for (const glm::dvec2& place : places) nearest = std::min(nearest, glm::distance(place, {x, y}));
+                QVERIFY2(nearest < 0.26, qPrintable(QString("%1 mm at %2 %3").arg(nearest).arg(x).arg(y)));
+            }
+    }
+
+    void waterlinesLieOnTheSphere() {
+        constexpr double radius = 14.0;
+        const auto dome = [](double x, double y) {
+            return 2.0 + std::sqrt(std::max(0.0, radius * radius - x * x - y * y));
+        };
+        const Ground ground(blockUnder(dome, 16.0, 160), endMill(6.0, 3.0), {{-16.0, -16.0, 0.0}, {16.0, 16.0, 17.0}},
+                            0.0);
+        PassRequest request;
+        request.kind = PassKind::waterline;
+        request.stepOver = 1.0;
+        request.bottom = 6.0;
+        const Result<PlannedPass> pass = ground.plan(request);
+        QVERIFY(pass);
+        std::set<long> heights;
+        for (const TipLine& line : pass->strokes)
+            for (const glm::dvec3& tip : line) {
+                heights.insert(std::lround(tip.z * 1000.0));
+                const double up = tip.z + 3.0 - 2.0;
+                QVERIFY(std::abs(std::sqrt(tip.x * tip.x + tip.y * tip.y + up * up) - 17.0) < 0.003);
+            }
+        QCOMPARE(heights.size(), std::size_t(10)); // 15 mm to 6 mm: the dome's top is at 16 mm
+    }
+
+    /// Whatever area, direction, kind and allowance: no tip, and no place between two, is in the part.
+    void nothingGouges() {
+        std::mt19937 random(11);
+        std::uniform_real_distribution<double> share(0.0, 1.0);
+        const auto bumps = [](double x, double y) { return 8.0 + 3.0 * std::sin(0.4 * x) * std::cos(0.3 * y); };
+        const Ground ground(blockUnder(bumps, 20.0, 80), endMill(6.0, 3.0), {{-20.0, -20.0, 0.0}, {20.0, 20.0, 12.0}},
+                            1.0);
+        for (int round = 0; round < 24; ++round) {
+            PassRequest request;
+            request.kind = passKinds[static_cast<std::size_t>(round) % passKinds.size()].kind;
+            request.allowance = share(random) < 0.5 ? 0.0 : share(random);
+            request.stepOver = 0.5 + 2.0 * share(random);
+            request.direction = 6.0 * share(random);
+            request.depth = request.kind == PassKind::engrave ? 0.5 + 9.0 * share(random) : 0.0;
+            PlanRing ring;
+            for (int i = 0; i < 7; ++i)
+                ring.emplace_back(glm::dvec2(std::cos(0.9 * i), std::sin(0.9 * i)) * (6.0 + 12.0 * share(random)));
+            request.area.rings = {ring};
+            request.lines = {
+                {{-20.0, 20.0 * share(random), 0.0}, {20.0 * share(random), 0.0, 0.0}, {20.0, -20.0, 0.0}}};
+            const Result<PlannedPass> pass = ground.plan(request);
+            QVERIFY2(pass, rowOf(request.kind).id.data());
+            const std::vector<RevolvedPiece> tool = pieces(ground.tool.cutter);
+            double deepest = 0.0;
+            follow(*pass, [&](const glm::dvec3& tip) {
+                const double clearance = ground.part.clearance(tool, {tip, {0.0, 0.0, 1.0}}, 2.0).clearance;
+                deepest = std::max(deepest, request.allowance - clearance);
+            });
+            // Chords leave the surface by 0.002 mm; roughing moves go by the field, which states its error.
+            const bool rough = request.kind <= PassKind::face;
+            QVERIFY2(deepest <= (rough ? 0.03 : 0.005),
+                     qPrintable(QString("%1: %2 mm").arg(rowOf(request.kind).id.data()).arg(deepest)));
+        }
+    }
+
+    void aRequestComesBackFromItsText() {
+        PassRequest request;
+        request.kind = PassKind::flow;
+        request.allowance = 1.0 / 3.0;
+        request.scallop = 0.01;
+        request.top = 7.5;
+        request.bottom = -1e-9;
+        request.oneWay = request.restOnly = true;
+        request.steepest = 0.7;
+        request.area = {{{{0.1, 0.2}, {1.0 / 3.0, 4.0}, {-5.0, 6.0}}}};
+        request.lines = {{{0.0, 0.1, 0.2}, {1.0 / 7.0, 2.0, 3.0}}};
+        const Result<PassRequest> back = passRequestFromJson(toJson(request), "text");
+        QVERIFY(back && *back == request);
+    }
+
+    void wrongRequestsAreRefused() {
+        const auto refused = [](const char* text) { return !passRequestFromJson(text, "text"); };
+        QVERIFY(refused(R"({"pass": "fly"})"));
+        QVERIFY(refused(R"({"pass": "levels", "step_over_mm": -1})"));
+        QVERIFY(refused(R"({"pass": "levels", "step": 1})"));
+        QVERIFY(refused(R"({"pass": "pocket"})"));
+        QVERIFY(refused(R"({"pass": "flow"})"));
+        QVERIFY(refused(R"({"pass": "engrave", "lines": [{"places_mm": [0, 0, 0, 1, 0, 0]}]})"));
+        QVERIFY(refused(R"({"pass": "levels", "top_mm": 1, "bottom_mm": 2})"));
+        QVERIFY(refused(R"({"pass": "levels", "area": [{"corners_mm": [0, 0, 1]}]})"));
+        QVERIFY(!refused(R"({"pass": "levels"})"));
+    }
+
+    void cancelledPlansSaySo() {
+        const Ground ground(blockUnder(step, 25.0, 100), endMill(8.0, 4.0), {{-25.0, -25.0, 0.0}, {25.0, 25.0, 20.0}},
+                            0.5);
+        for (const PassKind kind : {PassKind::levels, PassKind::parallel, PassKind::waterline}) {
+            PassRequest request;
+            request.kind = kind;
+            Progress progress;
+            progress.cancel();
+            const Result<PlannedPass> pass = planPass(request, ground.ground, progress);
+            QVERIFY(!pass && pass.error().code == ErrorCode::cancelled);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(ComputedPassTest)
+#include "tst_computed_pass.moc"

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "canonical_moves.h"
+#include "part_judge.h"
+#include "program_run.h"
+
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace burin;
+
+/// From a part to a checked program without a recording. Oracles: LinuxCNC's interpreter for what the program does,
+/// OpenCASCADE for the part, the numbers of the drawings.
+class ComputedPassesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        QCOMPARE(
+            run({"embed", BURIN_SOURCE_DIRECTORY "/resources/samples/mouse.step", "-o", in("p.burin"), "--voxel", "1"})
+                .status,
+            0);
+    }
+
+    void aPartIsRoughedAndFinished() {
+        const ProgramRun rough =
+            path({"new", "--pass", "levels", "--tool", "flat-10", "--allowance", "0.3", "--bottom", "18"});
+        QVERIFY2(rough.status == 0, rough.messages.constData());
+        QVERIFY(rough.json()["strokes"].toInt() > 10);
+        const ProgramRun fine = path({"new", "--pass", "parallel", "--tool", "ball-6", "--step-over", "1.2",
+                                      "--steepest", "50", "--bottom", "18"});
+        QVERIFY2(fine.status == 0, fine.messages.constData());
+        const ProgramRun steep =
+            path({"apply", "2", "--pass", "waterline", "--step-over", "1.2", "--flattest", "40", "--bottom", "18"});
+        QVERIFY2(steep.status == 0, steep.messages.constData());
+        QCOMPARE(steep.json()["passes"].toArray().size(), 2);
+        const QJsonObject shown = path({"show", "2"}).json();
+        for (const QJsonValue& pass : shown["passes"].toArray()) {
+            QVERIFY(pass["length_mm"].toDouble() > 1000.0);
+            QVERIFY(pass["time_s"].toDouble() > 10.0);
+        }
+        const ProgramRun post = run({"post", in("p.burin"), "-o", in("p.ngc")});
+        QVERIFY2(post.status == 0, post.messages.constData());
+        const QJsonObject told = post.json();
+        QVERIFY(told["passed"].toBool());
+        QCOMPARE(told["findings"].toArray().size(), 0);
+        QCOMPARE(told["tool_changes"].toInt(), 2);
+    }
+
+    /// The finishing program alone, by what LinuxCNC makes of it and OpenCASCADE of the part.
+    void theProgramKeepsOffThePart() {
+        // Alone it goes through the stock that the other one takes: that its check refuses it is right.
+        const ProgramRun post =
+            run({"post", in("p.burin"), "--path", "2", "-o", in("fine.ngc"), "--override", "a test reads it"});
+        QVERIFY2(post.status == 0, post.messages.constData());
+        const QJsonArray offset = post.json()["work_offset_mm"].toArray();
+        const auto moves = canonicalMoves(in("fine.ngc"), folder_.path(), 3, 6.0);
+        QVERIFY(moves && moves->size() > 500);
+        const auto judge = PartJudge::of(BURIN_SOURCE_DIRECTORY "/resources/samples/mouse.step", 3.0);
+        QVERIFY(judge);
+        const auto samples = judge->along(*moves, {offset[0].toDouble(), offset[1].toDouble(), offset[2].toDouble()});
+        const std::optional<double> gouge = judge->exactGouge(samples, 100);
+        QVERIFY2(gouge && *gouge <= 0.01, qPrintable(QString::number(gouge.value_or(99.0))));
+        // It is a finishing pass: where it cuts it touches the part.
+        const auto touching = std::ranges::count_if(
+            samples, [](const ToolSample& sample) { return sample.cutting && sample.clearance < 0.02; });
+        const auto cutting = std::ranges::count_if(samples, &ToolSample::cutting);
+        QVERIFY2(touching * 10 > cutting * 8, qPrintable(QString("%1 of %2").arg(touching).arg(cutting)));
+    }
+
+    /// A smaller tool after a larger one goes only where that left something.
+    void aSmallerToolMillsTheRest() {
+        const ProgramRun all = path({"new", "--pass", "levels", "--tool", "flat-6", "--allowance", "0.3",
+                                     "--level-depth", "3", "--bottom", "18"});
+        if (all.status == 0) {
+            QVERIFY2(all.json()["length_mm"].toDouble() <
+                         0.25 * path({"show", "1"}).json()["passes"][0]["length_mm"].toDouble(),
+                     all.output.constData());
+        } else {
+            QVERIFY(all.messages.contains("stock")); // none is left
+        }
+    }
+
+    void anAreaOfADrawingIsKept() {
+        write("area.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='30mm' height='20mm' viewBox='0 0 30 20'>"
+                          "<rect width='30' height='20'/></svg>");
+        QCOMPARE(run({"embed", BURIN_SOURCE_DIRECTORY "/resources/samples/mouse.step", "-o", in("a.burin"), "--voxel",
+                      "1", "--margin", "1"})
+                     .status,
+                 0);
+        const ProgramRun made = run({"path", in("a.burin"), "new", "--pass", "parallel", "--tool", "ball-4",
+                                     "--step-over", "0.5", "--area", in("area.svg"), "--move", "-15,-10"});
+        QVERIFY2(made.status == 0, made.messages.constData());
+        QCOMPARE(run({"path", in("a.burin"), "show", "1", "--csv", in("p.csv")}).status, 0);
+        int cuts = 0;
+        for (const QString& line : contentOf(in("p.csv")).split('\n').mid(1)) {
+            const QStringList columns = line.split(',');
+            if (columns.size() < 4 || columns[0] != "cut") continue;
+            ++cuts;
+            QVERIFY2(std::abs(columns[1].toDouble()) <= 15.02 && std::abs(columns[2].toDouble()) <= 10.02,
+                     qPrintable(line));
+        }
+        QVERIFY(cuts > 20);
+    }
+
+    /// Letters of a drawing in inches on a plate: where the tool goes is where they are, at the depth that was asked.
+    void linesAreEngraved() {
+        QCOMPARE(
+            run({"embed", BURIN_FIXTURES "/models/cube.brep", "-o", in("e.burin"), "--voxel", "0.5", "--margin", "2"})
+                .status,
+            0);
+        const QJsonObject info = run({"info", in("e.burin")}).json();
+        const double top = info["model"]["bounding_box_mm"].toArray()[1].toArray()[2].toDouble() + 1.0;
+        QVERIFY(top > 2.0); // a millimetre above the part, a millimetre within the stock
+        write("line.dxf",
+              "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n1\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0"
+              "\n20\n0\n11\n0.2\n21\n0.3\n0\nENDSEC\n0\nEOF\n");
+        const ProgramRun made =
+            run({"path", in("e.burin"), "new", "--pass", "engrave", "--tool", "flat-1", "--lines", in("line.dxf"),
+                 "--top", QString::number(top), "--depth", "0.4", "--level-depth", "0.4"});
+        QVERIFY2(made.status == 0, made.messages.constData());
+        QCOMPARE(run({"path", in("e.burin"), "show", "1", "--csv", in("e.csv")}).status, 0);
+        glm::dvec3 farthest(-1e9);
+        double lowest = 1e9;
+        for (const QString& line : contentOf(in("e.csv")).split('\n').mid(1)) {
+            const QStringList columns = line.split(',');
+            if (columns.size() < 4 || columns[0] == "rapid") continue;
+            farthest = glm::max(farthest, glm::dvec3(columns[1].toDouble(), columns[2].toDouble(), 0.0));
+            lowest = std::min(lowest, columns[3].toDouble());
+        }
+        QVERIFY2(std::abs(farthest.x - 0.2 * 25.4) < 0.02 && std::abs(farthest.y - 0.3 * 25.4) < 0.02,
+                 qPrintable(QString("%1 %2").arg(farthest.x).arg(farthest.y)));
+        QVERIFY2(std::abs(lowest - (top - 0.4)) < 0.001, qPrintable(QString("%1 below %2").arg(lowest).arg(top)));
+    }
+
+    void badRequestsAreOneSentence_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("no tool") << QStringList{"--pass", "levels"} << "tool";
+        QTest::newRow("unknown tool") << QStringList{"--pass", "levels", "--tool", "spoon"} << "spoon";
+        QTest::newRow("a drill") << QStringList{"--pass", "levels", "--tool", "drill-6"} << "sideways";
+        QTest::newRow("wide step") << QStringList{"--pass", "levels", "--tool", "flat-6", "--step-over", "5"}
+                                   << "radius";
+        QTest::newRow("scallop of a sharp edge")
+            << QStringList{"--pass", "parallel", "--tool", "flat-6", "--scallop", "0.01"} << "rounded";
+        QTest::newRow("pocket without an area") << QStringList{"--pass", "pocket", "--tool", "flat-6"} << "area";
+        QTest::newRow("no file") << QStringList{"--pass", "pocket", "--tool", "flat-6", "--area", "/nowhere/a.dxf"}
+                                 << "a.dxf";
+        QTest::newRow("no drawing") << QStringList{"--pass", "pocket", "--tool",
+                                                   "flat-6", "--area", BURIN_FIXTURES "/models/cube.brep"}
+                                    << "neither";
+        QTest::newRow("no such take") << QStringList{"--pass", "flow", "--tool", "ball-6", "--lead", "7"}
+                                      << "recording";
+    }
+    void badRequestsAreOneSentence() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, says);
+        const QByteArray before = run({"path", in("p.burin"), "list"}).output;
+        const ProgramRun failed = runBurin(QStringList{"path", in("p.burin"), "new"} + arguments);
+        QVERIFY(failed.status > 0 && failed.status < 10);
+        QVERIFY2(failed.messages.contains(says.toUtf8()), failed.messages.constData());
+        QCOMPARE(failed.messages.trimmed().count('\n'), 0);
+        QCOMPARE(run({"path", in("p.burin"), "list"}).output, before);
+    }
+
+private:
+    QString in(const QString& name) const { return folder_.filePath(name); }
+    ProgramRun run(QStringList arguments) const { return runBurin(arguments << "--json"); }
+    ProgramRun path(const QStringList& arguments) const { return run(QStringList{"path", in("p.burin")} + arguments); }
+    void write(const QString& name, const QByteArray& text) const {
+        QFile file(in(name));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+    }
+    QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(ComputedPassesTest)
+#include "tst_computed_passes.moc"

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/passes/pass_request.h"
+#include "ui/workbench/path_controller.h"
+
+#include <vector>
+
+namespace burin {
+
+/// A pass as the user wants it.
+struct WantedPass {
+    PassRequest request;
+    std::vector<std::int64_t> leads; ///< takes whose strokes are added to the request's lines
+};
+
+/// Computes passes of the tool in force in the background and makes each the last source of its path.
+class PassController final : public Controller {
+    Q_OBJECT
+public:
+    PassController(const Desk& desk, WorkpieceController& workpiece, PathController& path, const ToolController& tools,
+                   QObject* parent);
+
+    bool busy() const { return asked_ || desk_.tasks.running(TaskKind::pass); }
+    /// The workpiece stands with the tool in force, and no pass is being computed.
+    bool possible() const;
+    /// An entry of the undo stack once it is there; `failed` says why there is none. Nothing happens where it is not
+    /// possible. Can be cancelled as a task.
+    void compute(const WantedPass& wanted);
+    void forget(); ///< another project
+
+private:
+    struct Matter;
+    void run(Matter matter);
+
+    WorkpieceController& workpiece_;
+    PathController& path_;
+    const ToolController& tools_;
+    bool asked_ = false;
+    quint64 loads_ = 0;
+};
+
+} // namespace burin
