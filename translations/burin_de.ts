@@ -5523,6 +5523,14 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>Unit of the drawing (default: as it says)</source>
         <translation>Einheit der Zeichnung (Vorgabe: wie angegeben)</translation>
     </message>
+    <message>
+        <source>Delete a path with its computed passes, or one of its passes; takes stay</source>
+        <translation>Eine Bahn mit ihren berechneten Durchgängen löschen, oder einen ihrer Durchgänge; Aufnahmen bleiben</translation>
+    </message>
+    <message>
+        <source>Id of the pass, as &quot;path P list --json&quot; shows it</source>
+        <translation>Nummer des Durchgangs, wie „path P list --json“ sie zeigt</translation>
+    </message>
 </context>
 <context>
     <name>ImportFormat</name>
@@ -10652,6 +10660,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>computed pass</source>
         <translation>Berechneter Durchgang</translation>
     </message>
+    <message>
+        <source>deletion of a pass</source>
+        <translation>Löschen eines Durchgangs</translation>
+    </message>
 </context>
 <context>
     <name>burin::PathHand</name>
@@ -10813,6 +10825,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>%1 has not milled yet. Choose a tool that has, record a take, or compute a pass.</source>
         <translation>%1 hat noch nicht gefräst. Wählen Sie eines, das gefräst hat, zeichnen Sie etwas auf, oder berechnen Sie einen Durchgang.</translation>
+    </message>
+    <message>
+        <source>Delete this pass</source>
+        <translation>Diesen Durchgang löschen</translation>
     </message>
 </context>
 <context>

@@ -33,6 +33,7 @@ struct PathArguments {
     std::vector<std::int64_t> takes;
     std::size_t place = 0;
     PassArguments pass;
+    std::optional<std::int64_t> deletedPass;
 };
 
 /// What a path is made of besides takes, in its order. Errors: those of Project::generated.
@@ -233,6 +234,28 @@ int addTo(const PathArguments& arguments, CommandContext& context) {
     const Result<StoredPath> path = pathWithId(**project, arguments.path);
     if (!path) return context.fail(path.error());
     return addPassTo(*project, *path, arguments, context);
+}
+
+/// Takes a path out of a project, or one pass out of a path; passes that no path is made of any more go with it.
+int remove(const PathArguments& arguments, CommandContext& context) {
+    Result<ProjectChange> project = projectToChange(arguments.project, context);
+    if (!project) return context.fail(project.error());
+    Result<StoredPath> path = pathWithId(**project, arguments.path);
+    if (!path) return context.fail(path.error());
+    std::vector<PathSource> gone = path->sources;
+    if (arguments.deletedPass) {
+        gone = {{*arguments.deletedPass}};
+        if (*arguments.deletedPass >= 0 || std::erase(path->sources, gone.front()) == 0)
+            return context.fail({ErrorCode::nameUnknown, "pass", std::to_string(*arguments.deletedPass), {}});
+    }
+    const bool whole = !arguments.deletedPass || path->sources.empty();
+    const Result<void> changed = whole ? (*project)->removePath(path->id) : (*project)->setPath(*path);
+    if (!changed) return context.fail(changed.error());
+    for (const PathSource source : gone)
+        if (source.isGenerated())
+            (void)(*project)->removeGenerated(source.id); // stays where another path is made of it
+    if (whole) path->sources.clear();
+    return finish(*project, *path, context, {{"deleted", whole}});
 }
 
 Result<void> checkPosition(const StoredPath& path, const PathArguments& arguments) {
@@ -444,6 +467,15 @@ void registerPath(CommandParser program, CommandContext& context, int& status) {
     further.option("--place", arguments->place, BURIN_TEXT("Help", "Position in the list of edits, from 0"))
         .needs(edit);
     further.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
+    const CommandParser erase = withPath(
+        add("delete", BURIN_TEXT("Help", "Delete a path with its computed passes, or one of its passes; takes stay"),
+            remove));
+    erase.option(
+        "--pass",
+        [arguments](const std::string& id) {
+            arguments->deletedPass = parseNumber(id) ? static_cast<std::int64_t>(*parseNumber(id)) : 0;
+        },
+        BURIN_TEXT("Help", "Id of the pass, as \"path P list --json\" shows it"));
     const CommandParser undo =
         withPath(add("undo", BURIN_TEXT("Help", "Delete an edit from a path"),
                      [](const PathArguments& given, CommandContext& where) {

@@ -13,6 +13,7 @@ namespace {
 constexpr int mostChords = 20000; // of one figure
 
 int chordsFor(double measure) {
+    if (!std::isfinite(measure)) return 1; // its places are refused
     return static_cast<int>(std::clamp(std::ceil(std::sqrt(measure / drawingChord)), 1.0, double(mostChords)));
 }
 

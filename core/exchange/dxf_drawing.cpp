@@ -10,6 +10,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <span>
 
 namespace burin {
 namespace {
@@ -114,7 +115,7 @@ public:
                     if (group.code == 9)
                         variable = group.value;
                     else if (variable == "$INSUNITS" && group.code == 70)
-                        file.insertUnits = static_cast<int>(parseNumber(group.value).value_or(0.0));
+                        file.insertUnits = Entity{{}, {group}}.whole(70);
                 }
                 if (section == "BLOCKS" && inBlockHead_)
                     headOfBlock(group, file, block);

@@ -133,6 +133,25 @@ private slots:
         QVERIFY2(std::abs(lowest - (top - 0.4)) < 0.001, qPrintable(QString("%1 below %2").arg(lowest).arg(top)));
     }
 
+    /// A path goes with its passes; of two passes one goes alone.
+    void passesAreDeleted() {
+        const auto passesOf = [&] {
+            return run({"path", in("e.burin"), "list"}).json()["paths"][0]["passes"].toArray();
+        };
+        QCOMPARE(run({"path", in("e.burin"), "apply", "1", "--pass", "engrave", "--lines", in("line.dxf"), "--depth",
+                      "0.2", "--move", "1,0"})
+                     .status,
+                 0);
+        QCOMPARE(passesOf().size(), 2);
+        const ProgramRun unknown = runBurin({"path", in("e.burin"), "delete", "1", "--pass", "-9"});
+        QVERIFY(unknown.status != 0 && unknown.messages.contains("-9"));
+        QCOMPARE(run({"path", in("e.burin"), "delete", "1", "--pass", "-1"}).status, 0);
+        QCOMPARE(passesOf().size(), 1);
+        QCOMPARE(passesOf().at(0).toObject()["id"].toInt(), -2);
+        QCOMPARE(run({"path", in("e.burin"), "delete", "1"}).status, 0);
+        QCOMPARE(run({"path", in("e.burin"), "list"}).json()["paths"].toArray().size(), 0);
+    }
+
     void badRequestsAreOneSentence_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("says");

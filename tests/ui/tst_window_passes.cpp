@@ -104,6 +104,13 @@ private slots:
                                  30000);
         QVERIFY(workbenchOf(driver).setup.locked()); // the passes are of this part in this stock
 
+        QVERIFY(driver.clickOn("passRemoveButton0"));
+        QTRY_COMPARE(workbenchOf(driver).path.passes().size(), std::size_t(1));
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(workbenchOf(driver).path.passes().size(), std::size_t(2));
+        QTRY_VERIFY_WITH_TIMEOUT(evaluatedIn(driver) != nullptr, 30000);
+        QTest::qWait(300);
+        driver.shoot("passes-4b-two-passes");
         QVERIFY(postProgram(driver));
         QTest::qWait(500);
         driver.shoot("passes-5-posted");

@@ -41,6 +41,7 @@ private:
     void refreshTool();
     void refreshButtons();
     void refreshFigures();
+    void refreshPasses();
     void refreshEdits();
     void makeCards();
     void makeCard(std::size_t place);
@@ -60,7 +61,9 @@ private:
     QWidget* content_;
     SelectionCard* selection_;
     ValueRow *takes_, *points_, *length_, *sides_, *budget_;
-    QVBoxLayout* list_;
+    QVBoxLayout *list_, *passList_;
+    std::vector<PassRow> shownPasses_;
+    std::vector<QWidget*> passRows_;
     std::vector<EditCard*> cards_;
     CardKeyboard keyboard_;
     std::string adding_; ///< kind of the edit that the user asked for, until its card stands
@@ -85,6 +88,9 @@ PathPanel::Fields::Fields(PathPanel* panel)
         (*row)->setObjectName(QLatin1String(name));
         inner->addWidget(*row);
     }
+    passList_ = new QVBoxLayout;
+    passList_->setSpacing(4);
+    inner->addLayout(passList_);
     sides_->setToolTip(
         PathPanel::tr("With a spindle that rotates clockwise; conventional cuts are pink in the view. Other moves cut "
                       "on both sides, or from above. Reverse changes the direction of strokes"));
@@ -173,6 +179,30 @@ void PathPanel::Fields::refreshButtons() {
         pass_, state.passPossible ? QString() : PathPanel::tr("The workpiece has to be ready, and no pass under way."),
         PathPanel::tr("Compute roughing, finishing, a pocket, a profile or engraving with the loaded tool"));
     setEnabledKeepingFocus(eye_, state.exists);
+}
+
+/// Each with what was asked for, and a button that deletes it.
+void PathPanel::Fields::refreshPasses() {
+    if (state.passes == shownPasses_) return;
+    shownPasses_ = state.passes;
+    for (QWidget* row : passRows_) row->deleteLater();
+    passRows_.clear();
+    for (std::size_t i = 0; i < shownPasses_.size(); ++i) {
+        const PassRow& pass = shownPasses_[i];
+        auto* row = new QWidget(content_);
+        auto* line = new QHBoxLayout(row);
+        line->setContentsMargins(0, 0, 0, 0);
+        auto* name = new ValueRow(pass.name, row);
+        name->setObjectName(QStringLiteral("passRow%1").arg(i));
+        name->setValue(pass.figures);
+        line->addWidget(name, 1);
+        auto* remove = makeIconButton(QStringLiteral("remove"), PathPanel::tr("Delete this pass"),
+                                      QStringLiteral("passRemoveButton%1").arg(i), row);
+        connect(remove, &QToolButton::clicked, panel_, [this, id = pass.id] { emit panel_->passRemoved(id); });
+        line->addWidget(remove);
+        passList_->addWidget(row);
+        passRows_.push_back(row);
+    }
 }
 
 QString PathPanel::Fields::withoutTakes() const {
@@ -329,6 +359,7 @@ void PathPanel::Fields::refresh() {
     refreshButtons();
     tell();
     content_->setVisible(state.exists);
+    refreshPasses();
     refreshFigures();
     selection_->setState(state);
     refreshEdits();

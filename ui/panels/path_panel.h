@@ -22,6 +22,7 @@ signals:
     void toolChosen(const std::string& id); ///< one that milled
     void newPathRequested();
     void passRequested();
+    void passRemoved(std::int64_t id);
     void editChanged(std::size_t index, const burin::Edit& edit); ///< switched or a parameter changed
     void editAdded(const burin::Edit& edit);
     void editRemoved(std::size_t index);

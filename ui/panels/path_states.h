@@ -20,6 +20,13 @@ namespace burin {
 /// What a drag of a place of the path changes.
 enum class DragChoice { level, x, y, z, surface };
 
+/// A computed pass of a path.
+struct PassRow {
+    std::int64_t id = 0;
+    QString name, figures;
+    friend bool operator==(const PassRow&, const PassRow&) = default;
+};
+
 struct PathState {
     struct Tool {
         std::string id;
@@ -27,6 +34,7 @@ struct PathState {
     };
     std::vector<Tool> milled;     ///< the tools that have takes
     Tool tool;                    ///< in force
+    std::vector<PassRow> passes;  ///< of the path, in its order
     bool passPossible = false;    ///< one can be computed now
     bool hasTakes = false;        ///< of the tool in force
     bool someWithoutPath = false; ///< of those that milled

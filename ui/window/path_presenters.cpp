@@ -41,6 +41,22 @@ std::optional<MillingSide> sideOf(const EvaluatedPath& path, const SourceStretch
     return side;
 }
 
+/// A pass by its kind, with the figure that tells it from another of its kind.
+PassRow rowOf(const GeneratedInfo& pass, LengthUnit unit) {
+    PassRow row{pass.id, QString::fromStdString(pass.name), {}};
+    const Result<PassRequest> request = passRequestFromJson(pass.request, pass.name);
+    if (!request) return row; // made by something that says nothing of it
+    const TextId title = rowOf(request->kind).title;
+    row.name = QCoreApplication::translate(title.context, title.text);
+    if (request->stepOver > 0.0)
+        row.figures = lengthText(request->stepOver, unit);
+    else if (request->scallop > 0.0)
+        row.figures = lengthText(request->scallop, unit);
+    else if (request->allowance > 0.0)
+        row.figures = lengthText(request->allowance, unit);
+    return row;
+}
+
 QStringList toolNames(const Workbench& workbench, const std::vector<std::string>& ids) {
     QStringList names;
     for (const std::string& id : ids) names.append(toolName(workbench.tool.tools(), id));
@@ -76,6 +92,7 @@ PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePr
     yieldWhileHidden(panel);
     connect(&panel, &PathPanel::toolChosen, &workbench.tool, &ToolController::choose);
     connect(&panel, &PathPanel::newPathRequested, &workbench.path, &PathController::makeNew);
+    connect(&panel, &PathPanel::passRemoved, &workbench.path, &PathController::removePass);
     connect(&panel, &PathPanel::passRequested, this, &PathPresenter::askPass);
     connect(&panel, &PathPanel::editChanged, &workbench.path, &PathController::changeEdit);
     connect(&panel, &PathPanel::editAdded, &scene, &PathScenePresenter::addEdit);
@@ -139,6 +156,7 @@ void PathPresenter::present() {
     state.someWithoutPath = !path.toolsWithoutPath().empty();
     state.exists = path.stored() != nullptr;
     if (path.stored()) state.path = *path.stored();
+    for (const GeneratedInfo& pass : path.passes()) state.passes.push_back(rowOf(pass, unit()));
     state.takes = workbench_.mill.takes();
     if (workbench_.workpiece.milling()) state.zero = workbench_.workpiece.milling()->setup.workOffset;
     if (path.evaluated()) {

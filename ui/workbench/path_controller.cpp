@@ -297,6 +297,30 @@ void PathController::keepPass(const GeneratedInfo& pass, const StoredPath& befor
         [this, id = after.id](const std::vector<PathSource>& sources) { applySources(id, sources); }));
 }
 
+std::vector<GeneratedInfo> PathController::passes() const {
+    std::vector<GeneratedInfo> own;
+    if (stored() == nullptr) return own;
+    for (const PathSource source : stored()->sources)
+        if (const auto found = std::ranges::find(generated_, source.id, &GeneratedInfo::id); found != generated_.end())
+            own.push_back(*found);
+    return own;
+}
+
+void PathController::removePass(std::int64_t id) {
+    const StoredPath* path = stored();
+    if (path == nullptr) return;
+    std::vector<PathSource> left = path->sources;
+    if (std::erase(left, PathSource{id}) == 0) return;
+    if (left.empty())
+        desk_.undo.push(
+            new ValueCommand<bool>(tr("deletion of a pass"), -1, true, false,
+                                   [this, paths = std::vector{*path}](bool present) { setPresent(paths, present); }));
+    else
+        desk_.undo.push(new ValueCommand<std::vector<PathSource>>(
+            tr("deletion of a pass"), -1, path->sources, std::move(left),
+            [this, own = path->id](const std::vector<PathSource>& sources) { applySources(own, sources); }));
+}
+
 void PathController::applySources(std::int64_t id, const std::vector<PathSource>& sources) {
     const auto path = std::ranges::find(paths_, id, &StoredPath::id);
     if (path == paths_.end()) return;

@@ -56,6 +56,10 @@ public:
     /// Keeps a computed pass as the last source of its tool's path, or of a new one. An entry of the undo stack.
     /// @param tool that it is for; the project gets it
     void addPass(const GeneratedMoves& moves, const Tool& tool);
+    /// Those of the path in force, in its order.
+    std::vector<GeneratedInfo> passes() const;
+    void removePass(
+        std::int64_t id); ///< of the path in force; the path goes with its last source. An entry of the undo stack
     void changeEdit(std::size_t index, const Edit& edit); ///< an entry of the undo stack; evaluates it
     /// Entries of the undo stack; each evaluates the path. A new edit comes as late as the order of edits allows.
     /// @return its place

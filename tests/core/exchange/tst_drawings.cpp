@@ -138,6 +138,8 @@ private slots:
         QVERIFY(faultOf(dxf("0 TEXT 8 a 1 b")).contains("no curve"));
         QVERIFY(faultOf(dxf("0 LINE 8 0 10 0 20 0 11 1e9 21 0")).contains("1e5 mm"));
         QVERIFY(faultOf(dxf("0 LINE 8 0 10 x 20 0 11 1 21 0")).contains("1e5 mm"));
+        QVERIFY(faultOf(dxf("0 CIRCLE 8 0 10 0 20 0 40 1e308")).contains("1e5 mm"));
+        QVERIFY(faultOf(dxf("0 ELLIPSE 8 0 10 x 20 0 11 3 21 0 40 0.5")).contains("1e5 mm"));
         QVERIFY(faultOf("<svg><rect width=\"2\"").contains("byte"));
         QVERIFY(faultOf(svg("<path d=\"L 1 2\"/>")).contains("not begin with M"));
         QVERIFY(faultOf(svg("<path d=\"M 1\"/>")).contains("wrong numbers"));
