@@ -475,7 +475,9 @@ void PathController::setPresent(const std::vector<StoredPath>& paths, bool prese
 void PathController::keepTakes(const StoredPath& path) {
     const auto known = std::ranges::find(paths_, path.id, &StoredPath::id);
     if (known == paths_.end()) return;
-    known->sources = path.sources; // its edits may have been changed meanwhile
+    for (const PathSource source : path.sources) // its edits and passes may have been changed meanwhile
+        if (source.isTake() && std::ranges::find(known->sources, source) == known->sources.end())
+            known->sources.push_back(source);
     updateJob();
 }
 
