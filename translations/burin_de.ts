@@ -3136,6 +3136,10 @@
         <source>%1 recordings and passes</source>
         <translation>%1 Aufnahmen und Durchgänge</translation>
     </message>
+    <message>
+        <source>another tool was loaded before it was computed</source>
+        <translation>ein anderes Werkzeug wurde geladen, bevor er berechnet war</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>

@@ -333,6 +333,7 @@ constexpr std::array details{
     BURIN_TEXT("Detail", "one that has not ended"),
     BURIN_TEXT("Detail", "none: the part alone is there"),
     // computed passes and drawings
+    BURIN_TEXT("Detail", "another tool was loaded before it was computed"),
     BURIN_TEXT("Detail", "%1 recordings and passes"),
     BURIN_TEXT("Detail",
                "so much stock stands where it would go that the tool can't: rough it first, or take a longer tool"),

@@ -278,6 +278,11 @@ QString PassDialog::missing(const WantedPass& wanted) const {
 
 /// Reads the drawings here and now: a drawing that can't be used is told where another can be chosen.
 void PassDialog::confirm() {
+    for (Figure& figure : figures_) { // what is typed and not entered yet counts
+        const double before = figure.field->value();
+        figure.field->interpretText();
+        figure.edited = figure.edited || figure.field->value() != before;
+    }
     WantedPass wanted;
     PassRequest& request = wanted.request;
     request.kind = kind();

@@ -19,21 +19,43 @@ struct PassController::Matter {
 PassController::PassController(const Desk& desk, WorkpieceController& workpiece, PathController& path,
                                const ToolController& tools, QObject* parent)
     : Controller(desk, parent), workpiece_(workpiece), path_(path), tools_(tools) {
-    connect(&workpiece_, &WorkpieceController::changed, this, &Controller::changed);
-    connect(&workpiece_, &WorkpieceController::readersStop, this, &Controller::changed);
+    for (const auto signal : {&WorkpieceController::readersStop, &WorkpieceController::readersGoOn})
+        connect(&workpiece_, signal, this, &PassController::goOn);
+    connect(&workpiece_, &WorkpieceController::changed, this, &PassController::goOn);
+}
+
+bool PassController::ready() const {
+    return workpiece_.embedded() && workpiece_.milling() && !workpiece_.changing() &&
+           workpiece_.milling()->tool.id == tools_.current().id;
 }
 
 bool PassController::possible() const {
-    return !busy() && workpiece_.embedded() && workpiece_.milling() && !workpiece_.changing() &&
-           workpiece_.milling()->tool.id == tools_.current().id;
+    return !busy() && ready();
 }
 
 void PassController::compute(const WantedPass& wanted) {
     if (!possible()) return;
+    wanted_ = wanted;
+    tool_ = tools_.current().id;
+    goOn();
+}
+
+/// Begins what is wanted and not under way: now, or as soon as the workpiece stands again.
+void PassController::goOn() {
+    emit changed();
+    if (!wanted_ || asked_ || desk_.tasks.running(TaskKind::pass)) return;
+    if (tools_.current().id != tool_) {
+        emit failed({ErrorCode::pathEmpty,
+                     rowOf(wanted_->request.kind).title.text,
+                     {},
+                     "another tool was loaded before it was computed"});
+        return end();
+    }
+    if (!ready()) return;
     asked_ = true;
     const StoredPath path = path_.stored() != nullptr ? *path_.stored() : StoredPath{};
     desk_.project.ask(
-        [wanted, path, tool = tools_.current().id, load = loads_](const Project& project) -> Result<Matter> {
+        [wanted = *wanted_, path, tool = tool_, load = loads_](const Project& project) -> Result<Matter> {
             Matter matter{wanted.request, {}, load};
             Progress unseen;
             for (const std::int64_t take : wanted.leads) {
@@ -46,15 +68,18 @@ void PassController::compute(const WantedPass& wanted) {
             matter.before = std::move(*before);
             return matter;
         },
-        [this](Result<Matter> matter) {
-            if (!std::exchange(asked_, false)) return; // another project
-            if (!matter)
+        [this, load = loads_](Result<Matter> matter) {
+            if (load != loads_) return; // another project
+            asked_ = false;
+            if (!matter) {
                 emit failed(matter.error());
-            else if (possible())
+                return end();
+            }
+            if (ready() && tools_.current().id == tool_)
                 run(std::move(*matter));
-            emit changed();
+            else
+                goOn();
         });
-    emit changed();
 }
 
 void PassController::run(Matter matter) {
@@ -68,19 +93,25 @@ void PassController::run(Matter matter) {
             return std::make_shared<const ComputedPass>(std::move(*pass));
         },
         [this, load, tool = tools_.current()](const Result<std::shared_ptr<const ComputedPass>>& pass) {
-            if (load == loads_ && pass)
+            if (load != loads_) return; // another project
+            if (pass)
                 path_.addPass((*pass)->moves, tool);
-            else if (!pass && pass.error().code != ErrorCode::cancelled)
+            else if (pass.error().code != ErrorCode::cancelled)
                 emit failed(pass.error());
-            emit changed();
+            end();
         });
+}
+
+void PassController::end() {
+    wanted_.reset();
+    emit changed();
 }
 
 void PassController::forget() {
     asked_ = false;
     ++loads_;
     desk_.tasks.abandon(TaskKind::pass);
-    emit changed();
+    end();
 }
 
 } // namespace burin

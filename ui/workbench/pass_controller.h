@@ -5,6 +5,8 @@
 #include "core/passes/pass_request.h"
 #include "ui/workbench/path_controller.h"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace burin {
@@ -22,22 +24,27 @@ public:
     PassController(const Desk& desk, WorkpieceController& workpiece, PathController& path, const ToolController& tools,
                    QObject* parent);
 
-    bool busy() const { return asked_ || desk_.tasks.running(TaskKind::pass); }
+    bool busy() const { return wanted_.has_value(); }
     /// The workpiece stands with the tool in force, and no pass is being computed.
     bool possible() const;
     /// An entry of the undo stack once it is there; `failed` says why there is none. Nothing happens where it is not
-    /// possible. Can be cancelled as a task.
+    /// possible. Can be cancelled as a task. Where the workpiece changes meanwhile it begins again behind that.
     void compute(const WantedPass& wanted);
     void forget(); ///< another project
 
 private:
     struct Matter;
+    bool ready() const; ///< nothing but a pass under way could hinder one
+    void goOn();
     void run(Matter matter);
+    void end();
 
     WorkpieceController& workpiece_;
     PathController& path_;
     const ToolController& tools_;
-    bool asked_ = false;
+    std::optional<WantedPass> wanted_; ///< until it is there, cancelled or impossible
+    std::string tool_;                 ///< that it is for, by id
+    bool asked_ = false;               ///< the project is
     quint64 loads_ = 0;
 };
 
