@@ -6,11 +6,12 @@
 #include "app/wording.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
-#include "core/base/units.h"
 #include "core/exchange/plan_drawing.h"
 #include "core/job/computed_pass.h"
 #include "ui/messages/details.h"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace burin {
@@ -26,10 +27,6 @@ std::vector<std::string> passIds() {
     std::vector<std::string> ids;
     for (const PassKindRow& row : passKinds) ids.emplace_back(row.id);
     return ids;
-}
-
-double radians(double degrees) {
-    return degrees * pi / 180.0;
 }
 
 /// How far drawings are moved. Errors: argumentInvalid.
@@ -56,45 +53,47 @@ Result<PlanDrawing> drawingOf(const std::string& file, const PassArguments& argu
     return drawing;
 }
 
-/// A request's own form, which `path list --json` shows: a file with areas or lines of it.
-std::optional<Result<PassRequest>> fromJson(const std::string& file) {
-    if (!file.ends_with(".json")) return std::nullopt;
-    const Result<std::string> text = readFile(file);
-    if (!text) return Result<PassRequest>(text.error());
-    return passRequestFromJson(*text, file);
+/// Areas and lines of a file: a drawing, or a request as `path list --json` shows it. Errors: those of readDrawing and
+/// passRequestFromJson.
+Result<PassRequest> shapesIn(const std::string& file, bool asArea, const PassArguments& arguments,
+                             CommandContext& context) {
+    if (file.ends_with(".json")) {
+        const Result<std::string> text = readFile(file);
+        return text ? passRequestFromJson(*text, file) : Result<PassRequest>(text.error());
+    }
+    const Result<PlanDrawing> drawing = drawingOf(file, arguments, context);
+    if (!drawing) return drawing.error();
+    PassRequest shapes;
+    shapes.lines = linesOf(*drawing);
+    if (!asArea) return shapes;
+    Result<PlanRegion> region = regionOf(*drawing, file);
+    if (!region) return std::move(region).error();
+    shapes.area = std::move(*region);
+    return shapes;
 }
 
 Result<void> addArea(const PassArguments& arguments, CommandContext& context, PassRequest& request) {
     if (arguments.area.empty()) return {};
-    if (const std::optional<Result<PassRequest>> read = fromJson(arguments.area)) {
-        if (!*read) return read->error();
-        request.area = (*read)->area;
-        return {};
-    }
-    const Result<PlanDrawing> drawing = drawingOf(arguments.area, arguments, context);
-    if (!drawing) return drawing.error();
-    Result<PlanRegion> region = regionOf(*drawing, arguments.area);
-    if (!region) return std::move(region).error();
-    request.area = std::move(*region);
+    Result<PassRequest> shapes = shapesIn(arguments.area, true, arguments, context);
+    if (!shapes) return std::move(shapes).error();
+    request.area = std::move(shapes->area);
     return {};
 }
 
 Result<void> addLines(const PassArguments& arguments, const Project& project, CommandContext& context,
                       PassRequest& request) {
+    const auto add = [&request](std::vector<PassLine>& lines) {
+        std::ranges::move(lines, std::back_inserter(request.lines));
+    };
     for (const std::int64_t take : arguments.leads) {
         Result<std::vector<PassLine>> lines = linesOfTake(project, take, context.progress());
         if (!lines) return std::move(lines).error();
-        for (PassLine& line : *lines) request.lines.push_back(std::move(line));
+        add(*lines);
     }
     if (arguments.lines.empty()) return {};
-    if (const std::optional<Result<PassRequest>> read = fromJson(arguments.lines)) {
-        if (!*read) return read->error();
-        request.lines.insert(request.lines.end(), (*read)->lines.begin(), (*read)->lines.end());
-        return {};
-    }
-    const Result<PlanDrawing> drawing = drawingOf(arguments.lines, arguments, context);
-    if (!drawing) return drawing.error();
-    for (PassLine& line : linesOf(*drawing)) request.lines.push_back(std::move(line));
+    Result<PassRequest> shapes = shapesIn(arguments.lines, false, arguments, context);
+    if (!shapes) return std::move(shapes).error();
+    add(shapes->lines);
     return {};
 }
 
@@ -113,40 +112,47 @@ Argument addPass(CommandParser command, PassArguments& arguments) {
                             BURIN_TEXT("Help", "Tool of the pass (default: the tool of the path)")));
     withPass(command.option("--allowance", request.allowance, BURIN_TEXT("Help", "Stock to leave on the part, mm")));
     withPass(command.option("--step-over", request.stepOver,
-                            BURIN_TEXT("Help", "Between rows or loops, and between the heights of a waterline, mm "
-                                               "(default: 0.4 of the diameter to rough, a fifteenth to finish)")));
+                            BURIN_TEXT("Help", "Distance between rows or loops, or between the heights of a waterline, "
+                                               "mm (default: 0.4 of the diameter for roughing, 1/15 for finishing)")));
     withPass(command.option("--scallop", request.scallop,
                             BURIN_TEXT("Help", "Instead of --step-over: height of the ridges between rows, mm")));
-    withPass(command.option("--level-depth", request.levelDepth,
-                            BURIN_TEXT("Help", "Between levels, mm (default: what material, tool and spindle bear)")));
-    withPass(
-        command.option("--stairs", request.stairs,
-                       BURIN_TEXT("Help", "Of levels: height of the stairs that are left on slopes, mm (default: a "
-                                          "tenth of the diameter)")));
+    withPass(command.option(
+        "--level-depth", request.levelDepth,
+        BURIN_TEXT("Help", "Largest depth of a level, mm (default: what material, tool and spindle can take)")));
+    withPass(command.option(
+        "--stairs", request.stairs,
+        BURIN_TEXT("Help",
+                   "levels: largest height of the steps left on slopes, mm (default: a tenth of the diameter)")));
     withPass(command.option("--direction", arguments.directionDegrees,
                             BURIN_TEXT("Help", "Direction of parallel rows, degrees from X")));
     withPass(command.option("--flattest", arguments.flattestDegrees,
-                            BURIN_TEXT("Help", "Only where the part is at least so steep, degrees")));
+                            BURIN_TEXT("Help", "Only where the part is at least this steep, degrees")));
     withPass(command.option("--steepest", arguments.steepestDegrees,
-                            BURIN_TEXT("Help", "Only where the part is at most so steep, degrees")));
-    withPass(command.option("--top", request.top, BURIN_TEXT("Help", "Where to begin, mm (default: the stock's top)")));
-    withPass(command.option("--bottom", request.bottom,
-                            BURIN_TEXT("Help", "Lowest tip, mm (default: the part's lowest point, of face its top)")));
-    withPass(command.option("--depth", request.depth, BURIN_TEXT("Help", "Of engrave: below the top, mm")));
-    withPass(command.flag("--one-way", request.oneWay, BURIN_TEXT("Help", "All rows in the same direction")));
+                            BURIN_TEXT("Help", "Only where the part is at most this steep, degrees")));
+    withPass(command.option("--top", request.top,
+                            BURIN_TEXT("Help", "Height at which the pass begins, mm (default: the top of the stock)")));
+    withPass(command.option(
+        "--bottom", request.bottom,
+        BURIN_TEXT("Help", "Lowest height of the tip, mm (default: the lowest point of the part; for face its top)")));
+    withPass(command.option("--depth", request.depth, BURIN_TEXT("Help", "engrave: depth below the top, mm")));
+    withPass(command.flag("--one-way", request.oneWay, BURIN_TEXT("Help", "Cut all rows in one direction")));
     withPass(command.flag("--inside", request.inside,
-                          BURIN_TEXT("Help", "Of profile: within the border of --area instead of around it")));
-    withPass(command.flag("--rest", request.restOnly, BURIN_TEXT("Help", "Rows only where stock is left")));
+                          BURIN_TEXT("Help", "profile: inside the outline of --area instead of around it")));
+    withPass(command.flag("--rest", request.restOnly, BURIN_TEXT("Help", "Only rows where stock is left")));
+    withPass(command.option(
+        "--area", arguments.area,
+        BURIN_TEXT("Help", "Area of the pass, in the coordinates of the setup: closed curves of a DXF or SVG drawing, "
+                           "or a JSON file with a request as \"path list --json\" prints it")));
     withPass(
-        command.option("--area", arguments.area,
-                       BURIN_TEXT("Help", "Area of the pass: closed curves of a DXF or SVG drawing, or a JSON file "
-                                          "as \"path list --json\" shows a pass, in the coordinates of the setup")));
-    withPass(command.option("--lines", arguments.lines,
-                            BURIN_TEXT("Help", "Curves to engrave, or that lead flow: DXF, SVG or JSON")));
-    withPass(command.option("--lead", arguments.leads, BURIN_TEXT("Help", "Takes whose strokes lead the pass"))
-                 .separatedBy(','));
+        command.option("--lines", arguments.lines,
+                       BURIN_TEXT("Help", "Curves to engrave, or that the rows of flow follow: DXF, SVG or JSON")));
+    withPass(
+        command.option("--lead", arguments.leads, BURIN_TEXT("Help", "Takes whose strokes the rows of flow follow"))
+            .separatedBy(','));
     withPass(command.option("--move", arguments.move, BURIN_TEXT("Help", "Move the drawing by X,Y, mm")));
-    withPass(command.option("--unit", arguments.unit, BURIN_TEXT("Help", "Unit of the drawing (default: as it says)"))
+    withPass(command
+                 .option("--unit", arguments.unit,
+                         BURIN_TEXT("Help", "Unit of the drawing (default: the unit that it states)"))
                  .choices(keysOf(drawingUnits())));
     return pass;
 }
@@ -156,9 +162,9 @@ Result<PassRequest> requestOf(const PassArguments& arguments, const Project& pro
     const Result<PassKind> kind = passKindWithId(arguments.kind);
     if (!kind) return kind.error();
     request.kind = *kind;
-    request.direction = radians(arguments.directionDegrees);
-    if (arguments.flattestDegrees) request.flattest = radians(*arguments.flattestDegrees);
-    if (arguments.steepestDegrees) request.steepest = radians(*arguments.steepestDegrees);
+    request.direction = glm::radians(arguments.directionDegrees);
+    if (arguments.flattestDegrees) request.flattest = glm::radians(*arguments.flattestDegrees);
+    if (arguments.steepestDegrees) request.steepest = glm::radians(*arguments.steepestDegrees);
     if (Result<void> added = addArea(arguments, context, request); !added) return std::move(added).error();
     if (Result<void> added = addLines(arguments, project, context, request); !added) return std::move(added).error();
     if (Result<void> valid = validate(request); !valid) return std::move(valid).error();

@@ -640,8 +640,8 @@
         <translation>Durchgang &amp;berechnen…</translation>
     </message>
     <message>
-        <source>Computes roughing, finishing, pockets, profiles or engraving of the loaded tool.</source>
-        <translation>Berechnet Schruppen, Schlichten, Taschen, Konturen oder Gravuren mit dem geladenen Werkzeug.</translation>
+        <source>Compute roughing, finishing, a pocket, a profile or engraving with the loaded tool.</source>
+        <translation>Schruppen, Schlichten, eine Tasche, eine Kontur oder eine Gravur mit dem geladenen Werkzeug berechnen.</translation>
     </message>
 </context>
 <context>
@@ -1662,20 +1662,12 @@
         <translation>ein Werkzeug für den Durchgang</translation>
     </message>
     <message>
-        <source>%1, the tool of this path; make a new one for another tool</source>
-        <translation>%1, das Werkzeug dieser Bahn; für ein anderes eine neue anlegen</translation>
-    </message>
-    <message>
         <source>Computing the pass</source>
         <translation>Der Durchgang wird berechnet</translation>
     </message>
     <message>
         <source>%1 mm in %2 strokes</source>
         <translation>%1 mm in %2 Zügen</translation>
-    </message>
-    <message>
-        <source>; %1 mm were left out, as too much stock stands there for the tool: rough it first, or take a longer tool</source>
-        <translation>; %1 mm wurden ausgelassen, da dort zu viel Rohteil für das Werkzeug steht: zuerst schruppen, oder ein längeres Werkzeug nehmen</translation>
     </message>
     <message>
         <source>an edit, or a pass with --pass</source>
@@ -1700,6 +1692,22 @@
     <message>
         <source>a setup without recordings and passes, or --add-setup</source>
         <translation>eine Aufspannung ohne Aufnahmen und Durchgänge, oder --add-setup</translation>
+    </message>
+    <message>
+        <source>%1 mm were left out: too much stock is in the way of the tool. Rough it first, or use a longer tool.</source>
+        <translation>%1 mm wurden ausgelassen: zu viel Rohteil ist dem Werkzeug im Weg. Zuerst schruppen, oder ein längeres Werkzeug verwenden.</translation>
+    </message>
+    <message>
+        <source>%1 mm were left out: fixtures or keep-out volumes are in the way.</source>
+        <translation>%1 mm wurden ausgelassen: Spannmittel oder Sperrräume sind im Weg.</translation>
+    </message>
+    <message>
+        <source>%1, the tool of this path; make a new path for another tool</source>
+        <translation>%1, das Werkzeug dieser Bahn; für ein anderes Werkzeug eine neue Bahn anlegen</translation>
+    </message>
+    <message>
+        <source>path %1 was deleted</source>
+        <translation>Bahn %1 wurde gelöscht</translation>
     </message>
 </context>
 <context>
@@ -2945,14 +2953,6 @@
         <translation>Die Tabelle enthält nur Nummer, Durchmesser und Name. Alles andere ist das von %1, und der Schaft ist so breit wie die Schneide: Geben Sie Ihre eigenen Werte ein.</translation>
     </message>
     <message>
-        <source>so much stock stands where it would go that the tool can&apos;t: rough it first, or take a longer tool</source>
-        <translation>wo er verliefe, steht zu viel Rohteil für das Werkzeug: zuerst schruppen, oder ein längeres Werkzeug nehmen</translation>
-    </message>
-    <message>
-        <source>no stock is left where it would go</source>
-        <translation>wo er verliefe, ist kein Rohteil übrig</translation>
-    </message>
-    <message>
         <source>it has no stroke</source>
         <translation>sie hat keinen Zug</translation>
     </message>
@@ -3023,14 +3023,6 @@
     <message>
         <source>a closed curve at least, as border of an area</source>
         <translation>mindestens eine geschlossene Kurve als Rand eines Bereichs</translation>
-    </message>
-    <message>
-        <source>at most 20,000 of them; join them to polylines</source>
-        <translation>höchstens 20.000; zu Polylinien verbinden</translation>
-    </message>
-    <message>
-        <source>%1 open curves</source>
-        <translation>%1 offene Kurven</translation>
     </message>
     <message>
         <source>its curves</source>
@@ -3139,6 +3131,18 @@
     <message>
         <source>another tool was loaded before it was computed</source>
         <translation>ein anderes Werkzeug wurde geladen, bevor er berechnet war</translation>
+    </message>
+    <message>
+        <source>fixtures or keep-out volumes are in the way: move them</source>
+        <translation>Spannmittel oder Sperrräume sind im Weg: versetzen</translation>
+    </message>
+    <message>
+        <source>too much stock is in the way of the tool: rough it first, or use a longer tool</source>
+        <translation>zu viel Rohteil ist dem Werkzeug im Weg: zuerst schruppen, oder ein längeres Werkzeug verwenden</translation>
+    </message>
+    <message>
+        <source>no stock is left there</source>
+        <translation>dort ist kein Rohteil übrig</translation>
     </message>
 </context>
 <context>
@@ -5456,76 +5460,16 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Aufmaß auf dem Teil, mm</translation>
     </message>
     <message>
-        <source>Between rows or loops, and between the heights of a waterline, mm (default: 0.4 of the diameter to rough, a fifteenth to finish)</source>
-        <translation>Zwischen Zeilen oder Schleifen, und zwischen den Höhen von Höhenlinien, mm (Vorgabe: 0,4 des Durchmessers zum Schruppen, ein Fünfzehntel zum Schlichten)</translation>
-    </message>
-    <message>
         <source>Instead of --step-over: height of the ridges between rows, mm</source>
         <translation>Statt --step-over: Höhe der Grate zwischen Zeilen, mm</translation>
-    </message>
-    <message>
-        <source>Between levels, mm (default: what material, tool and spindle bear)</source>
-        <translation>Zwischen Ebenen, mm (Vorgabe: was Material, Werkzeug und Spindel aushalten)</translation>
-    </message>
-    <message>
-        <source>Of levels: height of the stairs that are left on slopes, mm (default: a tenth of the diameter)</source>
-        <translation>Von levels: Höhe der Stufen, die auf Schrägen bleiben, mm (Vorgabe: ein Zehntel des Durchmessers)</translation>
     </message>
     <message>
         <source>Direction of parallel rows, degrees from X</source>
         <translation>Richtung paralleler Zeilen, Grad von X aus</translation>
     </message>
     <message>
-        <source>Only where the part is at least so steep, degrees</source>
-        <translation>Nur wo das Teil mindestens so steil ist, Grad</translation>
-    </message>
-    <message>
-        <source>Only where the part is at most so steep, degrees</source>
-        <translation>Nur wo das Teil höchstens so steil ist, Grad</translation>
-    </message>
-    <message>
-        <source>Where to begin, mm (default: the stock&apos;s top)</source>
-        <translation>Wo begonnen wird, mm (Vorgabe: Oberkante des Rohteils)</translation>
-    </message>
-    <message>
-        <source>Lowest tip, mm (default: the part&apos;s lowest point, of face its top)</source>
-        <translation>Tiefste Spitze, mm (Vorgabe: tiefster Punkt des Teils, bei face sein höchster)</translation>
-    </message>
-    <message>
-        <source>Of engrave: below the top, mm</source>
-        <translation>Von engrave: unter der Oberkante, mm</translation>
-    </message>
-    <message>
-        <source>All rows in the same direction</source>
-        <translation>Alle Zeilen in dieselbe Richtung</translation>
-    </message>
-    <message>
-        <source>Of profile: within the border of --area instead of around it</source>
-        <translation>Von profile: innen am Rand von --area statt außen herum</translation>
-    </message>
-    <message>
-        <source>Rows only where stock is left</source>
-        <translation>Zeilen nur, wo Rohteil übrig ist</translation>
-    </message>
-    <message>
-        <source>Area of the pass: closed curves of a DXF or SVG drawing, or a JSON file as &quot;path list --json&quot; shows a pass, in the coordinates of the setup</source>
-        <translation>Bereich des Durchgangs: geschlossene Kurven einer DXF- oder SVG-Zeichnung, oder eine JSON-Datei, wie „path list --json“ einen Durchgang zeigt, in den Koordinaten der Aufspannung</translation>
-    </message>
-    <message>
-        <source>Curves to engrave, or that lead flow: DXF, SVG or JSON</source>
-        <translation>Kurven, die graviert werden oder flow führen: DXF, SVG oder JSON</translation>
-    </message>
-    <message>
-        <source>Takes whose strokes lead the pass</source>
-        <translation>Aufnahmen, deren Züge den Durchgang führen</translation>
-    </message>
-    <message>
         <source>Move the drawing by X,Y, mm</source>
         <translation>Die Zeichnung um X,Y verschieben, mm</translation>
-    </message>
-    <message>
-        <source>Unit of the drawing (default: as it says)</source>
-        <translation>Einheit der Zeichnung (Vorgabe: wie angegeben)</translation>
     </message>
     <message>
         <source>Delete a path with its computed passes, or one of its passes; takes stay</source>
@@ -5534,6 +5478,66 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Id of the pass, as &quot;path P list --json&quot; shows it</source>
         <translation>Nummer des Durchgangs, wie „path P list --json“ sie zeigt</translation>
+    </message>
+    <message>
+        <source>Distance between rows or loops, or between the heights of a waterline, mm (default: 0.4 of the diameter for roughing, 1/15 for finishing)</source>
+        <translation>Abstand der Zeilen oder Schleifen, oder der Höhen von Höhenlinien, mm (Vorgabe: 0,4 des Durchmessers zum Schruppen, 1/15 zum Schlichten)</translation>
+    </message>
+    <message>
+        <source>Largest depth of a level, mm (default: what material, tool and spindle can take)</source>
+        <translation>Größte Tiefe einer Ebene, mm (Vorgabe: was Material, Werkzeug und Spindel vertragen)</translation>
+    </message>
+    <message>
+        <source>levels: largest height of the steps left on slopes, mm (default: a tenth of the diameter)</source>
+        <translation>levels: größte Höhe der Stufen, die auf Schrägen bleiben, mm (Vorgabe: ein Zehntel des Durchmessers)</translation>
+    </message>
+    <message>
+        <source>Only where the part is at least this steep, degrees</source>
+        <translation>Nur wo das Teil mindestens so steil ist, Grad</translation>
+    </message>
+    <message>
+        <source>Only where the part is at most this steep, degrees</source>
+        <translation>Nur wo das Teil höchstens so steil ist, Grad</translation>
+    </message>
+    <message>
+        <source>Height at which the pass begins, mm (default: the top of the stock)</source>
+        <translation>Höhe, in der der Durchgang beginnt, mm (Vorgabe: Oberkante des Rohteils)</translation>
+    </message>
+    <message>
+        <source>Lowest height of the tip, mm (default: the lowest point of the part; for face its top)</source>
+        <translation>Tiefste Höhe der Spitze, mm (Vorgabe: tiefster Punkt des Teils; bei face sein höchster)</translation>
+    </message>
+    <message>
+        <source>engrave: depth below the top, mm</source>
+        <translation>engrave: Tiefe unter der Oberkante, mm</translation>
+    </message>
+    <message>
+        <source>Cut all rows in one direction</source>
+        <translation>Alle Zeilen in eine Richtung fräsen</translation>
+    </message>
+    <message>
+        <source>profile: inside the outline of --area instead of around it</source>
+        <translation>profile: innen am Umriss von --area statt außen herum</translation>
+    </message>
+    <message>
+        <source>Only rows where stock is left</source>
+        <translation>Nur Zeilen, wo Rohteil übrig ist</translation>
+    </message>
+    <message>
+        <source>Area of the pass, in the coordinates of the setup: closed curves of a DXF or SVG drawing, or a JSON file with a request as &quot;path list --json&quot; prints it</source>
+        <translation>Bereich des Durchgangs, in den Koordinaten der Aufspannung: geschlossene Kurven einer DXF- oder SVG-Zeichnung, oder eine JSON-Datei mit einer Anfrage, wie „path list --json“ sie ausgibt</translation>
+    </message>
+    <message>
+        <source>Curves to engrave, or that the rows of flow follow: DXF, SVG or JSON</source>
+        <translation>Kurven, die graviert werden oder denen die Zeilen von flow folgen: DXF, SVG oder JSON</translation>
+    </message>
+    <message>
+        <source>Takes whose strokes the rows of flow follow</source>
+        <translation>Aufnahmen, deren Zügen die Zeilen von flow folgen</translation>
+    </message>
+    <message>
+        <source>Unit of the drawing (default: the unit that it states)</source>
+        <translation>Einheit der Zeichnung (Vorgabe: die angegebene)</translation>
     </message>
 </context>
 <context>
@@ -6336,32 +6340,16 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Ebenen</translation>
     </message>
     <message>
-        <source>Roughing: takes away what stands, level by level, in loops along the part</source>
-        <translation>Schruppen: trägt ab, was steht, Ebene für Ebene, in Schleifen am Teil entlang</translation>
-    </message>
-    <message>
         <source>Pocket</source>
         <translation>Tasche</translation>
-    </message>
-    <message>
-        <source>Takes away what stands within an area that the cutter does not leave, level by level</source>
-        <translation>Trägt Ebene für Ebene ab, was in einem Bereich steht, den der Fräser nicht verlässt</translation>
     </message>
     <message>
         <source>Profile</source>
         <translation>Kontur</translation>
     </message>
     <message>
-        <source>Once along the border of an area, or along the part&apos;s outline, level by level</source>
-        <translation>Einmal am Rand eines Bereichs oder am Umriss des Teils entlang, Ebene für Ebene</translation>
-    </message>
-    <message>
         <source>Facing</source>
         <translation>Planen</translation>
-    </message>
-    <message>
-        <source>Takes away what stands above the part, in loops</source>
-        <translation>Trägt in Schleifen ab, was über dem Teil steht</translation>
     </message>
     <message>
         <source>Parallel</source>
@@ -6376,16 +6364,8 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Radial</translation>
     </message>
     <message>
-        <source>Finishing: rows on the part from a centre outwards</source>
-        <translation>Schlichten: Zeilen auf dem Teil von einer Mitte nach außen</translation>
-    </message>
-    <message>
         <source>Spiral</source>
         <translation>Spirale</translation>
-    </message>
-    <message>
-        <source>Finishing: one row on the part, round a centre outwards</source>
-        <translation>Schlichten: eine Zeile auf dem Teil, um eine Mitte nach außen</translation>
     </message>
     <message>
         <source>Flow</source>
@@ -6400,16 +6380,40 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Höhenlinien</translation>
     </message>
     <message>
-        <source>Finishing of steep faces: along the part at one height after the other</source>
-        <translation>Schlichten steiler Flächen: am Teil entlang, eine Höhe nach der anderen</translation>
-    </message>
-    <message>
         <source>Engraving</source>
         <translation>Gravur</translation>
     </message>
     <message>
-        <source>Along lines at a depth below the top of the stock</source>
-        <translation>Linien entlang, in einer Tiefe unter der Oberkante des Rohteils</translation>
+        <source>Roughing: clears the stock level by level, in loops along the part</source>
+        <translation>Schruppen: räumt das Rohteil Ebene für Ebene, in Schleifen am Teil entlang</translation>
+    </message>
+    <message>
+        <source>Clears an area level by level; the cutter stays inside it</source>
+        <translation>Räumt einen Bereich Ebene für Ebene; der Fräser bleibt darin</translation>
+    </message>
+    <message>
+        <source>Follows the outline of an area, or of the part, level by level</source>
+        <translation>Folgt dem Umriss eines Bereichs oder des Teils, Ebene für Ebene</translation>
+    </message>
+    <message>
+        <source>Clears the stock above the part</source>
+        <translation>Räumt das Rohteil über dem Teil</translation>
+    </message>
+    <message>
+        <source>Finishing: rows on the part from the centre outwards</source>
+        <translation>Schlichten: Zeilen auf dem Teil von der Mitte nach außen</translation>
+    </message>
+    <message>
+        <source>Finishing: one spiral row on the part from the centre outwards</source>
+        <translation>Schlichten: eine spiralförmige Zeile auf dem Teil von der Mitte nach außen</translation>
+    </message>
+    <message>
+        <source>Finishing of steep faces: contours of the part at constant Z</source>
+        <translation>Schlichten steiler Flächen: Konturen des Teils in gleicher Höhe</translation>
+    </message>
+    <message>
+        <source>Cuts along lines at a given depth below the top of the stock</source>
+        <translation>Fräst Linien entlang, in einer Tiefe unter der Oberkante des Rohteils</translation>
     </message>
 </context>
 <context>
@@ -10414,10 +10418,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Durchgang berechnen</translation>
     </message>
     <message>
-        <source>Burin computes the moves of %1 on the stock that the paths before leave, and adds them to its path. You edit, check and undo them like those of a recording.</source>
-        <translation>Burin berechnet die Bewegungen von %1 auf dem Rohteil, das die Bahnen davor übrig lassen, und fügt sie der Bahn des Werkzeugs hinzu. Sie lassen sich wie aufgezeichnete bearbeiten, prüfen und rückgängig machen.</translation>
-    </message>
-    <message>
         <source>Pass</source>
         <translation>Durchgang</translation>
     </message>
@@ -10428,10 +10428,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Compute</source>
         <translation>Berechnen</translation>
-    </message>
-    <message>
-        <source>Compute the pass; you can go on and cancel it meanwhile</source>
-        <translation>Den Durchgang berechnen; inzwischen kann man weiterarbeiten und ihn abbrechen</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -10454,104 +10450,44 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Zeilenabstand</translation>
     </message>
     <message>
-        <source>Between rows or loops, and between the heights of a waterline</source>
-        <translation>Zwischen Zeilen oder Schleifen, und zwischen den Höhen von Höhenlinien</translation>
-    </message>
-    <message>
         <source>Scallop height</source>
         <translation>Rauhtiefe</translation>
-    </message>
-    <message>
-        <source>In place of a step-over: how high the ridges between rows may be. 0: not used</source>
-        <translation>Anstelle eines Zeilenabstands: wie hoch die Grate zwischen Zeilen sein dürfen. 0: nicht verwendet</translation>
     </message>
     <message>
         <source>Depth of a level</source>
         <translation>Tiefe einer Ebene</translation>
     </message>
     <message>
-        <source>At most; proposed is what material, tool and spindle bear</source>
-        <translation>Höchstens; vorgeschlagen wird, was Material, Werkzeug und Spindel aushalten</translation>
-    </message>
-    <message>
-        <source>Stairs on slopes</source>
-        <translation>Stufen auf Schrägen</translation>
-    </message>
-    <message>
-        <source>How high they may be after all levels</source>
-        <translation>Wie hoch sie nach allen Ebenen sein dürfen</translation>
-    </message>
-    <message>
         <source>Depth</source>
         <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>Of the lines below the top</source>
-        <translation>Der Linien unter der Oberkante</translation>
     </message>
     <message>
         <source>Direction</source>
         <translation>Richtung</translation>
     </message>
     <message>
-        <source>Of the rows, from X</source>
-        <translation>Der Zeilen, von X aus</translation>
-    </message>
-    <message>
         <source>Steeper than</source>
         <translation>Steiler als</translation>
-    </message>
-    <message>
-        <source>Only where the part is at least so steep</source>
-        <translation>Nur wo das Teil mindestens so steil ist</translation>
     </message>
     <message>
         <source>Flatter than</source>
         <translation>Flacher als</translation>
     </message>
     <message>
-        <source>Only where the part is at most so steep</source>
-        <translation>Nur wo das Teil höchstens so steil ist</translation>
-    </message>
-    <message>
         <source>From height</source>
         <translation>Ab Höhe</translation>
-    </message>
-    <message>
-        <source>Z of the top of what is taken away, in the coordinates of the setup</source>
-        <translation>Z der Oberkante dessen, was abgetragen wird, in den Koordinaten der Aufspannung</translation>
     </message>
     <message>
         <source>Down to height</source>
         <translation>Bis Höhe</translation>
     </message>
     <message>
-        <source>Z of the lowest tip, in the coordinates of the setup</source>
-        <translation>Z der tiefsten Spitze, in den Koordinaten der Aufspannung</translation>
-    </message>
-    <message>
         <source>Only where stock is left</source>
         <translation>Nur wo Rohteil übrig ist</translation>
     </message>
     <message>
-        <source>Leaves out rows that would touch no stock</source>
-        <translation>Lässt Zeilen aus, die kein Rohteil berühren würden</translation>
-    </message>
-    <message>
         <source>All rows in one direction</source>
         <translation>Alle Zeilen in eine Richtung</translation>
-    </message>
-    <message>
-        <source>Back in the air in place of there and back</source>
-        <translation>In der Luft zurück statt hin und her</translation>
-    </message>
-    <message>
-        <source>Inside of the border</source>
-        <translation>Innen am Rand</translation>
-    </message>
-    <message>
-        <source>The cutter goes along the inner side of the area&apos;s border</source>
-        <translation>Der Fräser geht innen am Rand des Bereichs entlang</translation>
     </message>
     <message>
         <source>whole part</source>
@@ -10582,14 +10518,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Linien</translation>
     </message>
     <message>
-        <source>What rows follow, or what is engraved: strokes of a recording, or the curves of a drawing</source>
-        <translation>Dem die Zeilen folgen, oder was graviert wird: Züge einer Aufzeichnung, oder die Kurven einer Zeichnung</translation>
-    </message>
-    <message>
-        <source>as it states</source>
-        <translation>wie angegeben</translation>
-    </message>
-    <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
@@ -10606,28 +10534,104 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Einheit der Zeichnung</translation>
     </message>
     <message>
-        <source>Not every drawing states its unit</source>
-        <translation>Nicht jede Zeichnung nennt ihre Einheit</translation>
-    </message>
-    <message>
-        <source>Choose a drawing of the pocket&apos;s area.</source>
-        <translation>Wählen Sie eine Zeichnung vom Bereich der Tasche.</translation>
-    </message>
-    <message>
-        <source>Choose a drawing of the area along whose border the cutter goes.</source>
-        <translation>Wählen Sie eine Zeichnung des Bereichs, an dessen Rand der Fräser entlanggeht.</translation>
-    </message>
-    <message>
-        <source>Choose strokes or a drawing to engrave.</source>
-        <translation>Wählen Sie Züge oder eine Zeichnung, die graviert werden.</translation>
-    </message>
-    <message>
-        <source>Choose strokes or a drawing that the rows follow.</source>
-        <translation>Wählen Sie Züge oder eine Zeichnung, denen die Zeilen folgen.</translation>
-    </message>
-    <message>
         <source>Enter the depth of the lines.</source>
         <translation>Geben Sie die Tiefe der Linien ein.</translation>
+    </message>
+    <message>
+        <source>Burin computes moves of %1 for the stock that the earlier paths leave, and adds them to the path of this tool. You can edit, check and undo them like recorded ones.</source>
+        <translation>Burin berechnet Bewegungen von %1 für das Rohteil, das die früheren Bahnen übrig lassen, und fügt sie der Bahn dieses Werkzeugs hinzu. Sie lassen sich wie aufgezeichnete bearbeiten, prüfen und rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Compute the pass in the background; it can be cancelled in the status line</source>
+        <translation>Den Durchgang im Hintergrund berechnen; in der Statuszeile lässt er sich abbrechen</translation>
+    </message>
+    <message>
+        <source>Distance between rows or loops, or between the heights of a waterline</source>
+        <translation>Abstand der Zeilen oder Schleifen, oder der Höhen von Höhenlinien</translation>
+    </message>
+    <message>
+        <source>Largest height of the ridges between rows; replaces the step-over. 0: not used</source>
+        <translation>Größte Höhe der Grate zwischen Zeilen; ersetzt den Zeilenabstand. 0: nicht verwendet</translation>
+    </message>
+    <message>
+        <source>Largest depth of a level. Default: what material, tool and spindle can take</source>
+        <translation>Größte Tiefe einer Ebene. Vorgabe: was Material, Werkzeug und Spindel vertragen</translation>
+    </message>
+    <message>
+        <source>Steps on slopes</source>
+        <translation>Stufen auf Schrägen</translation>
+    </message>
+    <message>
+        <source>Largest height of the steps that the levels leave on slopes</source>
+        <translation>Größte Höhe der Stufen, die die Ebenen auf Schrägen lassen</translation>
+    </message>
+    <message>
+        <source>Depth of the lines below the top of the stock</source>
+        <translation>Tiefe der Linien unter der Oberkante des Rohteils</translation>
+    </message>
+    <message>
+        <source>Angle between the rows and X</source>
+        <translation>Winkel zwischen den Zeilen und X</translation>
+    </message>
+    <message>
+        <source>Only where the part is at least this steep</source>
+        <translation>Nur wo das Teil mindestens so steil ist</translation>
+    </message>
+    <message>
+        <source>Only where the part is at most this steep</source>
+        <translation>Nur wo das Teil höchstens so steil ist</translation>
+    </message>
+    <message>
+        <source>Height at which the pass begins, in the coordinates of the setup</source>
+        <translation>Höhe, in der der Durchgang beginnt, in den Koordinaten der Aufspannung</translation>
+    </message>
+    <message>
+        <source>Lowest height of the tip, in the coordinates of the setup</source>
+        <translation>Tiefste Höhe der Spitze, in den Koordinaten der Aufspannung</translation>
+    </message>
+    <message>
+        <source>Skips rows that would touch no stock</source>
+        <translation>Überspringt Zeilen, die kein Rohteil berühren würden</translation>
+    </message>
+    <message>
+        <source>The tool returns through the air after each row</source>
+        <translation>Das Werkzeug kehrt nach jeder Zeile durch die Luft zurück</translation>
+    </message>
+    <message>
+        <source>Inside the outline</source>
+        <translation>Innen am Umriss</translation>
+    </message>
+    <message>
+        <source>The cutter follows the outline of the area on its inside</source>
+        <translation>Der Fräser folgt dem Umriss des Bereichs auf dessen Innenseite</translation>
+    </message>
+    <message>
+        <source>What the rows follow, or what is engraved: strokes of a recording or curves of a drawing</source>
+        <translation>Dem die Zeilen folgen, oder was graviert wird: Züge einer Aufnahme oder Kurven einer Zeichnung</translation>
+    </message>
+    <message>
+        <source>as stated in the file</source>
+        <translation>wie in der Datei angegeben</translation>
+    </message>
+    <message>
+        <source>Unit of the coordinates; not every drawing states it</source>
+        <translation>Einheit der Koordinaten; nicht jede Zeichnung nennt sie</translation>
+    </message>
+    <message>
+        <source>Choose a drawing with the outline of the pocket.</source>
+        <translation>Wählen Sie eine Zeichnung mit dem Umriss der Tasche.</translation>
+    </message>
+    <message>
+        <source>Choose a drawing with the outline to follow.</source>
+        <translation>Wählen Sie eine Zeichnung mit dem Umriss, dem gefolgt wird.</translation>
+    </message>
+    <message>
+        <source>Choose the strokes or the drawing to engrave.</source>
+        <translation>Wählen Sie die Züge oder die Zeichnung, die graviert werden.</translation>
+    </message>
+    <message>
+        <source>Choose the strokes or the drawing that the rows follow.</source>
+        <translation>Wählen Sie die Züge oder die Zeichnung, denen die Zeilen folgen.</translation>
     </message>
 </context>
 <context>
@@ -10815,10 +10819,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Durchgang berechnen…</translation>
     </message>
     <message>
-        <source>The workpiece has to be ready, and no pass under way.</source>
-        <translation>Das Werkstück muss bereit sein, und kein Durchgang in Arbeit.</translation>
-    </message>
-    <message>
         <source>Compute roughing, finishing, a pocket, a profile or engraving with the loaded tool</source>
         <translation>Schruppen, Schlichten, eine Tasche, eine Kontur oder eine Gravur mit dem geladenen Werkzeug berechnen</translation>
     </message>
@@ -10833,6 +10833,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Delete this pass</source>
         <translation>Diesen Durchgang löschen</translation>
+    </message>
+    <message>
+        <source>Wait until the workpiece is ready and no pass is being computed.</source>
+        <translation>Warten Sie, bis das Werkstück bereit ist und kein Durchgang berechnet wird.</translation>
+    </message>
+    <message>
+        <source>%1 of the pass were left out: too much stock is in the way of the tool. Rough it first, or use a longer tool.</source>
+        <translation>%1 des Durchgangs wurden ausgelassen: zu viel Rohteil ist dem Werkzeug im Weg. Schruppen Sie zuerst, oder verwenden Sie ein längeres Werkzeug.</translation>
+    </message>
+    <message>
+        <source>%1 of the pass were left out: fixtures or keep-out volumes are in the way.</source>
+        <translation>%1 des Durchgangs wurden ausgelassen: Spannmittel oder Sperrräume sind im Weg.</translation>
     </message>
 </context>
 <context>

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/chosen_setup.h"
 #include "app/command.h"
-#include "app/pass_arguments.h"
+#include "app/commands/path_pass.h"
+#include "app/path_report.h"
 #include "app/report.h"
 #include "app/surroundings.h"
 #include "app/wording.h"
@@ -10,7 +11,6 @@
 #include "core/base/numbers.h"
 #include "core/document/companions.h"
 #include "core/document/project_change.h"
-#include "core/job/computed_pass.h"
 #include "core/job/job_paths.h"
 #include "core/path/milling_side.h"
 #include "core/recording/take_csv.h"
@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 namespace burin {
 
@@ -35,54 +34,6 @@ struct PathArguments {
     PassArguments pass;
     std::optional<std::int64_t> deletedPass;
 };
-
-/// What a path is made of besides takes, in its order. Errors: those of Project::generated.
-Result<std::vector<GeneratedInfo>> passesOf(const Project& project, const StoredPath& path) {
-    const Result<std::vector<GeneratedInfo>> all = project.generated();
-    if (!all) return all;
-    std::vector<GeneratedInfo> passes;
-    for (const PathSource source : path.sources)
-        if (const auto found = std::ranges::find(*all, source.id, &GeneratedInfo::id); found != all->end())
-            passes.push_back(*found);
-    return passes;
-}
-
-json jsonOf(const StoredPath& path, const std::vector<GeneratedInfo>& passes) {
-    json edits = json::array(), made = json::array();
-    for (const Edit& edit : path.edits) edits.push_back(json::parse(toJson(edit)));
-    for (const GeneratedInfo& pass : passes)
-        made.push_back({{"id", pass.id},
-                        {"name", pass.name},
-                        {"tool", pass.toolId},
-                        {"points", pass.pointCount},
-                        {"request", json::parse(pass.request, nullptr, false)}});
-    return {{"id", path.id}, {"name", path.name}, {"takes", takesOf(path.sources)}, {"passes", made}, {"edits", edits}};
-}
-
-std::string textOf(const StoredPath& path, const std::vector<GeneratedInfo>& passes) {
-    std::ostringstream text;
-    std::string takes;
-    for (const std::int64_t take : takesOf(path.sources)) takes += " " + std::to_string(take);
-    const std::string id = std::to_string(path.id);
-    text << (takes.empty() ? worded(BURIN_TEXT("Command", "path %1 %2"), {id, path.name})
-                           : worded(BURIN_TEXT("Command", "path %1 %2, takes%3"), {id, path.name, takes}));
-    for (const GeneratedInfo& pass : passes)
-        text << "\n  " << nameOf(PathSource{pass.id}) << "  " << pass.name << ", " << pass.toolId << ", "
-             << pass.pointCount << (pass.request.empty() ? "" : "  " + pass.request);
-    for (std::size_t i = 0; i < path.edits.size(); ++i) text << "\n  " << i << "  " << toJson(path.edits[i]);
-    return text.str();
-}
-
-Result<StoredPath> pathWithId(const Project& project, std::int64_t id) {
-    const Result<std::vector<StoredPath>> paths = project.paths();
-    if (!paths) return paths.error();
-    std::string known;
-    for (const StoredPath& path : *paths) {
-        if (path.id == id) return path;
-        known += (known.empty() ? "" : ", ") + std::to_string(path.id);
-    }
-    return Error{ErrorCode::nameUnknown, "path", std::to_string(id), known};
-}
 
 int list(const PathArguments& arguments, CommandContext& context) {
     const Result<Project> project = projectForReading(arguments.project, context);
@@ -116,73 +67,11 @@ Result<std::string> toolForNew(const Project& project, const PathArguments& argu
     return first->toolId;
 }
 
-/// Saves a change and answers with the path as it is now.
-int finish(ProjectChange& project, const StoredPath& path, CommandContext& context, json further = json::object(),
-           const std::string& furtherText = {}) {
-    const Result<std::vector<GeneratedInfo>> passes = passesOf(*project, path);
-    if (!passes) return context.fail(passes.error());
-    if (const Result<void> saved = project.save(); !saved) return context.fail(saved.error());
-    tellKeptEarlier(context, *project);
-    further.update(jsonOf(path, *passes));
-    context.answer(further, textOf(path, *passes) + furtherText);
-    return 0;
-}
-
-/// Computes a pass and makes it the last source of a path, or the first of a new one.
-int addPassTo(ProjectChange& project, StoredPath path, const PathArguments& arguments, CommandContext& context) {
-    const Result<std::vector<SourceInfo>> sources = sourcesOf(*project);
-    if (!sources) return context.fail(sources.error());
-    const bool isNew = path.sources.empty();
-    const std::string own = isNew ? std::string() : toolOf(path, *sources);
-    const std::string toolId = arguments.pass.tool.empty() ? own : arguments.pass.tool;
-    if (toolId.empty())
-        return context.fail(
-            {ErrorCode::argumentInvalid, "--tool", "", worded(BURIN_TEXT("Command", "a tool for the pass"))});
-    if (!own.empty() && toolId != own)
-        return context.fail(
-            {ErrorCode::argumentInvalid, "--tool", toolId,
-             worded(BURIN_TEXT("Command", "%1, the tool of this path; make a new one for another tool"), {own})});
-    const Result<Tool> tool = toolFor(*project, toolId);
-    if (!tool) return context.fail(tool.error());
-    context.stage(BURIN_TEXT("Command", "Opening"));
-    const Result<MillingContext> milling =
-        makeMillingContext(*project, *tool, machineFor(*project, arguments.machine, context), context.progress());
-    if (!milling) return context.fail(milling.error());
-    const Result<PassRequest> request = requestOf(arguments.pass, *project, context);
-    if (!request) return context.fail(request.error());
-    context.stage(BURIN_TEXT("Command", "Computing the pass"));
-    Result<std::vector<PathMatter>> before = pathsBeforePass(*project, path, toolId, *request);
-    if (!before) return context.fail(before.error());
-    const Result<ComputedPass> pass = computePass(*milling, std::move(*before), *request, context.progress());
-    if (!pass) return context.fail(pass.error());
-    const Result<std::int64_t> source = project->addGenerated(pass->moves);
-    if (!source) return context.fail(source.error());
-    if (const Result<void> kept = project->setTool(*tool); !kept) return context.fail(kept.error());
-    path = withPass(std::move(path), pass->moves.info.name, *source);
-    const Result<std::int64_t> id = isNew ? project->addPath(path) : Result<std::int64_t>(path.id);
-    if (!id) return context.fail(id.error());
-    path.id = *id;
-    if (!isNew)
-        if (const Result<void> stored = project->setPath(path); !stored) return context.fail(stored.error());
-    std::string told = "\n" + worded(BURIN_TEXT("Command", "%1 mm in %2 strokes"),
-                                     {formatFixed(pass->length, 1), std::to_string(pass->moves.strokes.size())});
-    if (pass->leftOut > 0.0)
-        told +=
-            worded(BURIN_TEXT("Command", "; %1 mm were left out, as too much stock stands there for the tool: rough "
-                                         "it first, or take a longer tool"),
-                   {formatFixed(pass->leftOut, 1)});
-    return finish(project, path, context,
-                  {{"pass", *source},
-                   {"length_mm", pass->length},
-                   {"left_out_mm", pass->leftOut},
-                   {"strokes", pass->moves.strokes.size()}},
-                  told);
-}
-
 int create(const PathArguments& arguments, CommandContext& context) {
     Result<ProjectChange> project = projectToChange(arguments.project, context);
     if (!project) return context.fail(project.error());
-    if (!arguments.pass.kind.empty()) return addPassTo(*project, {0, arguments.name, {}, {}}, arguments, context);
+    if (!arguments.pass.kind.empty())
+        return addPassTo(*project, {0, arguments.name, {}, {}}, arguments.pass, arguments.machine, context);
     const Result<std::string> tool = toolForNew(**project, arguments);
     if (!tool) return context.fail(tool.error());
     Result<StoredPath> path = standardPath(**project, *tool);
@@ -196,7 +85,7 @@ int create(const PathArguments& arguments, CommandContext& context) {
     const Result<std::int64_t> id = (*project)->addPath(*path);
     if (!id) return context.fail(id.error());
     path->id = *id;
-    return finish(*project, *path, context);
+    return saveAndAnswer(*project, *path, context);
 }
 
 /// Changes the edits of one path and saves.
@@ -208,7 +97,7 @@ int change(const PathArguments& arguments, CommandContext& context,
     if (!path) return context.fail(path.error());
     if (const Result<void> changed = changeEdits(*path); !changed) return context.fail(changed.error());
     if (const Result<void> stored = (*project)->setPath(*path); !stored) return context.fail(stored.error());
-    return finish(*project, *path, context);
+    return saveAndAnswer(*project, *path, context);
 }
 
 Result<void> applyEdit(StoredPath& path, const PathArguments& arguments) {
@@ -233,29 +122,14 @@ int addTo(const PathArguments& arguments, CommandContext& context) {
     if (!project) return context.fail(project.error());
     const Result<StoredPath> path = pathWithId(**project, arguments.path);
     if (!path) return context.fail(path.error());
-    return addPassTo(*project, *path, arguments, context);
+    return addPassTo(*project, *path, arguments.pass, arguments.machine, context);
 }
 
-/// Takes a path out of a project, or one pass out of a path; passes that no path is made of any more go with it.
 int remove(const PathArguments& arguments, CommandContext& context) {
     Result<ProjectChange> project = projectToChange(arguments.project, context);
     if (!project) return context.fail(project.error());
-    Result<StoredPath> path = pathWithId(**project, arguments.path);
-    if (!path) return context.fail(path.error());
-    std::vector<PathSource> gone = path->sources;
-    if (arguments.deletedPass) {
-        gone = {{*arguments.deletedPass}};
-        if (*arguments.deletedPass >= 0 || std::erase(path->sources, gone.front()) == 0)
-            return context.fail({ErrorCode::nameUnknown, "pass", std::to_string(*arguments.deletedPass), {}});
-    }
-    const bool whole = !arguments.deletedPass || path->sources.empty();
-    const Result<void> changed = whole ? (*project)->removePath(path->id) : (*project)->setPath(*path);
-    if (!changed) return context.fail(changed.error());
-    for (const PathSource source : gone)
-        if (source.isGenerated())
-            (void)(*project)->removeGenerated(source.id); // stays where another path is made of it
-    if (whole) path->sources.clear();
-    return finish(*project, *path, context, {{"deleted", whole}});
+    const Result<StoredPath> path = pathWithId(**project, arguments.path);
+    return path ? removeFrom(*project, *path, arguments.deletedPass, context) : context.fail(path.error());
 }
 
 Result<void> checkPosition(const StoredPath& path, const PathArguments& arguments) {
@@ -308,23 +182,6 @@ Result<void> checkPlace(const PathArguments& arguments) {
     return arguments.output.empty() ? Result<void>() : checkOutput(arguments.outputOption, arguments.output, inputs);
 }
 
-/// Adds to each pass how long its own moves are, and how long they take at their feeds.
-void tellPasses(const Path& path, json& passes) {
-    for (json& pass : passes) {
-        const std::int64_t id = pass["id"].get<std::int64_t>();
-        double length = 0.0, minutes = 0.0;
-        for (std::size_t i = 1; i < path.points.size(); ++i) {
-            const PathPoint& point = path.points[i];
-            if (point.source != id || point.kind == MoveKind::rapid) continue;
-            const double way = lengthOf(path.points[i - 1].pose.tip, point);
-            length += way;
-            if (point.feed > 0.0) minutes += way / point.feed;
-        }
-        pass["length_mm"] = length;
-        pass["time_s"] = 60.0 * minutes;
-    }
-}
-
 /// Evaluates a path, reports its edits and, with an output, writes its points.
 int show(const PathArguments& arguments, CommandContext& context) {
     if (const Result<void> free = checkPlace(arguments); !free) return context.fail(free.error());
@@ -346,7 +203,7 @@ int show(const PathArguments& arguments, CommandContext& context) {
     const Result<std::vector<GeneratedInfo>> passes = passesOf(*project, *stored);
     if (!passes) return context.fail(passes.error());
     json answer = jsonOf(*stored, *passes);
-    tellPasses(path->path, answer["passes"]);
+    addMoveTimes(path->path, answer["passes"]);
     answer["reports"] = burin::jsonOf(path->reports);
     answer["points"] = path->path.points.size();
     answer["error_budget_mm"] = path->errorBudget;

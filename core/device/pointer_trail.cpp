@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/device/pointer_trail.h"
 
+#include "core/geometry/segment.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -43,13 +45,6 @@ double cornerSpeed(const glm::dvec3& in, const glm::dvec3& out, double tolerance
     const double half = halfTurn(in, out);
     if (half < 1e-6) return unlimited;
     return std::min(4.0 * tolerance / (time * half), std::sqrt(24.0 * tolerance * radiusOf(in, out, half)) / time);
-}
-
-double distanceToSegment(const glm::dvec3& place, const glm::dvec3& from, const glm::dvec3& to) noexcept {
-    const glm::dvec3 way = to - from;
-    const double square = glm::dot(way, way);
-    const double share = square > 0.0 ? std::clamp(glm::dot(place - from, way) / square, 0.0, 1.0) : 0.0;
-    return glm::distance(place, from + share * way);
 }
 
 } // namespace

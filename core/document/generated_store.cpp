@@ -29,7 +29,7 @@ GeneratedInfo generatedInfoOf(const Statement& row) {
     info.toolId = cleanLine(row.text(3));
     info.allowance = row.real(4);
     info.pointCount = static_cast<std::uint64_t>(row.integer(5));
-    info.request = row.text(6);
+    info.request = cleanLine(row.text(6));
     return info;
 }
 

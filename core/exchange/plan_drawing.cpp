@@ -7,6 +7,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -26,29 +32,57 @@ bool looksLikeDxf(std::string_view text) {
            text.find("SECTION") != std::string_view::npos;
 }
 
-/// Joins open curves at their ends, as long as any of them fit; those that come to their own beginning are closed.
-std::vector<DrawnCurve> chained(std::vector<DrawnCurve> open) {
-    std::vector<DrawnCurve> closed;
-    const auto near = [](const glm::dvec2& a, const glm::dvec2& b) { return glm::distance(a, b) <= joined; };
-    while (!open.empty()) {
-        DrawnCurve chain = std::move(open.back());
-        open.pop_back();
-        bool grew = true;
-        while (grew && !near(chain.places.front(), chain.places.back())) {
-            grew = false;
-            for (std::size_t i = 0; i < open.size(); ++i) {
-                std::vector<glm::dvec2>& next = open[i].places;
-                if (near(next.back(), chain.places.back())) std::ranges::reverse(next);
-                if (!near(next.front(), chain.places.back())) continue;
-                chain.places.insert(chain.places.end(), next.begin() + 1, next.end());
-                open.erase(open.begin() + static_cast<std::ptrdiff_t>(i));
-                grew = true;
-                break;
+/// Ends of open curves by the square of a grid that they lie in, so that what fits is found at once.
+class CurveEnds {
+public:
+    explicit CurveEnds(const std::vector<DrawnCurve>& curves) : curves_(curves), taken_(curves.size(), 0) {
+        for (std::size_t i = 0; i < curves.size(); ++i)
+            for (const glm::dvec2& end : {curves[i].places.front(), curves[i].places.back()})
+                squares_.emplace(squareOf(end), i);
+    }
+    bool take(std::size_t curve) { return std::exchange(taken_[curve], 1) == 0; }
+    /// A curve that begins or ends there and was not taken yet: it is now.
+    std::optional<std::size_t> takeAt(const glm::dvec2& place) {
+        for (std::int64_t dx = -1; dx <= 1; ++dx)
+            for (std::int64_t dy = -1; dy <= 1; ++dy) {
+                const auto [x, y] = squareOf(place);
+                const auto [first, last] = squares_.equal_range({x + dx, y + dy});
+                for (auto it = first; it != last; ++it)
+                    if (fits(curves_[it->second], place) && take(it->second)) return it->second;
             }
+        return {};
+    }
+    static bool near(const glm::dvec2& a, const glm::dvec2& b) noexcept { return glm::distance(a, b) <= joined; }
+
+private:
+    static bool fits(const DrawnCurve& curve, const glm::dvec2& place) noexcept {
+        return near(curve.places.front(), place) || near(curve.places.back(), place);
+    }
+    static std::pair<std::int64_t, std::int64_t> squareOf(const glm::dvec2& place) {
+        return {std::llround(place.x / joined), std::llround(place.y / joined)};
+    }
+
+    const std::vector<DrawnCurve>& curves_;
+    std::vector<char> taken_; ///< 1: yes
+    std::multimap<std::pair<std::int64_t, std::int64_t>, std::size_t> squares_;
+};
+
+/// Joins open curves at their ends, as long as any of them fit; those that come to their own beginning are closed.
+std::vector<PlanRing> chained(const std::vector<DrawnCurve>& open) {
+    std::vector<PlanRing> closed;
+    CurveEnds ends(open);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        if (!ends.take(i)) continue;
+        PlanRing chain = open[i].places;
+        while (!CurveEnds::near(chain.front(), chain.back())) {
+            const std::optional<std::size_t> next = ends.takeAt(chain.back());
+            if (!next) break;
+            std::vector<glm::dvec2> places = open[*next].places;
+            if (!CurveEnds::near(places.front(), chain.back())) std::ranges::reverse(places);
+            chain.insert(chain.end(), places.begin() + 1, places.end());
         }
-        if (chain.places.size() < 4 || !near(chain.places.front(), chain.places.back())) continue;
-        chain.places.pop_back();
-        chain.closed = true;
+        if (chain.size() < 4 || !CurveEnds::near(chain.front(), chain.back())) continue;
+        chain.pop_back();
         closed.push_back(std::move(chain));
     }
     return closed;
@@ -87,11 +121,7 @@ Result<PlanRegion> regionOf(const PlanDrawing& drawing, const std::string& origi
         else
             open.push_back(curve);
     }
-    constexpr std::size_t mostOpen = 20'000; // each is compared with each
-    if (open.size() > mostOpen)
-        return Error{ErrorCode::argumentInvalid, origin, std::to_string(open.size()) + " open curves",
-                     "at most 20,000 of them; join them to polylines"};
-    for (DrawnCurve& curve : chained(std::move(open))) region.rings.push_back(std::move(curve.places));
+    std::ranges::move(chained(open), std::back_inserter(region.rings));
     if (region.empty())
         return Error{ErrorCode::argumentInvalid, origin, "its curves", "a closed curve at least, as border of an area"};
     return region;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/exchange/rational_spline.h"
 
+#include "core/geometry/segment.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,20 +14,14 @@ namespace {
 constexpr int highestDegree = 25;
 constexpr std::size_t mostControls = 100'000;
 
-double distanceToChord(const glm::dvec2& place, const glm::dvec2& from, const glm::dvec2& to) {
-    const glm::dvec2 along = to - from;
-    const double length = glm::dot(along, along);
-    const double share = length > 0.0 ? std::clamp(glm::dot(place - from, along) / length, 0.0, 1.0) : 0.0;
-    return glm::distance(place, from + share * along);
-}
-
 void halve(const RationalSpline& spline, double first, const glm::dvec2& from, double last, const glm::dvec2& to,
            double chord, int depth, std::vector<glm::dvec2>& places) {
     constexpr int deepest = 14;
     const auto at = [&](double share) { return pointOn(spline, first + share * (last - first)); };
     const glm::dvec2 middle = at(0.5);
-    const bool straight = distanceToChord(middle, from, to) <= chord && distanceToChord(at(0.25), from, to) <= chord &&
-                          distanceToChord(at(0.75), from, to) <= chord;
+    const bool straight = distanceToSegment(middle, from, to) <= chord &&
+                          distanceToSegment(at(0.25), from, to) <= chord &&
+                          distanceToSegment(at(0.75), from, to) <= chord;
     if (straight || depth == deepest) {
         places.push_back(to);
         return;

@@ -62,27 +62,12 @@ ClipperLib::Paths combined(const ClipperLib::Paths& one, const ClipperLib::Paths
     return solution;
 }
 
-PlanRegion combined(const PlanRegion& one, const PlanRegion& other, ClipperLib::ClipType how) {
-    return toMillimetres(combined(toUnits(one), toUnits(other), how));
-}
-
 PlanRegion offset(const ClipperLib::Paths& paths, double distance, double tolerance, ClipperLib::EndType ends) {
     ClipperLib::ClipperOffset clipper(mitreLimit, tolerance * unitsPerMillimetre);
     clipper.AddPaths(paths, ClipperLib::jtRound, ends);
     ClipperLib::Paths solution;
     clipper.Execute(solution, distance * unitsPerMillimetre);
     return toMillimetres(solution);
-}
-
-/// A ring is odd where it turns the other way than its kind should.
-PlanRing turned(PlanRing ring, bool anticlockwise) {
-    double twice = 0.0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const glm::dvec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-        twice += a.x * b.y - a.y * b.x;
-    }
-    if ((twice > 0.0) != anticlockwise) std::ranges::reverse(ring);
-    return ring;
 }
 
 } // namespace
@@ -101,13 +86,6 @@ PlanBounds boundsOf(const PlanRegion& region) noexcept {
             first = false;
         }
     return bounds;
-}
-
-double areaOf(const PlanRegion& region) {
-    double sum = 0.0;
-    for (const ClipperLib::Path& path : combined(toUnits(region), {}, ClipperLib::ctUnion))
-        sum += ClipperLib::Area(path);
-    return std::abs(sum) / (unitsPerMillimetre * unitsPerMillimetre);
 }
 
 bool holds(const PlanRegion& region, const glm::dvec2& place) noexcept {
@@ -136,16 +114,8 @@ PlanRegion around(const std::vector<glm::dvec2>& line, double distance) {
     return offset({toUnits(line)}, distance, lineTolerance, ClipperLib::etOpenButt);
 }
 
-PlanRegion united(const PlanRegion& one, const PlanRegion& other) {
-    return combined(one, other, ClipperLib::ctUnion);
-}
-
-PlanRegion common(const PlanRegion& one, const PlanRegion& other) {
-    return combined(one, other, ClipperLib::ctIntersection);
-}
-
 PlanRegion without(const PlanRegion& one, const PlanRegion& other) {
-    return combined(one, other, ClipperLib::ctDifference);
+    return toMillimetres(combined(toUnits(one), toUnits(other), ClipperLib::ctDifference));
 }
 
 std::vector<PlanPiece> piecesOf(const PlanRegion& region) {
@@ -156,9 +126,8 @@ std::vector<PlanPiece> piecesOf(const PlanRegion& region) {
     std::vector<PlanPiece> pieces;
     for (const ClipperLib::PolyNode* node = tree.GetFirst(); node != nullptr; node = node->GetNext()) {
         if (node->IsHole()) continue;
-        PlanPiece piece{turned(toMillimetres(node->Contour), true), {}};
-        for (const ClipperLib::PolyNode* hole : node->Childs)
-            piece.holes.push_back(turned(toMillimetres(hole->Contour), false));
+        PlanPiece piece{toMillimetres(node->Contour), {}}; // Clipper turns both as they are stated
+        for (const ClipperLib::PolyNode* hole : node->Childs) piece.holes.push_back(toMillimetres(hole->Contour));
         pieces.push_back(std::move(piece));
     }
     return pieces;

@@ -36,7 +36,6 @@ inline constexpr double farthestInPlan = 1e5;
 PlanRegion rectangle(const glm::dvec2& low, const glm::dvec2& high);
 /// All 0 for an empty region.
 PlanBounds boundsOf(const PlanRegion& region) noexcept;
-double areaOf(const PlanRegion& region); ///< mm²
 bool holds(const PlanRegion& region, const glm::dvec2& place) noexcept;
 
 /// What lies within `distance` of a region; for a negative one what of the region is farther from its border than that.
@@ -46,8 +45,6 @@ PlanRegion grown(const PlanRegion& region, double distance, double tolerance = 0
 PlanRegion cleaned(const PlanRegion& region, double tolerance);
 /// What lies within `distance` > 0 of a line that is open, ends square.
 PlanRegion around(const std::vector<glm::dvec2>& line, double distance);
-PlanRegion united(const PlanRegion& one, const PlanRegion& other);
-PlanRegion common(const PlanRegion& one, const PlanRegion& other);
 PlanRegion without(const PlanRegion& one, const PlanRegion& other);
 std::vector<PlanPiece> piecesOf(const PlanRegion& region);
 

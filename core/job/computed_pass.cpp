@@ -25,6 +25,13 @@ double lengthOf(const PlannedPass& planned) {
     return length;
 }
 
+/// Why a pass has nothing to do, in the words of a detail.
+const char* whyEmpty(const PlannedPass& planned) {
+    if (planned.inTheWay > 0.0) return "fixtures or keep-out volumes are in the way: move them";
+    if (planned.leftOut > 0.0) return "too much stock is in the way of the tool: rough it first, or use a longer tool";
+    return "no stock is left there";
+}
+
 } // namespace
 
 Result<std::vector<PathMatter>> pathsBeforePass(const Project& project, const StoredPath& path,
@@ -53,27 +60,25 @@ Result<ComputedPass> computePass(const MillingContext& milling, std::vector<Path
     const ProgressPart part(progress, 0.6, 1.0);
     const Tool tool = plannedTool(milling);
     const double stated = milling.tool.maximumDepthOfCut; // what force bends and breaks is for feeds: a row is narrow
+    const std::vector<ObstacleSolid> obstacles = solidsOf(milling.surroundings());
     const PassGround ground{milling.part,
                             **field,
                             tool,
                             milling.setup.stock,
+                            obstacles,
                             std::move(standing),
                             tool.maximumDepthOfCut,
                             stated > 0.0 ? stated : tool.cutter.fluteLength};
     const Result<PlannedPass> planned = planPass(request, ground, progress);
     if (!planned) return planned.error();
     if (planned->strokes.empty())
-        return Error{ErrorCode::pathEmpty, rowOf(request.kind).title.text, "",
-                     planned->leftOut > 0.0
-                         ? "so much stock stands where it would go that the tool can't: rough it first, "
-                           "or take a longer tool"
-                         : "no stock is left where it would go"};
+        return Error{ErrorCode::pathEmpty, rowOf(request.kind).title.text, "", whyEmpty(*planned)};
     GeneratedInfo info;
     info.name = rowOf(request.kind).title.text;
     info.toolId = milling.tool.id;
     info.allowance = request.allowance;
     info.request = toJson(request);
-    return ComputedPass{movesOf(*planned, std::move(info)), lengthOf(*planned), planned->leftOut};
+    return ComputedPass{movesOf(*planned, std::move(info)), lengthOf(*planned), planned->leftOut, planned->inTheWay};
 }
 
 StoredPath withPass(StoredPath path, const std::string& passName, std::int64_t source) {

@@ -13,9 +13,9 @@ namespace burin {
 
 /// A pass that was computed for a path.
 struct ComputedPass {
-    GeneratedMoves moves; ///< with its request; no id yet
-    double length = 0.0;  ///< mm, of its strokes
-    double leftOut = 0.0; ///< mm, see PlannedPass
+    GeneratedMoves moves;                 ///< with its request; no id yet
+    double length = 0.0;                  ///< mm, of its strokes
+    double leftOut = 0.0, inTheWay = 0.0; ///< mm, see PlannedPass
 };
 
 /// What stands before a pass in the job. @param path that it becomes the last source of; without sources: a new one

@@ -256,8 +256,23 @@ Result<EvaluatedPaths> evaluateInOrder(const MillingContext& milling, std::vecto
     return done;
 }
 
-Result<EvaluatedPath> evaluateInJob(const Project& project, const MillingContext& milling, const StoredPath& path,
-                                    Progress& progress) {
+namespace {
+
+/// What the job mills, with one path in the stead of its tool's own.
+struct JobMatters {
+    std::vector<PathMatter> matters; ///< by when their tools first milled
+    std::size_t itself = 0;          ///< where that path is among them
+};
+
+/// @param path maybe without sources, then it has no strokes @param tool its tool, by id
+Result<PathMatter> matterOfOwn(const Project& project, const StoredPath& path, const std::string& tool) {
+    if (!path.sources.empty()) return matterOf(project, path);
+    const Result<Tool> known = toolFor(project, tool);
+    if (!known) return known.error();
+    return PathMatter{path, {}, *known, nullptr};
+}
+
+Result<JobMatters> mattersOfJob(const Project& project, const StoredPath& path, const std::string& tool) {
     const Result<std::vector<StoredPath>> paths = project.paths();
     if (!paths) return paths.error();
     const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
@@ -265,72 +280,50 @@ Result<EvaluatedPath> evaluateInJob(const Project& project, const MillingContext
     const Result<std::vector<SourceInfo>> standing = standingSources(project);
     if (!standing) return standing.error();
     const std::vector<std::string> millingTools = toolsOf(*standing);
-    const std::string tool = toolOf(path, *sources);
-    std::vector<PathMatter> matters;
-    std::size_t wanted = 0;
-    for (const StoredPath& each : byFirstTake(firstPaths(*paths, *sources), *sources, millingTools)) {
-        const std::string toolOfEach = toolOf(each, *sources);
-        const bool itself = toolOfEach == tool;
-        if (!itself && std::ranges::find(millingTools, toolOfEach) == millingTools.end()) continue;
-        if (itself) wanted = matters.size();
-        Result<PathMatter> matter = matterOf(project, itself ? path : each);
+    std::vector<StoredPath> milled = byFirstTake(firstPaths(*paths, *sources), *sources, millingTools);
+    std::erase_if(milled, [&](const StoredPath& each) {
+        const std::string other = toolOf(each, *sources);
+        return other != tool && std::ranges::find(millingTools, other) == millingTools.end();
+    });
+    const auto own = std::ranges::find(milled, tool, [&](const StoredPath& each) { return toolOf(each, *sources); });
+    JobMatters job{{}, static_cast<std::size_t>(own - milled.begin())};
+    if (own == milled.end()) milled.push_back(path);
+    for (std::size_t i = 0; i < milled.size(); ++i) {
+        Result<PathMatter> matter = i == job.itself ? matterOfOwn(project, path, tool) : matterOf(project, milled[i]);
         if (!matter) return std::move(matter).error();
-        matters.push_back(std::move(*matter));
+        job.matters.push_back(std::move(*matter));
     }
-    if (matters.empty()) return withoutTake();
-    std::vector<std::size_t> order = milledOrder(matters);
-    order.erase(std::ranges::find(order, wanted) + 1, order.end());
-    const Result<std::vector<MilledPath>> milled = evaluateEach(milling, std::move(matters), order, progress);
-    if (!milled) return milled.error();
-    return *milled->back().evaluated;
-}
-
-namespace {
-
-/// The paths that the job mills with other tools: those there are, and standard ones of tools that lack one.
-Result<std::vector<PathMatter>> mattersOfOthers(const Project& project, const std::string& toolId) {
-    const Result<std::vector<StoredPath>> paths = project.paths();
-    if (!paths) return paths.error();
-    const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
-    if (!sources) return sources.error();
-    const Result<std::vector<SourceInfo>> standing = standingSources(project);
-    if (!standing) return standing.error();
-    const std::vector<StoredPath> first = firstPaths(*paths, *sources);
-    std::vector<PathMatter> matters;
-    for (const std::string& tool : toolsOf(*standing)) {
-        if (tool == toolId) continue;
-        const auto made =
-            std::ranges::find(first, tool, [&](const StoredPath& each) { return toolOf(each, *sources); });
-        Result<StoredPath> path = made != first.end() ? Result<StoredPath>(*made) : standardPath(project, tool);
-        if (!path) return std::move(path).error();
-        Result<PathMatter> matter = matterOf(project, *path);
-        if (!matter) return std::move(matter).error();
-        matters.push_back(std::move(*matter));
-    }
-    return matters;
+    return job;
 }
 
 } // namespace
 
+Result<EvaluatedPath> evaluateInJob(const Project& project, const MillingContext& milling, const StoredPath& path,
+                                    Progress& progress) {
+    const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
+    if (!sources) return sources.error();
+    const std::string tool = toolOf(path, *sources);
+    if (tool.empty()) return withoutTake();
+    Result<JobMatters> job = mattersOfJob(project, path, tool);
+    if (!job) return std::move(job).error();
+    std::vector<std::size_t> order = milledOrder(job->matters);
+    order.erase(std::ranges::find(order, job->itself) + 1, order.end());
+    const Result<std::vector<MilledPath>> milled = evaluateEach(milling, std::move(job->matters), order, progress);
+    if (!milled) return milled.error();
+    return *milled->back().evaluated;
+}
+
 Result<std::vector<PathMatter>> pathsBefore(const Project& project, const StoredPath& path, const SourceInfo& next) {
-    Result<std::vector<PathMatter>> matters = mattersOfOthers(project, next.toolId);
-    if (!matters) return matters;
-    const Result<Tool> tool = toolFor(project, next.toolId);
-    if (!tool) return tool.error();
-    PathMatter own{path, {}, *tool, nullptr};
-    if (!path.sources.empty()) {
-        Result<PathMatter> known = matterOf(project, path);
-        if (!known) return std::move(known).error();
-        own = std::move(*known);
-    }
+    Result<JobMatters> job = mattersOfJob(project, path, next.toolId);
+    if (!job) return std::move(job).error();
+    PathMatter& own = job->matters[job->itself];
     own.sources.push_back({next, {}}); // it counts for the order
-    matters->push_back(std::move(own));
-    const std::vector<std::size_t> order = milledOrder(*matters);
-    matters->back().sources.pop_back();
+    const std::vector<std::size_t> order = milledOrder(job->matters);
+    own.sources.pop_back();
     std::vector<PathMatter> before;
     for (const std::size_t place : order) {
-        const bool itself = place + 1 == matters->size();
-        if (!itself || !path.sources.empty()) before.push_back(std::move((*matters)[place]));
+        const bool itself = place == job->itself;
+        if (!itself || !path.sources.empty()) before.push_back(std::move(job->matters[place]));
         if (itself) break;
     }
     return before;

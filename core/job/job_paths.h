@@ -82,7 +82,7 @@ Result<EvaluatedPaths> evaluateInOrder(const MillingContext& milling, std::vecto
                                        Progress& progress);
 
 /// The job's paths that are milled before a further source of a path, in their order, what the path has already among
-/// them; tools that have milled and have no path yet count with their standard one.
+/// them.
 /// @param path of `next`'s tool, with or without sources @param next its tool and allowance
 /// Errors: those of matterOf.
 Result<std::vector<PathMatter>> pathsBefore(const Project& project, const StoredPath& path, const SourceInfo& next);

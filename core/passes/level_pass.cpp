@@ -13,6 +13,7 @@ namespace burin {
 namespace {
 
 constexpr double tolerance = 1e-6;      // mm
+constexpr double startHeight = 1.0;     // mm above stock and part: where tips that come down begin
 constexpr double beyondStock = 1.0;     // mm between the cutter and the stock where a loop has nothing to take any more
 constexpr double insetShare = 0.05;     // of the radius: what only the cutter's rim would touch is no stock
 constexpr double longestGap = 1.0;      // diameters of a loop without stock that are gone, and not flown over
@@ -47,9 +48,9 @@ public:
         const std::vector<double> levels = levelsOf(raster);
         for (std::size_t i = 0; i < levels.size(); ++i) {
             progress_.report(0.3 + 0.7 * static_cast<double>(i) / static_cast<double>(levels.size()));
-            if (progress_.cancelled()) return Error{ErrorCode::cancelled, "pass", "", ""};
             millLevel(raster, levels[i], false);
             millStairs(raster, i == 0 ? top_ : levels[i - 1], levels[i]);
+            if (progress_.cancelled()) return Error{ErrorCode::cancelled, "pass", "", ""};
         }
         return std::move(planned_);
     }
@@ -70,7 +71,7 @@ private:
                 bounds,
                 heights_.raster(),
                 keep_,
-                std::max(top_, ground_.part.bounds().high.z) + travelHeight_,
+                std::max(top_, ground_.part.bounds().high.z) + startHeight,
                 bottom_,
                 progress_};
     }
@@ -226,7 +227,6 @@ private:
         return true;
     }
 
-    static constexpr double travelHeight_ = 1.0; // mm: where tips that come down begin
     const PassRequest& request_;
     const PassGround& ground_;
     Progress& progress_;

@@ -6,7 +6,11 @@
 #include "core/geometry/box.h"
 #include "core/geometry/mesh_distance.h"
 #include "core/passes/workpiece_heights.h"
+#include "core/setup/obstacle.h"
 #include "core/tool/tool.h"
+
+#include <span>
+#include <vector>
 
 namespace burin {
 
@@ -16,9 +20,10 @@ struct PassGround {
     const ClearanceField& field; ///< of the tool from the part, fine at least up to the allowance of the pass
     const Tool& tool;
     Box stock;
-    StandingStock standing;  ///< what has been left of the stock; none: the whole box stands
-    double levelDepth = 0.0; ///< mm: the deepest level that tool, spindle and material bear
-    double rowDepth = 0.0;   ///< mm: the deepest cut of a row beside the one before it, as the tool states it
+    std::span<const ObstacleSolid> obstacles; ///< that the tool keeps clear of
+    StandingStock standing;                   ///< what has been left of the stock; none: the whole box stands
+    double levelDepth = 0.0;                  ///< mm: the deepest level that tool, spindle and material bear
+    double rowDepth = 0.0; ///< mm: the deepest cut of a row beside the one before it, as the tool states it
 };
 
 /// Tips of one stretch of a pass, mm.
@@ -30,6 +35,7 @@ struct PlannedPass {
     /// mm of ways that were left out: so much stock stands there that shank or holder would touch it, or that the cut
     /// would be deeper than the tool bears. Roughing has to come first, or a longer tool.
     double leftOut = 0.0;
+    double inTheWay = 0.0; ///< mm of ways that were left out because of fixtures and keep-out volumes
 };
 
 } // namespace burin

@@ -5,32 +5,32 @@
 #include "core/base/numbers.h"
 #include "core/recording/generated_moves.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace burin {
 
 const std::array<PassKindRow, 10> passKinds{{
     {PassKind::levels, "levels", BURIN_TEXT("Pass", "Levels"),
-     BURIN_TEXT("Pass", "Roughing: takes away what stands, level by level, in loops along the part")},
+     BURIN_TEXT("Pass", "Roughing: clears the stock level by level, in loops along the part")},
     {PassKind::pocket, "pocket", BURIN_TEXT("Pass", "Pocket"),
-     BURIN_TEXT("Pass", "Takes away what stands within an area that the cutter does not leave, level by level")},
+     BURIN_TEXT("Pass", "Clears an area level by level; the cutter stays inside it")},
     {PassKind::profile, "profile", BURIN_TEXT("Pass", "Profile"),
-     BURIN_TEXT("Pass", "Once along the border of an area, or along the part's outline, level by level")},
-    {PassKind::face, "face", BURIN_TEXT("Pass", "Facing"),
-     BURIN_TEXT("Pass", "Takes away what stands above the part, in loops")},
+     BURIN_TEXT("Pass", "Follows the outline of an area, or of the part, level by level")},
+    {PassKind::face, "face", BURIN_TEXT("Pass", "Facing"), BURIN_TEXT("Pass", "Clears the stock above the part")},
     {PassKind::parallel, "parallel", BURIN_TEXT("Pass", "Parallel"),
      BURIN_TEXT("Pass", "Finishing: parallel rows on the part")},
     {PassKind::radial, "radial", BURIN_TEXT("Pass", "Radial"),
-     BURIN_TEXT("Pass", "Finishing: rows on the part from a centre outwards")},
+     BURIN_TEXT("Pass", "Finishing: rows on the part from the centre outwards")},
     {PassKind::spiral, "spiral", BURIN_TEXT("Pass", "Spiral"),
-     BURIN_TEXT("Pass", "Finishing: one row on the part, round a centre outwards")},
+     BURIN_TEXT("Pass", "Finishing: one spiral row on the part from the centre outwards")},
     {PassKind::flow, "flow", BURIN_TEXT("Pass", "Flow"),
      BURIN_TEXT("Pass",
                 "Finishing: rows on the part that follow a stroke, or are blended from one stroke to the next")},
     {PassKind::waterline, "waterline", BURIN_TEXT("Pass", "Waterline"),
-     BURIN_TEXT("Pass", "Finishing of steep faces: along the part at one height after the other")},
+     BURIN_TEXT("Pass", "Finishing of steep faces: contours of the part at constant Z")},
     {PassKind::engrave, "engrave", BURIN_TEXT("Pass", "Engraving"),
-     BURIN_TEXT("Pass", "Along lines at a depth below the top of the stock")},
+     BURIN_TEXT("Pass", "Cuts along lines at a given depth below the top of the stock")},
 }};
 
 namespace {
@@ -91,6 +91,11 @@ Result<PassKind> passKindWithId(std::string_view id) {
     return Error{ErrorCode::nameUnknown, "pass", std::string(id), known};
 }
 
+bool PassRequest::allowsSlope(const glm::dvec3& away) const noexcept {
+    const double slope = std::acos(std::clamp(away.z, -1.0, 1.0));
+    return slope >= flattest && slope <= steepest;
+}
+
 Result<void> validate(const PassRequest& request) {
     constexpr double thinnest = 0.01, widest = 1000.0; // mm
     const auto length = [](const char* key, double value, double low) -> Result<void> {
@@ -100,8 +105,9 @@ Result<void> validate(const PassRequest& request) {
          {within("allowance_mm", request.allowance, 0.0, largestAllowance),
           length("step_over_mm", request.stepOver, thinnest), length("scallop_mm", request.scallop, 1e-4),
           length("level_depth_mm", request.levelDepth, thinnest), length("stairs_mm", request.stairs, thinnest),
-          within("direction_rad", request.direction, -10.0, 10.0), within("flattest_rad", request.flattest, 0.0, 1.6),
-          within("steepest_rad", request.steepest, request.flattest, 1.6),
+          within("direction_rad", request.direction, -10.0, 10.0),
+          within("flattest_rad", request.flattest, 0.0, anySlope),
+          within("steepest_rad", request.steepest, request.flattest, anySlope),
           within("top_mm", request.top.value_or(0.0), -farthestInPlan, farthestInPlan),
           within("bottom_mm", request.bottom.value_or(0.0), -farthestInPlan, farthestInPlan),
           length("depth_mm", request.depth, thinnest), checkArea(request), checkLines(request)})

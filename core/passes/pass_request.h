@@ -47,17 +47,20 @@ Result<PassKind> passKindWithId(std::string_view id);
 /// A line that leads a pass or is engraved, mm, setup frame.
 using PassLine = std::vector<glm::dvec3>;
 
+/// Of PassRequest::steepest, more than a right angle: no limit.
+inline constexpr double anySlope = 1.6; // rad
+
 /// What a planner is asked for. Lengths in mm, angles in rad, setup frame; upright tools.
 struct PassRequest {
     PassKind kind = PassKind::levels;
     double allowance = 0.0; ///< left on the part
     double stepOver = 0.0; ///< between rows or loops, between heights of `waterline`; 0: by scallop, or the kind's rule
     double scallop = 0.0;  ///< height of the ridges between rows of a tool with a rounded end; 0: not asked for
-    double levelDepth = 0.0; ///< between levels; 0: what tool, spindle and material bear
-    double stairs = 0.0;     ///< of `levels`: what they leave on slopes, at most; 0: a tenth of the diameter
-    double direction = 0.0;  ///< of parallel rows, anticlockwise from X
-    double flattest = 0.0;   ///< slope of the part, from level: rows and waterlines stay where it is no less …
-    double steepest = 1.6;   ///< … and no more; beyond a right angle: no limit
+    double levelDepth = 0.0;    ///< between levels; 0: what tool, spindle and material bear
+    double stairs = 0.0;        ///< of `levels`: what they leave on slopes, at most; 0: a tenth of the diameter
+    double direction = 0.0;     ///< of parallel rows, anticlockwise from X
+    double flattest = 0.0;      ///< slope of the part, from level: rows and waterlines stay where it is no less …
+    double steepest = anySlope; ///< … and no more
     std::optional<double> top,
         bottom;            ///< heights of the first stock and of the lowest tip; none: the stock's, the part's
     bool oneWay = false;   ///< rows all in one direction
@@ -66,6 +69,11 @@ struct PassRequest {
     PlanRegion area;       ///< where the tip may be; of pocket and profile: what the cutter makes. Empty: everywhere
     std::vector<PassLine> lines;
     double depth = 0.0; ///< of `engrave`, below the top
+
+    bool limitsSlope() const noexcept { return flattest > 0.0 || steepest < anySlope; }
+    /// Whether the part is as steep as is asked for. @param away unit, the way out of the part where the tool touches
+    /// it
+    bool allowsSlope(const glm::dvec3& away) const noexcept;
 
     friend bool operator==(const PassRequest&, const PassRequest&) = default;
 };

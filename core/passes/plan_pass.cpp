@@ -3,6 +3,7 @@
 #include "core/passes/plan_pass.h"
 
 #include "core/geometry/upright.h"
+#include "core/passes/keep_clear.h"
 #include "core/passes/level_pass.h"
 #include "core/passes/milling_plan.h"
 #include "core/passes/surface_pass.h"
@@ -33,6 +34,8 @@ Result<PlannedPass> planPass(const PassRequest& request, const PassGround& groun
         }
         return planRows(request, ground, progress);
     }();
+    if (planned) keepClear(*planned, pieces(ground.tool.cutter), ground.obstacles, progress);
+    if (planned && progress.cancelled()) return Error{ErrorCode::cancelled, "pass", "", ""};
     if (planned) std::erase_if(planned->strokes, [](const TipLine& line) { return line.size() < 2; });
     return planned;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/numbers.h"
 #include "core/base/units.h"
+#include "core/geometry/segment.h"
 #include "core/passes/surface_pass.h"
 
 #include <algorithm>
@@ -87,8 +88,7 @@ bool isLeftOf(const PlanRow& line, const glm::dvec2& place) {
     double nearest = 1e300, side = 0.0;
     for (std::size_t i = 1; i < line.size(); ++i) {
         const glm::dvec2 along = line[i] - line[i - 1], from = place - line[i - 1];
-        const double share = std::clamp(glm::dot(from, along) / glm::dot(along, along), 0.0, 1.0);
-        const double distance = glm::length(from - share * along);
+        const double distance = distanceToSegment(place, line[i - 1], line[i]);
         if (distance >= nearest) continue;
         nearest = distance;
         side = along.x * from.y - along.y * from.x;

@@ -4,6 +4,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/parallel_progress.h"
+#include "core/geometry/lowest_clear.h"
 #include "core/passes/tip_drop.h"
 
 #include <algorithm>
@@ -133,12 +134,13 @@ private:
     }
 
     RowPlace placeAt(const glm::dvec2& place, TipDrop& drop) const {
-        // The field is a quick way down to just above; it never says less room than there is by more than its bound.
-        const double keep = request_.allowance + 2.0 * ground_.field.errorBound();
-        double from = lowestFeasibleHeight(ground_.field, place.x, place.y, keep, drop.top(), bottom_);
-        if (!std::isfinite(from) ||
-            ground_.field.at({place, from}).clearance - ground_.field.errorBoundAt({place, from}) < request_.allowance)
-            from = drop.top();
+        // The field leads quickly to just above: what it says, less its error there, is never more than there is.
+        const auto surelySpare = [&](double z) {
+            const glm::dvec3 tip(place, z);
+            return ground_.field.at(tip).clearance - ground_.field.errorBoundAt(tip) - request_.allowance;
+        };
+        const bool known = surelySpare(drop.top()) > 0.0;
+        const double from = known ? lowestClear(surelySpare, drop.top(), bottom_).value_or(bottom_) : drop.top();
         const std::optional<double> height = drop.at(place, from);
         return {{place, height.value_or(bottom_)}, height.has_value()};
     }
@@ -150,9 +152,7 @@ private:
             if (!rest) return false;
             if (!place.onPart) return request_.flattest == 0.0;
         }
-        if (request_.flattest == 0.0 && request_.steepest >= 1.6) return true;
-        const double slope = std::acos(std::clamp(drop.away(place.tip).z, -1.0, 1.0));
-        return slope >= request_.flattest && slope <= request_.steepest;
+        return !request_.limitsSlope() || request_.allowsSlope(drop.away(place.tip));
     }
 
     /// Whether nothing but the flutes meets stock, and these no more than they bear.

@@ -26,8 +26,8 @@ public:
     ExactContour(const MeshDistance& part, std::span<const RevolvedPiece> tool, double allowance, double height)
         : asker_(part, tool), allowance_(allowance), height_(height) {}
 
-    /// The ring with its places moved onto the contour, and places between them where it bends. Places that find none
-    /// near are left out, and so is what a `mark` (the index of the place in the result) says is broken there.
+    /// The ring with its places moved onto the contour, and places between them where it bends. Nothing stands for a
+    /// place that finds none near: there is no way over it.
     std::vector<std::optional<glm::dvec2>> along(const PlanRing& ring) {
         std::vector<std::optional<glm::dvec2>> exact;
         for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -38,8 +38,8 @@ public:
         }
         return exact;
     }
-    /// Slope of the part where the tool touches it, rad from level.
-    double slopeAt(const glm::dvec2& place) { return std::acos(std::clamp(ask(place).away.z, -1.0, 1.0)); }
+    /// The way out of the part where the tool touches it, unit.
+    glm::dvec3 away(const glm::dvec2& place) { return ask(place).away; }
 
 private:
     ToolClearance ask(const glm::dvec2& place) {
@@ -153,9 +153,7 @@ private:
         if (!request_.area.empty() && !holds(request_.area, place)) return false;
         if (request_.restOnly && heights_.freeTip(place.x, place.y) <= height + WorkpieceHeights::leastRest)
             return false;
-        if (request_.flattest == 0.0 && request_.steepest >= 1.6) return true;
-        const double slope = contour.slopeAt(place);
-        return slope >= request_.flattest && slope <= request_.steepest;
+        return !request_.limitsSlope() || request_.allowsSlope(contour.away(place));
     }
     bool isPossible(const glm::dvec3& tip) const {
         return heights_.safeHeight(tip) <= tip.z + 1e-6 &&

@@ -7,17 +7,6 @@
 
 namespace burin {
 
-glm::dvec3 nearestOnSegment(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& to) noexcept {
-    const glm::dvec3 along = to - from;
-    const double square = glm::dot(along, along);
-    const double part = square > 0.0 ? std::clamp(glm::dot(point - from, along) / square, 0.0, 1.0) : 0.0;
-    return from + part * along;
-}
-
-double distanceToSegment(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& to) noexcept {
-    return glm::distance(point, nearestOnSegment(point, from, to));
-}
-
 std::vector<std::size_t> simplify(std::span<const StrokePoint> points, double tolerance, const ShortcutTest& allowed) {
     std::vector<std::size_t> kept;
     if (points.empty()) return kept;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/segment.h"
 #include "core/path/apply.h"
 
 #include <functional>
@@ -9,11 +10,6 @@
 #include <vector>
 
 namespace burin {
-
-/// The place on a straight segment that is nearest to a point, mm.
-glm::dvec3 nearestOnSegment(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& to) noexcept;
-/// Distance from a point to a straight segment, mm.
-double distanceToSegment(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& to) noexcept;
 
 /// Whether the tool may go straight from one tip to another; asked only for moves that leave points out.
 using ShortcutTest = std::function<bool(const glm::dvec3& from, const glm::dvec3& to)>;

@@ -152,6 +152,16 @@ private slots:
         QCOMPARE(run({"path", in("e.burin"), "list"}).json()["paths"].toArray().size(), 0);
     }
 
+    /// Passes of an older project don't say what was asked for: the answer is JSON all the same.
+    void passesOfOlderProjectsAreListed() {
+        QVERIFY(QFile::copy(BURIN_FIXTURES "/projects/v8/small.burin", in("old.burin")));
+        const QJsonArray paths = run({"path", in("old.burin"), "list", "--setup", "2"}).json()["paths"].toArray();
+        QCOMPARE(paths.size(), 1);
+        const QJsonArray passes = paths.at(0).toObject()["passes"].toArray();
+        QCOMPARE(passes.size(), 1);
+        QVERIFY(passes.at(0).toObject()["request"].isNull());
+    }
+
     void badRequestsAreOneSentence_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("says");

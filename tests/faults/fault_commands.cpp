@@ -26,6 +26,7 @@ QList<FaultCommand> faultCommands() {
          {"again.csv"},
          true},
         {"path new", {"path", "p.burin", "new", "--name", "second"}, {}},
+        {"a computed pass", {"path", "p.burin", "new", "--pass", "face", "--tool", "flat-12"}, {}},
         {"path undo", {"path", "p.burin", "undo", "1", "--place", "0"}, {}},
         {"path show", {"path", "p.burin", "show", "1", "-o", "points.csv"}, {"points.csv"}},
         {"path take", {"path", "p.burin", "take", "1", "-o", "take.csv"}, {"take.csv"}},

@@ -169,7 +169,7 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Make a path from the takes, with the standard edits."), "Ctrl+P"},
     Row{ActionId::newPass, "newPassAction", QT_TRANSLATE_NOOP("Actions", "&Compute a pass…"),
         QT_TRANSLATE_NOOP("Actions",
-                          "Computes roughing, finishing, pockets, profiles or engraving of the loaded tool."),
+                          "Compute roughing, finishing, a pocket, a profile or engraving with the loaded tool."),
         "Ctrl+Shift+P"},
     Row{ActionId::evaluatePath, "evaluatePathAction", QT_TRANSLATE_NOOP("Actions", "&Update path"),
         QT_TRANSLATE_NOOP("Actions", "Apply the edits to the takes again."), "F5"},

@@ -175,9 +175,10 @@ void PathPanel::Fields::refreshButtons() {
                                  : PathPanel::tr("The path is up to date."),
                  PathPanel::tr("Apply the edits again"));
     enableUnless(add_, busy, PathPanel::tr("Adds an edit, at the position that the order of edits allows"));
-    enableUnless(
-        pass_, state.passPossible ? QString() : PathPanel::tr("The workpiece has to be ready, and no pass under way."),
-        PathPanel::tr("Compute roughing, finishing, a pocket, a profile or engraving with the loaded tool"));
+    enableUnless(pass_,
+                 state.passPossible ? QString()
+                                    : PathPanel::tr("Wait until the workpiece is ready and no pass is being computed."),
+                 PathPanel::tr("Compute roughing, finishing, a pocket, a profile or engraving with the loaded tool"));
     setEnabledKeepingFocus(eye_, state.exists);
 }
 
@@ -229,6 +230,15 @@ void PathPanel::Fields::tell() {
                       PathPanel::tr("The path of %1, which is milled before, can't be made. Its stock counts as not "
                                     "removed here; load that tool to see why.")
                           .arg(state.missingBefore));
+    else if (state.passLeftOut > 0.0)
+        notice_->tell(Notice::Kind::warning,
+                      PathPanel::tr("%1 of the pass were left out: too much stock is in the way of the tool. Rough it "
+                                    "first, or use a longer tool.")
+                          .arg(lengthText(state.passLeftOut, unit)));
+    else if (state.passInTheWay > 0.0)
+        notice_->tell(Notice::Kind::warning,
+                      PathPanel::tr("%1 of the pass were left out: fixtures or keep-out volumes are in the way.")
+                          .arg(lengthText(state.passInTheWay, unit)));
     else if (const QString omitted = omissionNotice(state.reports, state.zero, unit); !omitted.isEmpty())
         notice_->tell(Notice::Kind::warning, omitted);
     else

@@ -32,12 +32,13 @@ struct PathState {
         std::string id;
         QString name;
     };
-    std::vector<Tool> milled;     ///< the tools that have takes
-    Tool tool;                    ///< in force
-    std::vector<PassRow> passes;  ///< of the path, in its order
-    bool passPossible = false;    ///< one can be computed now
-    bool hasTakes = false;        ///< of the tool in force
-    bool someWithoutPath = false; ///< of those that milled
+    std::vector<Tool> milled;                     ///< the tools that have takes
+    Tool tool;                                    ///< in force
+    std::vector<PassRow> passes;                  ///< of the path, in its order
+    double passLeftOut = 0.0, passInTheWay = 0.0; ///< mm of the newest pass, see PlannedPass
+    bool passPossible = false;                    ///< one can be computed now
+    bool hasTakes = false;                        ///< of the tool in force
+    bool someWithoutPath = false;                 ///< of those that milled
     bool exists = false;
     StoredPath path;
     std::vector<TakeInfo> takes;       ///< all, for their names and times

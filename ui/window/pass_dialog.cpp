@@ -82,11 +82,10 @@ void PassDialog::layOut(const Offer& offer) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 12);
     column->setSpacing(6);
-    auto* about =
-        new QLabel(tr("Burin computes the moves of %1 on the stock that the paths before leave, and adds them "
-                      "to its path. You edit, check and undo them like those of a recording.")
-                       .arg(offer.toolName),
-                   this);
+    auto* about = new QLabel(tr("Burin computes moves of %1 for the stock that the earlier paths leave, and adds them "
+                                "to the path of this tool. You can edit, check and undo them like recorded ones.")
+                                 .arg(offer.toolName),
+                             this);
     about->setWordWrap(true);
     column->addWidget(about);
     kind_ = new ChoiceBox(this);
@@ -102,7 +101,7 @@ void PassDialog::layOut(const Offer& offer) {
     notice_ = notices->add("passNotice");
     column->addWidget(notices);
     auto* compute = makePrimaryButton(tr("Compute"), QStringLiteral("computePassButton"), this);
-    compute->setToolTip(tr("Compute the pass; you can go on and cancel it meanwhile"));
+    compute->setToolTip(tr("Compute the pass in the background; it can be cancelled in the status line"));
     compute->setDefault(true);
     auto* cancel = makeButton(tr("Cancel"), QStringLiteral("cancel"), QStringLiteral("cancelPassButton"), this);
     cancel->setToolTip(tr("Change nothing"));
@@ -111,7 +110,10 @@ void PassDialog::layOut(const Offer& offer) {
     row->addWidget(compute);
     row->addWidget(cancel);
     column->addLayout(row);
-    connect(kind_, &QComboBox::currentIndexChanged, this, &PassDialog::update);
+    connect(kind_, &QComboBox::currentIndexChanged, this, [this] {
+        for (Figure& figure : figures_) figure.edited = false; // what roughing was given is no figure for finishing
+        update();
+    });
     connect(compute, &QPushButton::clicked, this, &PassDialog::confirm);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
 }
@@ -126,35 +128,37 @@ void PassDialog::addFigures() {
     addFigure(figure(&PassRequest::allowance, allKinds), "passAllowance", tr("Allowance"),
               tr("Stock that stays on the part"), Quantity::length, 0.0, largestAllowance);
     addFigure(figure(&PassRequest::stepOver, both(rowKinds, {PassKind::levels, PassKind::pocket, PassKind::face})),
-              "passStepOver", tr("Step-over"), tr("Between rows or loops, and between the heights of a waterline"),
-              Quantity::length, 0.0, widestStep);
+              "passStepOver", tr("Step-over"),
+              tr("Distance between rows or loops, or between the heights of a waterline"), Quantity::length, 0.0,
+              widestStep);
     addFigure(figure(&PassRequest::scallop, rowKinds), "passScallop", tr("Scallop height"),
-              tr("In place of a step-over: how high the ridges between rows may be. 0: not used"), Quantity::length,
+              tr("Largest height of the ridges between rows; replaces the step-over. 0: not used"), Quantity::length,
               0.0, widestStep);
     addFigure(figure(&PassRequest::levelDepth, levelKinds), "passLevelDepth", tr("Depth of a level"),
-              tr("At most; proposed is what material, tool and spindle bear"), Quantity::length, 0.0, widestStep);
-    addFigure(figure(&PassRequest::stairs, {PassKind::levels}), "passStairs", tr("Stairs on slopes"),
-              tr("How high they may be after all levels"), Quantity::length, 0.0, widestStep);
+              tr("Largest depth of a level. Default: what material, tool and spindle can take"), Quantity::length, 0.0,
+              widestStep);
+    addFigure(figure(&PassRequest::stairs, {PassKind::levels}), "passStairs", tr("Steps on slopes"),
+              tr("Largest height of the steps that the levels leave on slopes"), Quantity::length, 0.0, widestStep);
     addFigure(figure(&PassRequest::depth, {PassKind::engrave}), "passDepth", tr("Depth"),
-              tr("Of the lines below the top"), Quantity::length, 0.0, widestStep);
+              tr("Depth of the lines below the top of the stock"), Quantity::length, 0.0, widestStep);
     addFigure(figure(&PassRequest::direction, {PassKind::parallel}), "passDirection", tr("Direction"),
-              tr("Of the rows, from X"), Quantity::angle, -pi, pi);
+              tr("Angle between the rows and X"), Quantity::angle, -pi, pi);
     addFigure(figure(&PassRequest::flattest, rowKinds), "passFlattest", tr("Steeper than"),
-              tr("Only where the part is at least so steep"), Quantity::angle, 0.0, rightAngle);
+              tr("Only where the part is at least this steep"), Quantity::angle, 0.0, rightAngle);
     addFigure(figure(&PassRequest::steepest, rowKinds), "passSteepest", tr("Flatter than"),
-              tr("Only where the part is at most so steep"), Quantity::angle, 0.0, rightAngle);
+              tr("Only where the part is at most this steep"), Quantity::angle, 0.0, rightAngle);
     addFigure(height(&PassRequest::top, levelKinds), "passTop", tr("From height"),
-              tr("Z of the top of what is taken away, in the coordinates of the setup"), Quantity::length,
-              -farthestInPlan, farthestInPlan);
+              tr("Height at which the pass begins, in the coordinates of the setup"), Quantity::length, -farthestInPlan,
+              farthestInPlan);
     addFigure(height(&PassRequest::bottom, without(allKinds, PassKind::engrave)), "passBottom", tr("Down to height"),
-              tr("Z of the lowest tip, in the coordinates of the setup"), Quantity::length, -farthestInPlan,
+              tr("Lowest height of the tip, in the coordinates of the setup"), Quantity::length, -farthestInPlan,
               farthestInPlan);
     addSwitch({nullptr, &PassRequest::restOnly, rowKinds}, "passRest", tr("Only where stock is left"),
-              tr("Leaves out rows that would touch no stock"));
+              tr("Skips rows that would touch no stock"));
     addSwitch({nullptr, &PassRequest::oneWay, without(rowKinds, PassKind::waterline)}, "passOneWay",
-              tr("All rows in one direction"), tr("Back in the air in place of there and back"));
-    addSwitch({nullptr, &PassRequest::inside, {PassKind::profile}}, "passInside", tr("Inside of the border"),
-              tr("The cutter goes along the inner side of the area's border"));
+              tr("All rows in one direction"), tr("The tool returns through the air after each row"));
+    addSwitch({nullptr, &PassRequest::inside, {PassKind::profile}}, "passInside", tr("Inside the outline"),
+              tr("The cutter follows the outline of the area on its inside"));
 }
 
 void PassDialog::addFigure(Figure figure, const char* name, const QString& label, const QString& toolTip,
@@ -212,16 +216,17 @@ void PassDialog::addDrawings(const Offer& offer) {
     lines_->addItems({tr("nothing"), tr("from a drawing…")});
     for (const TakeInfo& take : offer.takes)
         lines_->addItem(tr("strokes of take %1").arg(take.id), static_cast<qlonglong>(take.id));
-    linesRow_ = new FieldRow(tr("Lines"), lines_,
-                             tr("What rows follow, or what is engraved: strokes of a recording, or the curves of a "
-                                "drawing"),
-                             this, FieldRow::choiceWidth);
+    linesRow_ =
+        new FieldRow(tr("Lines"), lines_,
+                     tr("What the rows follow, or what is engraved: strokes of a recording or curves of a drawing"),
+                     this, FieldRow::choiceWidth);
     layout()->addWidget(linesRow_);
     fileUnit_ = new ChoiceBox(this);
     fileUnit_->setObjectName(QStringLiteral("passUnit"));
-    fileUnit_->addItems({tr("as it states"), tr("mm"), tr("cm"), tr("inch")});
-    fileUnitRow_ = new FieldRow(tr("Unit of the drawing"), fileUnit_, tr("Not every drawing states its unit"), this,
-                                FieldRow::choiceWidth);
+    fileUnit_->addItems({tr("as stated in the file"), tr("mm"), tr("cm"), tr("inch")});
+    fileUnitRow_ =
+        new FieldRow(tr("Unit of the drawing"), fileUnit_, tr("Unit of the coordinates; not every drawing states it"),
+                     this, FieldRow::choiceWidth);
     layout()->addWidget(fileUnitRow_);
     connect(area_, &QComboBox::activated, this, [this](int index) {
         if (index == 1) chooseDrawing(area_, areaFile_);
@@ -265,13 +270,13 @@ void PassDialog::update() {
 QString PassDialog::missing(const WantedPass& wanted) const {
     const PassRequest& request = wanted.request;
     if (area_->currentIndex() == 0 && request.kind == PassKind::pocket)
-        return tr("Choose a drawing of the pocket's area.");
+        return tr("Choose a drawing with the outline of the pocket.");
     if (area_->currentIndex() == 0 && request.kind == PassKind::profile && request.inside)
-        return tr("Choose a drawing of the area along whose border the cutter goes.");
+        return tr("Choose a drawing with the outline to follow.");
     if (lines_->currentIndex() == 0 && request.kind == PassKind::engrave)
-        return tr("Choose strokes or a drawing to engrave.");
+        return tr("Choose the strokes or the drawing to engrave.");
     if (lines_->currentIndex() == 0 && request.kind == PassKind::flow)
-        return tr("Choose strokes or a drawing that the rows follow.");
+        return tr("Choose the strokes or the drawing that the rows follow.");
     if (request.kind == PassKind::engrave && request.depth == 0.0) return tr("Enter the depth of the lines.");
     return {};
 }
@@ -294,7 +299,7 @@ void PassDialog::confirm() {
         else if (value != 0.0)
             request.*figure.height = value;
     }
-    if (request.steepest >= rightAngle) request.steepest = PassRequest{}.steepest;
+    if (request.steepest >= rightAngle) request.steepest = anySlope;
     for (const Switch& one : switches_)
         if (contains(one.kinds, request.kind)) request.*one.member = one.box->isChecked();
     const double unit = fileUnits[std::max(0, fileUnit_->currentIndex())];

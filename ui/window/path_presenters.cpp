@@ -149,6 +149,10 @@ void PathPresenter::present() {
     const PathController& path = workbench_.path;
     PathState state;
     state.hasTakes = path.hasTakes();
+    if (const ComputedPass* newest = workbench_.passes.newest()) {
+        state.passLeftOut = newest->leftOut;
+        state.passInTheWay = newest->inTheWay;
+    }
     state.passPossible = workbench_.passes.possible();
     for (const std::string& tool : path.toolsThatMilled())
         state.milled.push_back({tool, toolName(workbench_.tool.tools(), tool)});

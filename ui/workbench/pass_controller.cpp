@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/pass_controller.h"
 
-#include "core/job/computed_pass.h"
-
 #include <memory>
 #include <utility>
 
@@ -36,6 +34,7 @@ bool PassController::possible() const {
 void PassController::compute(const WantedPass& wanted) {
     if (!possible()) return;
     wanted_ = wanted;
+    newest_.reset();
     tool_ = tools_.current().id;
     goOn();
 }
@@ -94,12 +93,18 @@ void PassController::run(Matter matter) {
         },
         [this, load, tool = tools_.current()](const Result<std::shared_ptr<const ComputedPass>>& pass) {
             if (load != loads_) return; // another project
-            if (pass)
+            if (pass) {
+                newest_ = *pass;
                 path_.addPass((*pass)->moves, tool);
-            else if (pass.error().code != ErrorCode::cancelled)
+            } else if (pass.error().code != ErrorCode::cancelled) {
                 emit failed(pass.error());
+            }
             end();
         });
+}
+
+const ComputedPass* PassController::newest() const {
+    return newest_ && newest_->moves.info.toolId == tools_.current().id ? newest_.get() : nullptr;
 }
 
 void PassController::end() {
@@ -110,6 +115,7 @@ void PassController::end() {
 void PassController::forget() {
     asked_ = false;
     ++loads_;
+    newest_.reset();
     desk_.tasks.abandon(TaskKind::pass);
     end();
 }

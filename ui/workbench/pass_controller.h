@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/passes/pass_request.h"
+#include "core/job/computed_pass.h"
 #include "ui/workbench/path_controller.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,8 @@ public:
     /// possible. Can be cancelled as a task. Where the workpiece changes meanwhile it begins again behind that.
     void compute(const WantedPass& wanted);
     void forget(); ///< another project
+    /// The pass computed last, for the tool in force; null: none, or it is another tool's.
+    const ComputedPass* newest() const;
 
 private:
     struct Matter;
@@ -44,7 +47,8 @@ private:
     const ToolController& tools_;
     std::optional<WantedPass> wanted_; ///< until it is there, cancelled or impossible
     std::string tool_;                 ///< that it is for, by id
-    bool asked_ = false;               ///< the project is
+    std::shared_ptr<const ComputedPass> newest_;
+    bool asked_ = false; ///< the project is
     quint64 loads_ = 0;
 };
 

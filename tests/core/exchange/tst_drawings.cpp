@@ -24,6 +24,25 @@ std::string svg(const char* figures, const char* page = "width=\"100mm\" height=
            "</svg>";
 }
 
+double signedArea(const PlanRing& ring) {
+    double twice = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const glm::dvec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+        twice += a.x * b.y - a.y * b.x;
+    }
+    return 0.5 * twice;
+}
+
+/// Of borders, which go anticlockwise, less that of holes, which go the other way.
+double areaOf(const PlanRegion& region) {
+    double area = 0.0;
+    for (const PlanPiece& piece : piecesOf(region)) {
+        area += signedArea(piece.border);
+        for (const PlanRing& hole : piece.holes) area += signedArea(hole);
+    }
+    return area;
+}
+
 double areaIn(const std::string& text) {
     const Result<PlanDrawing> drawing = drawingOf(text, "drawing");
     if (!drawing) return -1.0;
@@ -104,6 +123,24 @@ private slots:
         // Chords within 0.002 mm of a border lose no more than that along it.
         QVERIFY2(std::abs(found - area) < 0.002 * std::sqrt(area) * 8.0,
                  qPrintable(QString("%1, not %2").arg(found).arg(area)));
+    }
+
+    /// As exploded outlines are: thousands of lines in any order and direction.
+    void linesAreJoinedToAnOutline() {
+        constexpr int count = 5000;
+        std::string figures;
+        for (int i = 0; i < count; ++i) {
+            const int at = i * 1999 % count; // prime to their number: each comes once
+            const double first = 2.0 * pi * at / count, last = 2.0 * pi * (at + 1) / count;
+            const bool back = i % 3 == 0;
+            const auto coordinate = [](double value) { return " " + QString::number(value, 'f', 9).toStdString(); };
+            figures += (i > 0 ? " 0 LINE 8 0 10" : "0 LINE 8 0 10") + coordinate(50.0 * std::cos(back ? last : first)) +
+                       " 20" + coordinate(50.0 * std::sin(back ? last : first)) + " 11" +
+                       coordinate(50.0 * std::cos(back ? first : last)) + " 21" +
+                       coordinate(50.0 * std::sin(back ? first : last));
+        }
+        const double area = 0.5 * count * 2500.0 * std::sin(2.0 * pi / count);
+        QVERIFY(std::abs(areaIn(dxf(figures.c_str())) - area) < 0.1);
     }
 
     void yPointsUp() {

@@ -132,7 +132,7 @@ struct Ground {
 
     Ground(const TriangleMesh& mesh, const Tool& withTool, const Box& of, double allowance)
         : part(mesh), tool(withTool), stock(of), field(fieldOf(allowance)), ground{part, *field, tool, stock,
-                                                                                   {},   4.0,    40.0} {}
+                                                                                   {},   {},     4.0,  40.0} {}
 
     Result<PlannedPass> plan(const PassRequest& request) const {
         Progress progress;
@@ -166,6 +166,15 @@ void follow(const PlannedPass& pass, const std::function<void(const glm::dvec3&)
             const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(line[i - 1], line[i]) / 0.1)));
             for (int k = 0; k <= steps; ++k) visit(glm::mix(line[i - 1], line[i], static_cast<double>(k) / steps));
         }
+}
+
+/// A hemisphere that stands 2 mm above the floor, and a ball of 6 mm.
+constexpr double domeRadius = 14.0;
+Ground domeGround() {
+    const auto dome = [](double x, double y) {
+        return 2.0 + std::sqrt(std::max(0.0, domeRadius * domeRadius - x * x - y * y));
+    };
+    return {blockUnder(dome, 16.0, 160), endMill(6.0, 3.0), {{-16.0, -16.0, 0.0}, {16.0, 16.0, 17.0}}, 0.0};
 }
 
 double step(double x, double y) {
@@ -314,12 +323,7 @@ private slots:
     }
     void rowsLieOnTheSphere() {
         QFETCH(int, kind);
-        constexpr double radius = 14.0;
-        const auto dome = [](double x, double y) {
-            return 2.0 + std::sqrt(std::max(0.0, radius * radius - x * x - y * y));
-        };
-        const Ground ground(blockUnder(dome, 16.0, 160), endMill(6.0, 3.0), {{-16.0, -16.0, 0.0}, {16.0, 16.0, 17.0}},
-                            0.0);
+        const Ground ground = domeGround();
         PassRequest request;
         request.kind = static_cast<PassKind>(kind);
         request.stepOver = 0.5;
@@ -332,7 +336,7 @@ private slots:
         double worst = 0.0;
         std::vector<glm::dvec2> places;
         follow(*pass, [&](const glm::dvec3& tip) {
-            const double reach = radius + 3.0;
+            const double reach = domeRadius + 3.0;
             const double resting = 2.0 + std::sqrt(reach * reach - tip.x * tip.x - tip.y * tip.y) - 3.0;
             worst = std::max(worst, std::abs(tip.z - resting));
             places.emplace_back(tip);
@@ -347,12 +351,7 @@ private slots:
     }
 
     void waterlinesLieOnTheSphere() {
-        constexpr double radius = 14.0;
-        const auto dome = [](double x, double y) {
-            return 2.0 + std::sqrt(std::max(0.0, radius * radius - x * x - y * y));
-        };
-        const Ground ground(blockUnder(dome, 16.0, 160), endMill(6.0, 3.0), {{-16.0, -16.0, 0.0}, {16.0, 16.0, 17.0}},
-                            0.0);
+        const Ground ground = domeGround();
         PassRequest request;
         request.kind = PassKind::waterline;
         request.stepOver = 1.0;
@@ -402,6 +401,43 @@ private slots:
             QVERIFY2(deepest <= (rough ? 0.03 : 0.005),
                      qPrintable(QString("%1: %2 mm").arg(rowOf(request.kind).id.data()).arg(deepest)));
         }
+    }
+
+    /// A clamp on the stock: the cutter, a cylinder, keeps its margin from the box, and all else is milled as before.
+    void fixturesAreKeptClearOf() {
+        const Box clamp{{-26.0, -3.0, 10.0}, {-14.0, 3.0, 30.0}};
+        constexpr double margin = 1.0, radius = 4.0;
+        Ground ground(blockUnder(step, 25.0, 100), endMill(2.0 * radius, 0.0),
+                      {{-25.0, -25.0, 0.0}, {25.0, 25.0, 20.0}}, 0.5);
+        PassRequest request;
+        request.kind = PassKind::levels;
+        request.allowance = 0.5;
+        request.bottom = 7.0;
+        const Result<PlannedPass> free = ground.plan(request);
+        QVERIFY(free);
+        QCOMPARE(free->inTheWay, 0.0);
+        Obstacle obstacle;
+        obstacle.name = "clamp";
+        obstacle.shape = clamp;
+        obstacle.margin = margin;
+        std::vector<ObstacleSolid> solids = solidsOf(std::span(&obstacle, 1));
+        ground.ground.obstacles = solids;
+        const Result<PlannedPass> kept = ground.plan(request);
+        QVERIFY(kept);
+        double nearest = 1e9;
+        follow(*kept, [&](const glm::dvec3& tip) { // the tool reaches far above the clamp: what counts is plan
+            const glm::dvec2 beside =
+                glm::max(glm::abs(glm::dvec2(tip) - glm::dvec2(clamp.centre())) - 0.5 * glm::dvec2(clamp.size()),
+                         glm::dvec2(0.0));
+            if (tip.z < clamp.high.z + margin) nearest = std::min(nearest, glm::length(beside) - radius);
+        });
+        QVERIFY2(nearest >= margin - 1e-6, qPrintable(QString::number(nearest)));
+        QVERIFY(kept->inTheWay > 10.0);
+        QVERIFY2(std::abs(lengthOf(*kept) + kept->inTheWay - lengthOf(*free)) < 1e-6 * lengthOf(*free),
+                 qPrintable(QString("%1 + %2, not %3").arg(lengthOf(*kept)).arg(kept->inTheWay).arg(lengthOf(*free))));
+        solids.front().on = false;
+        const Result<PlannedPass> off = ground.plan(request);
+        QVERIFY(off && lengthOf(*off) == lengthOf(*free));
     }
 
     void aRequestComesBackFromItsText() {

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands/path_pass.h"
+
+#include "app/path_report.h"
+#include "app/surroundings.h"
+#include "app/wording.h"
+#include "core/base/numbers.h"
+#include "core/job/computed_pass.h"
+
+#include <algorithm>
+#include <array>
+
+namespace burin {
+
+namespace {
+
+/// What was left out and why; lines that follow others, empty where nothing was.
+std::string textOfOmissions(const ComputedPass& pass) {
+    std::string text;
+    const auto add = [&text](double length, TextId why) {
+        if (length > 0.0) text += "\n" + worded(why, {formatFixed(length, 1)});
+    };
+    add(pass.leftOut, BURIN_TEXT("Command", "%1 mm were left out: too much stock is in the way of the tool. Rough it "
+                                            "first, or use a longer tool."));
+    add(pass.inTheWay, BURIN_TEXT("Command", "%1 mm were left out: fixtures or keep-out volumes are in the way."));
+    return text;
+}
+
+/// Whether a path of the project is still made of a source. Errors: those of Project::paths.
+Result<bool> isUsed(const Project& project, PathSource source) {
+    const Result<std::vector<StoredPath>> paths = project.paths();
+    if (!paths) return paths.error();
+    return std::ranges::any_of(
+        *paths, [&](const StoredPath& path) { return std::ranges::find(path.sources, source) != path.sources.end(); });
+}
+
+/// Passes that no path is made of. Errors: also those of Project::removeGenerated.
+Result<void> removeUnused(Project& project, const std::vector<PathSource>& sources) {
+    for (const PathSource source : sources) {
+        if (!source.isGenerated()) continue;
+        const Result<bool> used = isUsed(project, source);
+        if (!used) return used.error();
+        if (*used) continue;
+        if (Result<void> removed = project.removeGenerated(source.id); !removed) return removed;
+    }
+    return {};
+}
+
+} // namespace
+
+int addPassTo(ProjectChange& project, StoredPath path, const PassArguments& arguments, const std::string& machine,
+              CommandContext& context) {
+    const Result<std::vector<SourceInfo>> sources = sourcesOf(*project);
+    if (!sources) return context.fail(sources.error());
+    const bool isNew = path.sources.empty();
+    const std::string own = isNew ? std::string() : toolOf(path, *sources);
+    const std::string toolId = arguments.tool.empty() ? own : arguments.tool;
+    if (toolId.empty())
+        return context.fail(
+            {ErrorCode::argumentInvalid, "--tool", "", worded(BURIN_TEXT("Command", "a tool for the pass"))});
+    if (!own.empty() && toolId != own)
+        return context.fail(
+            {ErrorCode::argumentInvalid, "--tool", toolId,
+             worded(BURIN_TEXT("Command", "%1, the tool of this path; make a new path for another tool"), {own})});
+    const Result<Tool> tool = toolFor(*project, toolId);
+    if (!tool) return context.fail(tool.error());
+    context.stage(BURIN_TEXT("Command", "Opening"));
+    const Result<MillingContext> milling =
+        makeMillingContext(*project, *tool, machineFor(*project, machine, context), context.progress());
+    if (!milling) return context.fail(milling.error());
+    const Result<PassRequest> request = requestOf(arguments, *project, context);
+    if (!request) return context.fail(request.error());
+    context.stage(BURIN_TEXT("Command", "Computing the pass"));
+    Result<std::vector<PathMatter>> before = pathsBeforePass(*project, path, toolId, *request);
+    if (!before) return context.fail(before.error());
+    const Result<ComputedPass> pass = computePass(*milling, std::move(*before), *request, context.progress());
+    if (!pass) return context.fail(pass.error());
+    const Result<std::int64_t> source = project->addGenerated(pass->moves);
+    if (!source) return context.fail(source.error());
+    if (const Result<void> kept = project->setTool(*tool); !kept) return context.fail(kept.error());
+    path = withPass(std::move(path), pass->moves.info.name, *source);
+    const Result<std::int64_t> id = isNew ? project->addPath(path) : Result<std::int64_t>(path.id);
+    if (!id) return context.fail(id.error());
+    path.id = *id;
+    if (!isNew)
+        if (const Result<void> stored = project->setPath(path); !stored) return context.fail(stored.error());
+    const std::string told = "\n" +
+                             worded(BURIN_TEXT("Command", "%1 mm in %2 strokes"),
+                                    {formatFixed(pass->length, 1), std::to_string(pass->moves.strokes.size())}) +
+                             textOfOmissions(*pass);
+    return saveAndAnswer(project, path, context,
+                         {{"pass", *source},
+                          {"length_mm", pass->length},
+                          {"left_out_mm", pass->leftOut},
+                          {"in_the_way_mm", pass->inTheWay},
+                          {"strokes", pass->moves.strokes.size()}},
+                         told);
+}
+
+int removeFrom(ProjectChange& project, StoredPath path, std::optional<std::int64_t> pass, CommandContext& context) {
+    std::vector<PathSource> gone = path.sources;
+    if (pass) {
+        gone = {{*pass}};
+        if (!gone.front().isGenerated() || std::erase(path.sources, gone.front()) == 0)
+            return context.fail({ErrorCode::nameUnknown, "pass", std::to_string(*pass), {}});
+    }
+    const bool whole = !pass || path.sources.empty();
+    const Result<void> changed = whole ? project->removePath(path.id) : project->setPath(path);
+    if (!changed) return context.fail(changed.error());
+    if (const Result<void> removed = removeUnused(*project, gone); !removed) return context.fail(removed.error());
+    if (!whole) return saveAndAnswer(project, path, context, {{"deleted", false}});
+    if (const Result<void> saved = project.save(); !saved) return context.fail(saved.error());
+    tellKeptEarlier(context, *project);
+    context.answer({{"id", path.id}, {"deleted", true}},
+                   worded(BURIN_TEXT("Command", "path %1 was deleted"), {std::to_string(path.id)}));
+    return 0;
+}
+
+} // namespace burin

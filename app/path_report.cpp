@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/path_report.h"
+
+#include "app/wording.h"
+#include "core/passes/pass_request.h"
+#include "core/path/edit.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace burin {
+
+using nlohmann::json;
+
+Result<std::vector<GeneratedInfo>> passesOf(const Project& project, const StoredPath& path) {
+    const Result<std::vector<GeneratedInfo>> all = project.generated();
+    if (!all) return all;
+    std::vector<GeneratedInfo> passes;
+    for (const PathSource source : path.sources)
+        if (const auto found = std::ranges::find(*all, source.id, &GeneratedInfo::id); found != all->end())
+            passes.push_back(*found);
+    return passes;
+}
+
+namespace {
+
+/// null where nothing is known of it, or what the file says is none.
+json requestOf(const GeneratedInfo& pass) {
+    const Result<PassRequest> request = passRequestFromJson(pass.request, pass.name);
+    return request ? json::parse(toJson(*request)) : json();
+}
+
+} // namespace
+
+json jsonOf(const StoredPath& path, const std::vector<GeneratedInfo>& passes) {
+    json edits = json::array(), made = json::array();
+    for (const Edit& edit : path.edits) edits.push_back(json::parse(toJson(edit)));
+    for (const GeneratedInfo& pass : passes)
+        made.push_back({{"id", pass.id},
+                        {"name", pass.name},
+                        {"tool", pass.toolId},
+                        {"points", pass.pointCount},
+                        {"request", requestOf(pass)}});
+    return {{"id", path.id}, {"name", path.name}, {"takes", takesOf(path.sources)}, {"passes", made}, {"edits", edits}};
+}
+
+std::string textOf(const StoredPath& path, const std::vector<GeneratedInfo>& passes) {
+    std::ostringstream text;
+    std::string takes;
+    for (const std::int64_t take : takesOf(path.sources)) takes += " " + std::to_string(take);
+    const std::string id = std::to_string(path.id);
+    text << (takes.empty() ? worded(BURIN_TEXT("Command", "path %1 %2"), {id, path.name})
+                           : worded(BURIN_TEXT("Command", "path %1 %2, takes%3"), {id, path.name, takes}));
+    for (const GeneratedInfo& pass : passes)
+        text << "\n  " << nameOf(PathSource{pass.id}) << "  " << pass.name << ", " << pass.toolId << ", "
+             << pass.pointCount << (pass.request.empty() ? "" : "  " + pass.request);
+    for (std::size_t i = 0; i < path.edits.size(); ++i) text << "\n  " << i << "  " << toJson(path.edits[i]);
+    return text.str();
+}
+
+Result<StoredPath> pathWithId(const Project& project, std::int64_t id) {
+    const Result<std::vector<StoredPath>> paths = project.paths();
+    if (!paths) return paths.error();
+    std::string known;
+    for (const StoredPath& path : *paths) {
+        if (path.id == id) return path;
+        known += (known.empty() ? "" : ", ") + std::to_string(path.id);
+    }
+    return Error{ErrorCode::nameUnknown, "path", std::to_string(id), known};
+}
+
+void addMoveTimes(const Path& path, json& passes) {
+    for (json& pass : passes) {
+        const std::int64_t id = pass["id"].get<std::int64_t>();
+        double length = 0.0, minutes = 0.0;
+        for (std::size_t i = 1; i < path.points.size(); ++i) {
+            const PathPoint& point = path.points[i];
+            if (point.source != id || point.kind == MoveKind::rapid) continue;
+            const double way = lengthOf(path.points[i - 1].pose.tip, point);
+            length += way;
+            if (point.feed > 0.0) minutes += way / point.feed;
+        }
+        pass["length_mm"] = length;
+        pass["time_s"] = 60.0 * minutes;
+    }
+}
+
+int saveAndAnswer(ProjectChange& project, const StoredPath& path, CommandContext& context, json further,
+                  const std::string& furtherText) {
+    const Result<std::vector<GeneratedInfo>> passes = passesOf(*project, path);
+    if (!passes) return context.fail(passes.error());
+    if (const Result<void> saved = project.save(); !saved) return context.fail(saved.error());
+    tellKeptEarlier(context, *project);
+    further.update(jsonOf(path, *passes));
+    context.answer(further, textOf(path, *passes) + furtherText);
+    return 0;
+}
+
+} // namespace burin
