@@ -6,6 +6,7 @@
 #include "app/wording.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
+#include "core/cad/face_area.h"
 #include "core/exchange/plan_drawing.h"
 #include "core/job/computed_pass.h"
 #include "ui/messages/details.h"
@@ -80,6 +81,31 @@ Result<void> addArea(const PassArguments& arguments, CommandContext& context, Pa
     return {};
 }
 
+/// Faces of the part and what strokes paint: where the tool is to touch the part.
+Result<void> addPainted(const PassArguments& arguments, const Project& project, const Model& part,
+                        CommandContext& context, PassRequest& request) {
+    for (const std::string& text : arguments.faces) {
+        const std::optional<glm::dvec3> place = vectorOf(text);
+        if (!place)
+            return Error{ErrorCode::argumentInvalid, "--face", text, worded(BURIN_TEXT("Command", "X,Y,Z in mm"))};
+        const Result<PlanRegion> face = faceArea(part, *place);
+        if (!face) return face.error();
+        request.area = joined(request.area, *face);
+    }
+    if (!arguments.paint.empty() && !(arguments.brush >= 0.1 && arguments.brush <= 1000.0))
+        return Error{ErrorCode::argumentInvalid, "--brush", formatShortest(arguments.brush),
+                     worded(BURIN_TEXT("Command", "0.1 to 1000 mm"))};
+    for (const std::int64_t take : arguments.paint) {
+        const Result<std::vector<PassLine>> lines = linesOfTake(project, take, context.progress());
+        if (!lines) return lines.error();
+        for (const PassLine& line : *lines)
+            request.area =
+                joined(request.area, brushed(std::vector<glm::dvec2>(line.begin(), line.end()), 0.5 * arguments.brush));
+    }
+    request.areaOnPart = request.areaOnPart || !arguments.faces.empty() || !arguments.paint.empty();
+    return {};
+}
+
 Result<void> addLines(const PassArguments& arguments, const Project& project, CommandContext& context,
                       PassRequest& request) {
     const auto add = [&request](std::vector<PassLine>& lines) {
@@ -105,7 +131,8 @@ Argument addPass(CommandParser command, PassArguments& arguments) {
         command
             .option("--pass", arguments.kind,
                     BURIN_TEXT("Help", "Compute a pass: levels (roughing), pocket, profile, face, parallel, radial, "
-                                       "spiral, flow (rows that follow --lead or --lines), waterline, engrave"))
+                                       "spiral, flow (rows that follow --lead or --lines), waterline, scallop, pencil "
+                                       "(concave edges), rest (what is left), engrave"))
             .choices(passIds());
     const auto withPass = [&](const Argument& argument) { return argument.needs(pass); };
     withPass(command.option("--tool", arguments.tool,
@@ -143,6 +170,16 @@ Argument addPass(CommandParser command, PassArguments& arguments) {
         "--area", arguments.area,
         BURIN_TEXT("Help", "Area of the pass, in the coordinates of the setup: closed curves of a DXF or SVG drawing, "
                            "or a JSON file with a request as \"path list --json\" prints it")));
+    withPass(command.option("--face", arguments.faces,
+                            BURIN_TEXT("Help", "Area: the face of the part at X,Y,Z, mm; can be given several times")));
+    withPass(command
+                 .option("--paint", arguments.paint,
+                         BURIN_TEXT("Help", "Area: what the strokes of these takes paint with --brush"))
+                 .separatedBy(','));
+    withPass(command.option("--brush", arguments.brush, BURIN_TEXT("Help", "Diameter of the brush of --paint, mm")));
+    withPass(command.flag("--on-part", request.areaOnPart,
+                          BURIN_TEXT("Help", "The area limits where rows touch the part, not where the tip goes "
+                                             "(always with --face and --paint)")));
     withPass(
         command.option("--lines", arguments.lines,
                        BURIN_TEXT("Help", "Curves to engrave, or that the rows of flow follow: DXF, SVG or JSON")));
@@ -157,7 +194,8 @@ Argument addPass(CommandParser command, PassArguments& arguments) {
     return pass;
 }
 
-Result<PassRequest> requestOf(const PassArguments& arguments, const Project& project, CommandContext& context) {
+Result<PassRequest> requestOf(const PassArguments& arguments, const Project& project, const Model& part,
+                              CommandContext& context) {
     PassRequest request = arguments.request;
     const Result<PassKind> kind = passKindWithId(arguments.kind);
     if (!kind) return kind.error();
@@ -166,6 +204,8 @@ Result<PassRequest> requestOf(const PassArguments& arguments, const Project& pro
     if (arguments.flattestDegrees) request.flattest = glm::radians(*arguments.flattestDegrees);
     if (arguments.steepestDegrees) request.steepest = glm::radians(*arguments.steepestDegrees);
     if (Result<void> added = addArea(arguments, context, request); !added) return std::move(added).error();
+    if (Result<void> added = addPainted(arguments, project, part, context, request); !added)
+        return std::move(added).error();
     if (Result<void> added = addLines(arguments, project, context, request); !added) return std::move(added).error();
     if (Result<void> valid = validate(request); !valid) return std::move(valid).error();
     return request;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/command.h"
+#include "core/cad/model.h"
 #include "core/document/project.h"
 #include "core/passes/pass_request.h"
 
@@ -15,7 +16,10 @@ namespace burin {
 /// What the command line says of a computed pass, as it was written.
 struct PassArguments {
     std::string kind, tool, area, lines, move, unit;
-    std::vector<std::int64_t> leads;
+    std::vector<std::int64_t> leads, paint;
+    std::vector<std::string> faces;      ///< places on the part
+    double brush = 10.0;                 ///< mm, diameter
+    std::optional<std::int64_t> instead; ///< id of the pass whose place it takes
     double directionDegrees = 0.0;
     std::optional<double> flattestDegrees, steepestDegrees;
     PassRequest request;
@@ -25,7 +29,9 @@ struct PassArguments {
 /// @return --pass itself
 Argument addPass(CommandParser command, PassArguments& arguments);
 
-/// The request that they make. Errors: those of readDrawing, linesOfTake and validate; argumentInvalid.
-Result<PassRequest> requestOf(const PassArguments& arguments, const Project& project, CommandContext& context);
+/// The request that they make. @param part as it lies in the setup
+/// Errors: those of readDrawing, linesOfTake, faceArea and validate; argumentInvalid.
+Result<PassRequest> requestOf(const PassArguments& arguments, const Project& project, const Model& part,
+                              CommandContext& context);
 
 } // namespace burin

@@ -3,6 +3,7 @@
 #include "app/path_report.h"
 
 #include "app/wording.h"
+#include "core/base/numbers.h"
 #include "core/passes/pass_request.h"
 #include "core/path/edit.h"
 
@@ -70,20 +71,28 @@ Result<StoredPath> pathWithId(const Project& project, std::int64_t id) {
     return Error{ErrorCode::nameUnknown, "path", std::to_string(id), known};
 }
 
-void addMoveTimes(const Path& path, json& passes) {
-    for (json& pass : passes) {
-        const std::int64_t id = pass["id"].get<std::int64_t>();
-        double length = 0.0, minutes = 0.0;
-        for (std::size_t i = 1; i < path.points.size(); ++i) {
-            const PathPoint& point = path.points[i];
-            if (point.source != id || point.kind == MoveKind::rapid) continue;
-            const double way = lengthOf(path.points[i - 1].pose.tip, point);
-            length += way;
-            if (point.feed > 0.0) minutes += way / point.feed;
-        }
-        pass["length_mm"] = length;
-        pass["time_s"] = 60.0 * minutes;
-    }
+void addFigures(const std::vector<PassFigures>& figures, json& passes) {
+    for (json& pass : passes)
+        for (const PassFigures& each : figures)
+            if (pass["id"].get<std::int64_t>() == each.pass)
+                pass.update({{"length_mm", each.length},
+                             {"time_s", each.duration},
+                             {"air_share", each.airShare},
+                             {"removed_mm3", each.removed},
+                             {"engagement_95_rad", each.engagement95},
+                             {"engagement_most_rad", each.engagementMost}});
+}
+
+std::string textOf(const std::vector<PassFigures>& figures) {
+    std::string text;
+    for (const PassFigures& each : figures)
+        text += "\n  " + worded(BURIN_TEXT("Command", "pass %1: %2 mm in %3 s, %4 % of it in air; %5 mm³ removed; "
+                                                      "engagement within %6° for 95 % of the cut, at most %7°"),
+                                {std::to_string(each.pass), formatFixed(each.length, 0), formatFixed(each.duration, 0),
+                                 formatFixed(100.0 * each.airShare, 1), formatFixed(each.removed, 0),
+                                 formatFixed(glm::degrees(each.engagement95), 0),
+                                 formatFixed(glm::degrees(each.engagementMost), 0)});
+    return text;
 }
 
 int saveAndAnswer(ProjectChange& project, const StoredPath& path, CommandContext& context, json further,

@@ -4,7 +4,7 @@
 
 #include "app/command.h"
 #include "core/document/project_change.h"
-#include "core/path/path.h"
+#include "core/job/pass_figures.h"
 
 #include <nlohmann/json.hpp>
 
@@ -23,8 +23,10 @@ Result<std::vector<GeneratedInfo>> passesOf(const Project& project, const Stored
 nlohmann::json jsonOf(const StoredPath& path, const std::vector<GeneratedInfo>& passes);
 /// The same for people, several lines.
 std::string textOf(const StoredPath& path, const std::vector<GeneratedInfo>& passes);
-/// Adds to each pass of `jsonOf` how long its own moves are, mm, and how long they take at their feeds, s.
-void addMoveTimes(const Path& path, nlohmann::json& passes);
+/// Adds to each pass of `jsonOf` what it does to the stock, with units in the keys.
+void addFigures(const std::vector<PassFigures>& figures, nlohmann::json& passes);
+/// The same for people, a line each.
+std::string textOf(const std::vector<PassFigures>& figures);
 
 /// Saves a change and answers with the path as it is now. @param further keys of the answer besides those of the path
 /// @return exit status

@@ -643,6 +643,38 @@
         <source>Compute roughing, finishing, a pocket, a profile or engraving with the loaded tool.</source>
         <translation>Schruppen, Schlichten, eine Tasche, eine Kontur oder eine Gravur mit dem geladenen Werkzeug berechnen.</translation>
     </message>
+    <message>
+        <source>&amp;Brush an area</source>
+        <translation>Bereich &amp;malen</translation>
+    </message>
+    <message>
+        <source>Paint the area of the next pass on the part; Shift erases.</source>
+        <translation>Den Bereich des nächsten Durchgangs auf das Teil malen; Umschalt radiert.</translation>
+    </message>
+    <message>
+        <source>&amp;Lasso an area</source>
+        <translation>Bereich mit dem &amp;Lasso</translation>
+    </message>
+    <message>
+        <source>Draw round the area of the next pass; Shift erases.</source>
+        <translation>Den Bereich des nächsten Durchgangs umfahren; Umschalt radiert.</translation>
+    </message>
+    <message>
+        <source>Pick &amp;faces as the area</source>
+        <translation>&amp;Flächen als Bereich wählen</translation>
+    </message>
+    <message>
+        <source>Click faces of the part for the next pass; Shift removes them.</source>
+        <translation>Flächen des Teils für den nächsten Durchgang anklicken; Umschalt entfernt sie.</translation>
+    </message>
+    <message>
+        <source>Clea&amp;r the area</source>
+        <translation>Be&amp;reich löschen</translation>
+    </message>
+    <message>
+        <source>The next pass goes over the whole part again.</source>
+        <translation>Der nächste Durchgang geht wieder über das ganze Teil.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -1708,6 +1740,14 @@
     <message>
         <source>path %1 was deleted</source>
         <translation>Bahn %1 wurde gelöscht</translation>
+    </message>
+    <message>
+        <source>0.1 to 1000 mm</source>
+        <translation>0,1 bis 1000 mm</translation>
+    </message>
+    <message>
+        <source>pass %1: %2 mm in %3 s, %4 % of it in air; %5 mm³ removed; engagement within %6° for 95 % of the cut, at most %7°</source>
+        <translation>Durchgang %1: %2 mm in %3 s, davon %4 % in der Luft; %5 mm³ abgetragen; Eingriff auf 95 % des Schnitts höchstens %6°, überall höchstens %7°</translation>
     </message>
 </context>
 <context>
@@ -3143,6 +3183,22 @@
     <message>
         <source>no stock is left there</source>
         <translation>dort ist kein Rohteil übrig</translation>
+    </message>
+    <message>
+        <source>a part with edges to follow; there is none</source>
+        <translation>ein Teil mit Kanten, denen zu folgen ist; es gibt keines</translation>
+    </message>
+    <message>
+        <source>a place on the part; none of it is there</source>
+        <translation>eine Stelle auf dem Teil; dort ist nichts davon</translation>
+    </message>
+    <message>
+        <source>a face that is seen from above</source>
+        <translation>eine Fläche, die von oben zu sehen ist</translation>
+    </message>
+    <message>
+        <source>the tool meets no concave edge there</source>
+        <translation>das Werkzeug trifft dort auf keine konkave Kante</translation>
     </message>
 </context>
 <context>
@@ -5448,10 +5504,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Einer Bahn eine Bearbeitung oder einen berechneten Durchgang hinzufügen</translation>
     </message>
     <message>
-        <source>Compute a pass: levels (roughing), pocket, profile, face, parallel, radial, spiral, flow (rows that follow --lead or --lines), waterline, engrave</source>
-        <translation>Einen Durchgang berechnen: levels (Schruppen), pocket (Tasche), profile (Kontur), face (Planen), parallel, radial, spiral, flow (Zeilen, die --lead oder --lines folgen), waterline (Höhenlinien), engrave (Gravur)</translation>
-    </message>
-    <message>
         <source>Tool of the pass (default: the tool of the path)</source>
         <translation>Werkzeug des Durchgangs (Vorgabe: das der Bahn)</translation>
     </message>
@@ -5538,6 +5590,34 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Unit of the drawing (default: the unit that it states)</source>
         <translation>Einheit der Zeichnung (Vorgabe: die angegebene)</translation>
+    </message>
+    <message>
+        <source>Compute a pass: levels (roughing), pocket, profile, face, parallel, radial, spiral, flow (rows that follow --lead or --lines), waterline, scallop, pencil (concave edges), rest (what is left), engrave</source>
+        <translation>Einen Durchgang berechnen: levels (Schruppen in Ebenen), pocket (Tasche), profile (Kontur), face (Planen), parallel, radial, spiral (Spirale), flow (Zeilen, die --lead oder --lines folgen), waterline (Höhenlinien), scallop (gleichmäßige Rautiefe), pencil (konkave Kanten), rest (was übrig ist), engrave (Gravieren)</translation>
+    </message>
+    <message>
+        <source>Area: the face of the part at X,Y,Z, mm; can be given several times</source>
+        <translation>Bereich: die Fläche des Teils bei X,Y,Z, mm; mehrmals möglich</translation>
+    </message>
+    <message>
+        <source>Area: what the strokes of these takes paint with --brush</source>
+        <translation>Bereich: was die Züge dieser Aufnahmen mit --brush malen</translation>
+    </message>
+    <message>
+        <source>Diameter of the brush of --paint, mm</source>
+        <translation>Durchmesser des Pinsels von --paint, mm</translation>
+    </message>
+    <message>
+        <source>The area limits where rows touch the part, not where the tip goes (always with --face and --paint)</source>
+        <translation>Der Bereich begrenzt, wo Zeilen das Teil berühren, nicht, wo die Spitze verläuft (immer bei --face und --paint)</translation>
+    </message>
+    <message>
+        <source>Compute the passes of a path again, as each was asked for</source>
+        <translation>Die Durchgänge einer Bahn noch einmal berechnen, wie sie verlangt wurden</translation>
+    </message>
+    <message>
+        <source>Compute it in place of the pass with this id</source>
+        <translation>An der Stelle des Durchgangs mit dieser Nummer berechnen</translation>
     </message>
 </context>
 <context>
@@ -6414,6 +6494,30 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Cuts along lines at a given depth below the top of the stock</source>
         <translation>Fräst Linien entlang, in einer Tiefe unter der Oberkante des Rohteils</translation>
+    </message>
+    <message>
+        <source>Scallop</source>
+        <translation>Gleichmäßige Rautiefe</translation>
+    </message>
+    <message>
+        <source>Finishing: rows that are evenly far apart on the part, from the border of the area inwards</source>
+        <translation>Schlichten: Zeilen in gleichmäßigem Abstand auf dem Teil, vom Rand des Bereichs nach innen</translation>
+    </message>
+    <message>
+        <source>Pencil</source>
+        <translation>Restkanten</translation>
+    </message>
+    <message>
+        <source>Follows the concave edges of the part</source>
+        <translation>Folgt den konkaven Kanten des Teils</translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation>Restmaterial</translation>
+    </message>
+    <message>
+        <source>Finishing only where stock is left: rows on flat faces, contours on steep ones</source>
+        <translation>Schlichten nur dort, wo Rohteil übrig ist: Zeilen auf flachen, Höhenlinien auf steilen Flächen</translation>
     </message>
 </context>
 <context>
@@ -7613,6 +7717,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>pass</source>
         <translation>Durchgang</translation>
     </message>
+    <message>
+        <source>face</source>
+        <translation>Fläche</translation>
+    </message>
 </context>
 <context>
     <name>Take</name>
@@ -7712,6 +7820,95 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Smallest distance between the tool and the part. Leave some stock while roughing; with 0 the cutter may touch the part and finish it.</source>
         <translation>Kleinster Abstand zwischen Werkzeug und Teil. Lassen Sie beim Schruppen etwas Aufmaß; mit 0 darf der Fräser das Teil berühren und schlichten.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::AreaCard</name>
+    <message>
+        <source>Clear the area: the next pass goes over the whole part</source>
+        <translation>Bereich löschen: Der nächste Durchgang geht über das ganze Teil</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Brush diameter</source>
+        <translation>Pinseldurchmesser</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel in the view changes it, too</source>
+        <translation>Strg+Rad in der Ansicht ändert ihn auch</translation>
+    </message>
+    <message>
+        <source>Area of the next pass: %1</source>
+        <translation>Bereich des nächsten Durchgangs: %1</translation>
+    </message>
+    <message>
+        <source>Area of the next pass: whole part</source>
+        <translation>Bereich des nächsten Durchgangs: ganzes Teil</translation>
+    </message>
+    <message>
+        <source>Paint on the part; Shift erases</source>
+        <translation>Auf das Teil malen; Umschalt radiert</translation>
+    </message>
+    <message>
+        <source>Draw round an area; Shift erases</source>
+        <translation>Einen Bereich umfahren; Umschalt radiert</translation>
+    </message>
+    <message>
+        <source>Click faces of the part; Shift removes</source>
+        <translation>Flächen des Teils anklicken; Umschalt entfernt</translation>
+    </message>
+    <message>
+        <source>There is no part to paint on yet.</source>
+        <translation>Es gibt noch kein Teil zum Bemalen.</translation>
+    </message>
+    <message>
+        <source>Paint the area of the next pass on the part with a brush; Shift erases</source>
+        <translation>Den Bereich des nächsten Durchgangs mit einem Pinsel auf das Teil malen; Umschalt radiert</translation>
+    </message>
+    <message>
+        <source>Draw round the area of the next pass; Shift erases</source>
+        <translation>Den Bereich des nächsten Durchgangs umfahren; Umschalt radiert</translation>
+    </message>
+    <message>
+        <source>Click faces of the part for the next pass; Shift removes them</source>
+        <translation>Flächen des Teils für den nächsten Durchgang anklicken; Umschalt entfernt sie</translation>
+    </message>
+</context>
+<context>
+    <name>burin::AreaController</name>
+    <message>
+        <source>painting an area</source>
+        <translation>Malen eines Bereichs</translation>
+    </message>
+    <message>
+        <source>erasing from an area</source>
+        <translation>Radieren aus einem Bereich</translation>
+    </message>
+    <message>
+        <source>clearing the area</source>
+        <translation>Löschen des Bereichs</translation>
+    </message>
+</context>
+<context>
+    <name>burin::AreaPainter</name>
+    <message>
+        <source>Esc: discard this stroke</source>
+        <translation>Esc: diesen Strich verwerfen</translation>
+    </message>
+    <message>
+        <source>Esc: stop painting</source>
+        <translation>Esc: Malen beenden</translation>
     </message>
 </context>
 <context>
@@ -10502,10 +10699,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Bereich</translation>
     </message>
     <message>
-        <source>Where the tool may go: the closed curves of a DXF or SVG drawing, in the coordinates of the setup</source>
-        <translation>Wo das Werkzeug sein darf: die geschlossenen Kurven einer DXF- oder SVG-Zeichnung, in den Koordinaten der Aufspannung</translation>
-    </message>
-    <message>
         <source>nothing</source>
         <translation>nichts</translation>
     </message>
@@ -10618,20 +10811,52 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Einheit der Koordinaten; nicht jede Zeichnung nennt sie</translation>
     </message>
     <message>
-        <source>Choose a drawing with the outline of the pocket.</source>
-        <translation>Wählen Sie eine Zeichnung mit dem Umriss der Tasche.</translation>
-    </message>
-    <message>
-        <source>Choose a drawing with the outline to follow.</source>
-        <translation>Wählen Sie eine Zeichnung mit dem Umriss, dem gefolgt wird.</translation>
-    </message>
-    <message>
         <source>Choose the strokes or the drawing to engrave.</source>
         <translation>Wählen Sie die Züge oder die Zeichnung, die graviert werden.</translation>
     </message>
     <message>
         <source>Choose the strokes or the drawing that the rows follow.</source>
         <translation>Wählen Sie die Züge oder die Zeichnung, denen die Zeilen folgen.</translation>
+    </message>
+    <message>
+        <source>painted area</source>
+        <translation>gemalter Bereich</translation>
+    </message>
+    <message>
+        <source>Where the tool may go: what was painted on the part, or the closed curves of a DXF or SVG drawing, in the coordinates of the setup</source>
+        <translation>Wohin das Werkzeug darf: was auf das Teil gemalt wurde, oder die geschlossenen Kurven einer DXF- oder SVG-Zeichnung, in den Koordinaten der Aufspannung</translation>
+    </message>
+    <message>
+        <source>Area on the part</source>
+        <translation>Bereich auf dem Teil</translation>
+    </message>
+    <message>
+        <source>The area limits where the tool touches the part, not where its tip goes</source>
+        <translation>Der Bereich begrenzt, wo das Werkzeug das Teil berührt, nicht, wo seine Spitze verläuft</translation>
+    </message>
+    <message>
+        <source>Paint the area of the pocket, or choose a drawing with its outline.</source>
+        <translation>Malen Sie den Bereich der Tasche, oder wählen Sie eine Zeichnung mit ihrem Umriss.</translation>
+    </message>
+    <message>
+        <source>Paint an area, or choose a drawing with the outline to follow.</source>
+        <translation>Malen Sie einen Bereich, oder wählen Sie eine Zeichnung mit dem Umriss, dem gefolgt wird.</translation>
+    </message>
+    <message>
+        <source>Change a pass</source>
+        <translation>Durchgang ändern</translation>
+    </message>
+    <message>
+        <source>area of this pass</source>
+        <translation>Bereich dieses Durchgangs</translation>
+    </message>
+    <message>
+        <source>lines of this pass</source>
+        <translation>Linien dieses Durchgangs</translation>
+    </message>
+    <message>
+        <source>Burin computes this pass of %1 again, for the stock that what is milled before it leaves. It keeps its place in the path.</source>
+        <translation>Burin berechnet diesen Durchgang von %1 noch einmal, für das Rohteil, wie es das zuvor Gefräste lässt. Sein Platz in der Bahn bleibt.</translation>
     </message>
 </context>
 <context>
@@ -10845,6 +11070,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>%1 of the pass were left out: fixtures or keep-out volumes are in the way.</source>
         <translation>%1 des Durchgangs wurden ausgelassen: Spannmittel oder Sperrräume sind im Weg.</translation>
+    </message>
+    <message>
+        <source>Change this pass and compute it again</source>
+        <translation>Diesen Durchgang ändern und neu berechnen</translation>
     </message>
 </context>
 <context>

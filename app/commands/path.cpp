@@ -32,7 +32,7 @@ struct PathArguments {
     std::vector<std::int64_t> takes;
     std::size_t place = 0;
     PassArguments pass;
-    std::optional<std::int64_t> deletedPass;
+    std::optional<std::int64_t> meantPass; ///< that is deleted, or computed again
 };
 
 int list(const PathArguments& arguments, CommandContext& context) {
@@ -111,7 +111,6 @@ Result<void> applyEdit(StoredPath& path, const PathArguments& arguments) {
 }
 
 /// An edit, or a pass.
-
 int addTo(const PathArguments& arguments, CommandContext& context) {
     if (arguments.pass.kind.empty() && arguments.edit.empty())
         return context.fail({ErrorCode::argumentInvalid, "--edit", "",
@@ -129,7 +128,15 @@ int remove(const PathArguments& arguments, CommandContext& context) {
     Result<ProjectChange> project = projectToChange(arguments.project, context);
     if (!project) return context.fail(project.error());
     const Result<StoredPath> path = pathWithId(**project, arguments.path);
-    return path ? removeFrom(*project, *path, arguments.deletedPass, context) : context.fail(path.error());
+    return path ? removeFrom(*project, *path, arguments.meantPass, context) : context.fail(path.error());
+}
+
+int computeAgain(const PathArguments& arguments, CommandContext& context) {
+    Result<ProjectChange> project = projectToChange(arguments.project, context);
+    if (!project) return context.fail(project.error());
+    const Result<StoredPath> path = pathWithId(**project, arguments.path);
+    if (!path) return context.fail(path.error());
+    return recompute(*project, *path, arguments.meantPass, arguments.machine, context);
 }
 
 Result<void> checkPosition(const StoredPath& path, const PathArguments& arguments) {
@@ -203,7 +210,10 @@ int show(const PathArguments& arguments, CommandContext& context) {
     const Result<std::vector<GeneratedInfo>> passes = passesOf(*project, *stored);
     if (!passes) return context.fail(passes.error());
     json answer = jsonOf(*stored, *passes);
-    addMoveTimes(path->path, answer["passes"]);
+    const Result<std::vector<PassFigures>> figures =
+        passFigures(*project, *milling, *stored, *path, context.progress());
+    if (!figures) return context.fail(figures.error());
+    addFigures(*figures, answer["passes"]);
     answer["reports"] = burin::jsonOf(path->reports);
     answer["points"] = path->path.points.size();
     answer["error_budget_mm"] = path->errorBudget;
@@ -212,7 +222,7 @@ int show(const PathArguments& arguments, CommandContext& context) {
                  conventional = bySide[static_cast<std::size_t>(MillingSide::conventional)];
     answer["climb_mm"] = climb;
     answer["conventional_mm"] = conventional;
-    std::string text = textOf(*stored, *passes) + "\n" +
+    std::string text = textOf(*stored, *passes) + textOf(*figures) + "\n" +
                        worded(BURIN_TEXT("Command", "%1 points, error budget %2 mm, climb %3 mm, conventional %4 mm"),
                               {std::to_string(path->path.points.size()), formatFixed(path->errorBudget, 4),
                                formatFixed(climb, 1), formatFixed(conventional, 1)});
@@ -327,12 +337,24 @@ void registerPath(CommandParser program, CommandContext& context, int& status) {
     const CommandParser erase = withPath(
         add("delete", BURIN_TEXT("Help", "Delete a path with its computed passes, or one of its passes; takes stay"),
             remove));
-    erase.option(
-        "--pass",
-        [arguments](const std::string& id) {
-            arguments->deletedPass = parseNumber(id) ? static_cast<std::int64_t>(*parseNumber(id)) : 0;
-        },
-        BURIN_TEXT("Help", "Id of the pass, as \"path P list --json\" shows it"));
+    const CommandParser again = withPath(add(
+        "recompute", BURIN_TEXT("Help", "Compute the passes of a path again, as each was asked for"), computeAgain));
+    again.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
+    for (const CommandParser& one : {erase, again})
+        one.option(
+            "--pass",
+            [arguments](const std::string& id) {
+                arguments->meantPass = parseNumber(id) ? static_cast<std::int64_t>(*parseNumber(id)) : 0;
+            },
+            BURIN_TEXT("Help", "Id of the pass, as \"path P list --json\" shows it"));
+    further
+        .option(
+            "--instead",
+            [arguments](const std::string& id) {
+                arguments->pass.instead = parseNumber(id) ? static_cast<std::int64_t>(*parseNumber(id)) : 0;
+            },
+            BURIN_TEXT("Help", "Compute it in place of the pass with this id"))
+        .needs(furtherPass);
     const CommandParser undo =
         withPath(add("undo", BURIN_TEXT("Help", "Delete an edit from a path"),
                      [](const PathArguments& given, CommandContext& where) {

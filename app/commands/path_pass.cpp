@@ -49,12 +49,69 @@ Result<void> removeUnused(Project& project, const std::vector<PathSource>& sourc
 
 } // namespace
 
+namespace {
+
+/// What a pass came to.
+struct KeptPass {
+    StoredPath path;
+    std::int64_t source = 0;
+    ComputedPass pass;
+
+    nlohmann::json json() const {
+        return {{"pass", source},
+                {"length_mm", pass.length},
+                {"left_out_mm", pass.leftOut},
+                {"in_the_way_mm", pass.inTheWay},
+                {"strokes", pass.moves.strokes.size()}};
+    }
+    std::string text() const {
+        return "\n" +
+               worded(BURIN_TEXT("Command", "%1 mm in %2 strokes"),
+                      {formatFixed(pass.length, 1), std::to_string(pass.moves.strokes.size())}) +
+               textOfOmissions(pass);
+    }
+};
+
+/// Computes a pass, and keeps it in the project as a source of the path. Errors: those of pathsBeforePass, computePass
+/// and Project.
+Result<KeptPass> keepPass(Project& project, const MillingContext& milling, StoredPath path, const PassRequest& request,
+                          std::optional<std::int64_t> instead, CommandContext& context) {
+    context.stage(BURIN_TEXT("Command", "Computing the pass"));
+    Result<std::vector<PathMatter>> before = pathsBeforePass(project, path, milling.tool.id, request, instead);
+    if (!before) return std::move(before).error();
+    Result<ComputedPass> pass = computePass(milling, std::move(*before), request, context.progress());
+    if (!pass) return std::move(pass).error();
+    const Result<std::int64_t> source = project.addGenerated(pass->moves);
+    if (!source) return source.error();
+    if (const Result<void> kept = project.setTool(milling.tool); !kept) return kept.error();
+    const bool isNew = path.sources.empty();
+    path = withPass(std::move(path), pass->moves.info.name, *source, instead);
+    const Result<std::int64_t> id = isNew ? project.addPath(path) : Result<std::int64_t>(path.id);
+    if (!id) return id.error();
+    path.id = *id;
+    if (!isNew)
+        if (const Result<void> stored = project.setPath(path); !stored) return stored.error();
+    if (instead)
+        if (const Result<void> removed = removeUnused(project, {{*instead}}); !removed) return removed.error();
+    return KeptPass{std::move(path), *source, std::move(*pass)};
+}
+
+/// Errors: nameUnknown.
+Result<void> checkPassOf(const StoredPath& path, std::optional<std::int64_t> pass) {
+    if (!pass ||
+        (PathSource{*pass}.isGenerated() && std::ranges::find(path.sources, PathSource{*pass}) != path.sources.end()))
+        return {};
+    return Error{ErrorCode::nameUnknown, "pass", std::to_string(*pass), {}};
+}
+
+} // namespace
+
 int addPassTo(ProjectChange& project, StoredPath path, const PassArguments& arguments, const std::string& machine,
               CommandContext& context) {
+    if (const Result<void> known = checkPassOf(path, arguments.instead); !known) return context.fail(known.error());
     const Result<std::vector<SourceInfo>> sources = sourcesOf(*project);
     if (!sources) return context.fail(sources.error());
-    const bool isNew = path.sources.empty();
-    const std::string own = isNew ? std::string() : toolOf(path, *sources);
+    const std::string own = path.sources.empty() ? std::string() : toolOf(path, *sources);
     const std::string toolId = arguments.tool.empty() ? own : arguments.tool;
     if (toolId.empty())
         return context.fail(
@@ -69,33 +126,38 @@ int addPassTo(ProjectChange& project, StoredPath path, const PassArguments& argu
     const Result<MillingContext> milling =
         makeMillingContext(*project, *tool, machineFor(*project, machine, context), context.progress());
     if (!milling) return context.fail(milling.error());
-    const Result<PassRequest> request = requestOf(arguments, *project, context);
+    const Result<PassRequest> request = requestOf(arguments, *project, *milling->partModel, context);
     if (!request) return context.fail(request.error());
-    context.stage(BURIN_TEXT("Command", "Computing the pass"));
-    Result<std::vector<PathMatter>> before = pathsBeforePass(*project, path, toolId, *request);
-    if (!before) return context.fail(before.error());
-    const Result<ComputedPass> pass = computePass(*milling, std::move(*before), *request, context.progress());
-    if (!pass) return context.fail(pass.error());
-    const Result<std::int64_t> source = project->addGenerated(pass->moves);
-    if (!source) return context.fail(source.error());
-    if (const Result<void> kept = project->setTool(*tool); !kept) return context.fail(kept.error());
-    path = withPass(std::move(path), pass->moves.info.name, *source);
-    const Result<std::int64_t> id = isNew ? project->addPath(path) : Result<std::int64_t>(path.id);
-    if (!id) return context.fail(id.error());
-    path.id = *id;
-    if (!isNew)
-        if (const Result<void> stored = project->setPath(path); !stored) return context.fail(stored.error());
-    const std::string told = "\n" +
-                             worded(BURIN_TEXT("Command", "%1 mm in %2 strokes"),
-                                    {formatFixed(pass->length, 1), std::to_string(pass->moves.strokes.size())}) +
-                             textOfOmissions(*pass);
-    return saveAndAnswer(project, path, context,
-                         {{"pass", *source},
-                          {"length_mm", pass->length},
-                          {"left_out_mm", pass->leftOut},
-                          {"in_the_way_mm", pass->inTheWay},
-                          {"strokes", pass->moves.strokes.size()}},
-                         told);
+    const Result<KeptPass> kept = keepPass(*project, *milling, std::move(path), *request, arguments.instead, context);
+    if (!kept) return context.fail(kept.error());
+    return saveAndAnswer(project, kept->path, context, kept->json(), kept->text());
+}
+
+int recompute(ProjectChange& project, StoredPath path, std::optional<std::int64_t> pass, const std::string& machine,
+              CommandContext& context) {
+    if (const Result<void> known = checkPassOf(path, pass); !known) return context.fail(known.error());
+    const Result<std::vector<GeneratedInfo>> passes = passesOf(*project, path);
+    if (!passes) return context.fail(passes.error());
+    if (passes->empty()) return context.fail({ErrorCode::nameUnknown, "pass", std::to_string(path.id), {}});
+    const Result<Tool> tool = toolFor(*project, passes->front().toolId);
+    if (!tool) return context.fail(tool.error());
+    context.stage(BURIN_TEXT("Command", "Opening"));
+    const Result<MillingContext> milling =
+        makeMillingContext(*project, *tool, machineFor(*project, machine, context), context.progress());
+    if (!milling) return context.fail(milling.error());
+    nlohmann::json made = nlohmann::json::array();
+    std::string text;
+    for (const GeneratedInfo& each : *passes) {
+        if (pass && each.id != *pass) continue;
+        const Result<PassRequest> request = passRequestFromJson(each.request, each.name);
+        if (!request) return context.fail(request.error());
+        Result<KeptPass> kept = keepPass(*project, *milling, std::move(path), *request, each.id, context);
+        if (!kept) return context.fail(kept.error());
+        made.push_back(kept->json());
+        text += kept->text();
+        path = std::move(kept->path);
+    }
+    return saveAndAnswer(project, path, context, {{"computed", std::move(made)}}, text);
 }
 
 int removeFrom(ProjectChange& project, StoredPath path, std::optional<std::int64_t> pass, CommandContext& context) {

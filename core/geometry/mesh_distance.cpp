@@ -65,6 +65,7 @@ public:
     const Box& bounds() const noexcept { return tree_.bounds(); }
     bool empty() const noexcept { return tree_.empty(); }
     std::span<const Triangle> triangles() const noexcept { return tree_.triangles(); }
+    std::optional<TriangleHit> hit(const Ray& ray) const noexcept { return nearestHit(ray, tree_); }
     std::size_t triangleOf(std::size_t slot) const noexcept { return tree_.order()[slot]; }
 
     /// @param passed  takes a distance: but for what was found nothing is nearer
@@ -390,6 +391,10 @@ void MeshDistance::trianglesNear(const glm::dvec3& point, double within, std::ve
 
 ClosestPoint MeshDistance::closestOf(std::span<const std::uint32_t> numbers, const glm::dvec3& point) const noexcept {
     return tree_->closestOf(numbers, point);
+}
+
+std::optional<TriangleHit> MeshDistance::hit(const Ray& ray) const noexcept {
+    return tree_->hit(ray);
 }
 
 Box MeshDistance::bounds() const noexcept {

@@ -7,11 +7,13 @@
 #include "core/geometry/revolved_piece.h"
 #include "core/geometry/triangle.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/geometry/triangle_ray.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -88,6 +90,9 @@ public:
     /// finite enter nothing; once cancelled, what is not known yet is 0.
     std::vector<std::uint8_t> entered(std::span<const RevolvedPiece> tool, const glm::dvec3& axis,
                                       std::span<const glm::dvec3> tips, double depth, const Progress& progress) const;
+
+    /// What a ray meets first; nothing: it meets none.
+    std::optional<TriangleHit> hit(const Ray& ray) const noexcept;
 
     /// mm, the mesh's frame; empty for an empty mesh.
     Box bounds() const noexcept;

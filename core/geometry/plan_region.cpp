@@ -12,8 +12,9 @@ namespace {
 
 /// Clipper works on whole numbers; these stay in the range in which it needs no 128-bit products.
 constexpr double unitsPerMillimetre = 1e4;
-constexpr double lineTolerance = 1e-3; // mm, of the ends of lines
-constexpr double mitreLimit = 2.0;     // no corner is mitred, Clipper asks for it all the same
+constexpr double lineTolerance = 1e-3;  // mm, of the ends of lines
+constexpr double brushTolerance = 0.01; // mm, of a brush's round ends
+constexpr double mitreLimit = 2.0;      // no corner is mitred, Clipper asks for it all the same
 
 ClipperLib::IntPoint toUnits(const glm::dvec2& place) {
     const auto whole = [](double value) {
@@ -112,6 +113,27 @@ PlanRegion cleaned(const PlanRegion& region, double tolerance) {
 
 PlanRegion around(const std::vector<glm::dvec2>& line, double distance) {
     return offset({toUnits(line)}, distance, lineTolerance, ClipperLib::etOpenButt);
+}
+
+PlanRegion brushed(const std::vector<glm::dvec2>& line, double radius) {
+    return offset({toUnits(line)}, radius, brushTolerance, ClipperLib::etOpenRound);
+}
+
+PlanRegion joined(const PlanRegion& one, const PlanRegion& other) {
+    return toMillimetres(combined(toUnits(one), toUnits(other), ClipperLib::ctUnion));
+}
+
+PlanRegion filledBy(const std::vector<PlanRing>& rings) {
+    ClipperLib::Paths paths;
+    ClipperLib::SimplifyPolygons(toUnits(PlanRegion{rings}), paths, ClipperLib::pftNonZero);
+    return toMillimetres(paths);
+}
+
+double areaInPlan(const PlanRegion& region) {
+    double area = 0.0;
+    for (const ClipperLib::Path& path : combined(toUnits(region), {}, ClipperLib::ctUnion))
+        area += ClipperLib::Area(path); // holes turn the other way
+    return area / (unitsPerMillimetre * unitsPerMillimetre);
 }
 
 PlanRegion without(const PlanRegion& one, const PlanRegion& other) {

@@ -45,7 +45,14 @@ PlanRegion grown(const PlanRegion& region, double distance, double tolerance = 0
 PlanRegion cleaned(const PlanRegion& region, double tolerance);
 /// What lies within `distance` > 0 of a line that is open, ends square.
 PlanRegion around(const std::vector<glm::dvec2>& line, double distance);
+/// What a round brush paints along a line, that is also a single place. @param radius mm, > 0
+PlanRegion brushed(const std::vector<glm::dvec2>& line, double radius);
+PlanRegion joined(const PlanRegion& one, const PlanRegion& other);
 PlanRegion without(const PlanRegion& one, const PlanRegion& other);
+/// What lies within rings that turn more often one way than the other about it, as the outlines of a surface do.
+PlanRegion filledBy(const std::vector<PlanRing>& rings);
+/// mm²
+double areaInPlan(const PlanRegion& region);
 std::vector<PlanPiece> piecesOf(const PlanRegion& region);
 
 } // namespace burin

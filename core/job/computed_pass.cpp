@@ -26,16 +26,18 @@ double lengthOf(const PlannedPass& planned) {
 }
 
 /// Why a pass has nothing to do, in the words of a detail.
-const char* whyEmpty(const PlannedPass& planned) {
+const char* whyEmpty(const PlannedPass& planned, const PassRequest& request) {
     if (planned.inTheWay > 0.0) return "fixtures or keep-out volumes are in the way: move them";
     if (planned.leftOut > 0.0) return "too much stock is in the way of the tool: rough it first, or use a longer tool";
+    if (request.kind == PassKind::pencil && !request.restOnly) return "the tool meets no concave edge there";
     return "no stock is left there";
 }
 
 } // namespace
 
-Result<std::vector<PathMatter>> pathsBeforePass(const Project& project, const StoredPath& path,
-                                                const std::string& toolId, const PassRequest& request) {
+Result<std::vector<PathMatter>> pathsBeforePass(const Project& project, StoredPath path, const std::string& toolId,
+                                                const PassRequest& request, std::optional<std::int64_t> instead) {
+    if (instead) path.sources.erase(std::ranges::find(path.sources, PathSource{*instead}), path.sources.end());
     return pathsBefore(project, path, {{yetToCome}, toolId, request.allowance, 0.0});
 }
 
@@ -72,7 +74,7 @@ Result<ComputedPass> computePass(const MillingContext& milling, std::vector<Path
     const Result<PlannedPass> planned = planPass(request, ground, progress);
     if (!planned) return planned.error();
     if (planned->strokes.empty())
-        return Error{ErrorCode::pathEmpty, rowOf(request.kind).title.text, "", whyEmpty(*planned)};
+        return Error{ErrorCode::pathEmpty, rowOf(request.kind).title.text, "", whyEmpty(*planned, request)};
     GeneratedInfo info;
     info.name = rowOf(request.kind).title.text;
     info.toolId = milling.tool.id;
@@ -81,7 +83,12 @@ Result<ComputedPass> computePass(const MillingContext& milling, std::vector<Path
     return ComputedPass{movesOf(*planned, std::move(info)), lengthOf(*planned), planned->leftOut, planned->inTheWay};
 }
 
-StoredPath withPass(StoredPath path, const std::string& passName, std::int64_t source) {
+StoredPath withPass(StoredPath path, const std::string& passName, std::int64_t source,
+                    std::optional<std::int64_t> instead) {
+    if (instead) {
+        std::ranges::replace(path.sources, PathSource{*instead}, PathSource{source});
+        return path;
+    }
     if (path.sources.empty()) {
         if (path.name.empty()) path.name = passName;
         path.edits = computedEdits();

@@ -19,9 +19,11 @@ struct ComputedPass {
 };
 
 /// What stands before a pass in the job. @param path that it becomes the last source of; without sources: a new one
+/// @param instead the pass of the path whose place it takes: what comes behind that does not count
 /// Errors: those of matterOf.
-Result<std::vector<PathMatter>> pathsBeforePass(const Project& project, const StoredPath& path,
-                                                const std::string& toolId, const PassRequest& request);
+Result<std::vector<PathMatter>> pathsBeforePass(const Project& project, StoredPath path, const std::string& toolId,
+                                                const PassRequest& request,
+                                                std::optional<std::int64_t> instead = std::nullopt);
 
 /// Computes a pass on the stock as the paths before it leave it. Any thread.
 /// @param milling with the pass's tool
@@ -32,7 +34,9 @@ Result<ComputedPass> computePass(const MillingContext& milling, std::vector<Path
 
 /// A path with a pass as its last source, or as its first with the edits of computed paths.
 /// @param path with or without sources @param source id of the pass in the project
-StoredPath withPass(StoredPath path, const std::string& passName, std::int64_t source);
+/// @param instead the pass of the path whose place it takes
+StoredPath withPass(StoredPath path, const std::string& passName, std::int64_t source,
+                    std::optional<std::int64_t> instead = std::nullopt);
 
 /// The strokes of a take as lines that lead a pass: smoothed, so that a hand's tremor is in no row. mm, setup frame.
 /// Errors: those of Project::take and evaluate; pathEmpty.

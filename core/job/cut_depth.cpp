@@ -47,15 +47,22 @@ Tool plannedTool(const MillingContext& milling) {
 StandingStock seenFromAbove(const RunVolume& workpiece) {
     const Grid& grid = workpiece.grid();
     if (grid.axis() != RunAxis::z) return {};
-    StandingStock standing{glm::dvec2(grid.low()), grid.edge(), grid.lineCountU(), grid.lineCountV(), {}};
+    StandingStock standing{glm::dvec2(grid.low()), grid.edge(), grid.lineCountU(), grid.lineCountV(), {}, {}};
     for (std::int32_t v = 0; v < grid.lineCountV(); ++v)
         for (std::int32_t u = 0; u < grid.lineCountU(); ++u) {
-            double highest = WorkpieceHeights::nothing;
-            for (const Segment& segment : workpiece.line({u, v}))
-                if (segment.property() != airProperty &&
-                    workpiece.properties()[segment.property()].machinability == Machinability::machinable)
-                    highest = std::max(highest, grid.toMillimetres(segment.end()));
+            double highest = WorkpieceHeights::nothing, thickness = 0.0, from = grid.low().z;
+            for (const Segment& segment : workpiece.line({u, v})) {
+                const double to = grid.toMillimetres(segment.end());
+                const PropertyIndex property = segment.property();
+                if (property != airProperty &&
+                    workpiece.properties()[property].machinability == Machinability::machinable) {
+                    thickness = to - from;
+                    highest = to;
+                }
+                from = to;
+            }
             standing.heights.push_back(highest);
+            standing.thickness.push_back(thickness);
         }
     return standing;
 }

@@ -10,7 +10,7 @@
 
 namespace burin {
 
-const std::array<PassKindRow, 10> passKinds{{
+const std::array<PassKindRow, 13> passKinds{{
     {PassKind::levels, "levels", BURIN_TEXT("Pass", "Levels"),
      BURIN_TEXT("Pass", "Roughing: clears the stock level by level, in loops along the part")},
     {PassKind::pocket, "pocket", BURIN_TEXT("Pass", "Pocket"),
@@ -29,6 +29,12 @@ const std::array<PassKindRow, 10> passKinds{{
                 "Finishing: rows on the part that follow a stroke, or are blended from one stroke to the next")},
     {PassKind::waterline, "waterline", BURIN_TEXT("Pass", "Waterline"),
      BURIN_TEXT("Pass", "Finishing of steep faces: contours of the part at constant Z")},
+    {PassKind::scallop, "scallop", BURIN_TEXT("Pass", "Scallop"),
+     BURIN_TEXT("Pass", "Finishing: rows that are evenly far apart on the part, from the border of the area inwards")},
+    {PassKind::pencil, "pencil", BURIN_TEXT("Pass", "Pencil"),
+     BURIN_TEXT("Pass", "Follows the concave edges of the part")},
+    {PassKind::rest, "rest", BURIN_TEXT("Pass", "Rest"),
+     BURIN_TEXT("Pass", "Finishing only where stock is left: rows on flat faces, contours on steep ones")},
     {PassKind::engrave, "engrave", BURIN_TEXT("Pass", "Engraving"),
      BURIN_TEXT("Pass", "Cuts along lines at a given depth below the top of the stock")},
 }};

@@ -26,6 +26,9 @@ enum class PassKind : std::uint8_t {
     spiral,    ///< one row round a centre on the part
     flow,      ///< rows on the part that follow lines, blended between them
     waterline, ///< along the part at one height after the other
+    scallop,   ///< rows on the part that are evenly far apart on it
+    pencil,    ///< along concave edges of the part
+    rest,      ///< rows and contours where stock is left
     engrave,   ///< along lines, at a depth
 };
 
@@ -39,7 +42,7 @@ struct PassKindRow {
     TextId title, toolTip;
 };
 /// All kinds, in the order of the enumeration.
-extern const std::array<PassKindRow, 10> passKinds;
+extern const std::array<PassKindRow, 13> passKinds;
 const PassKindRow& rowOf(PassKind kind) noexcept;
 /// Errors: nameUnknown (detail: those that there are).
 Result<PassKind> passKindWithId(std::string_view id);
@@ -62,11 +65,12 @@ struct PassRequest {
     double flattest = 0.0;      ///< slope of the part, from level: rows and waterlines stay where it is no less …
     double steepest = anySlope; ///< … and no more
     std::optional<double> top,
-        bottom;            ///< heights of the first stock and of the lowest tip; none: the stock's, the part's
-    bool oneWay = false;   ///< rows all in one direction
-    bool inside = false;   ///< of `profile`: within the area's border instead of around it
-    bool restOnly = false; ///< rows only where stock is left
-    PlanRegion area;       ///< where the tip may be; of pocket and profile: what the cutter makes. Empty: everywhere
+        bottom;              ///< heights of the first stock and of the lowest tip; none: the stock's, the part's
+    bool oneWay = false;     ///< rows all in one direction
+    bool inside = false;     ///< of `profile`: within the area's border instead of around it
+    bool restOnly = false;   ///< rows only where stock is left
+    bool areaOnPart = false; ///< of rows and waterlines: the area is of what the tool touches, not of its tip
+    PlanRegion area;         ///< where the tip may be; of pocket and profile: what the cutter makes. Empty: everywhere
     std::vector<PassLine> lines;
     double depth = 0.0; ///< of `engrave`, below the top
 

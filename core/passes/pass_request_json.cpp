@@ -27,8 +27,10 @@ struct SwitchKey {
     const char* key;
     bool PassRequest::*member;
 };
-constexpr SwitchKey switchKeys[] = {
-    {"one_way", &PassRequest::oneWay}, {"inside", &PassRequest::inside}, {"rest_only", &PassRequest::restOnly}};
+constexpr SwitchKey switchKeys[] = {{"one_way", &PassRequest::oneWay},
+                                    {"inside", &PassRequest::inside},
+                                    {"rest_only", &PassRequest::restOnly},
+                                    {"area_on_part", &PassRequest::areaOnPart}};
 struct HeightKey {
     const char* key;
     std::optional<double> PassRequest::*member;

@@ -24,12 +24,17 @@ Result<PlannedPass> planPass(const PassRequest& request, const PassGround& groun
             return planLevels(request, ground, progress);
         case PassKind::waterline:
             return planWaterlines(request, ground, progress);
+        case PassKind::pencil:
+            return planPencil(request, ground, progress);
+        case PassKind::rest:
+            return planRest(request, ground, progress);
         case PassKind::engrave:
             return planEngraving(request, ground, progress);
         case PassKind::parallel:
         case PassKind::radial:
         case PassKind::spiral:
         case PassKind::flow:
+        case PassKind::scallop:
             break;
         }
         return planRows(request, ground, progress);

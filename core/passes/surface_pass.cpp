@@ -4,61 +4,25 @@
 
 #include "core/base/parallel.h"
 #include "core/base/parallel_progress.h"
-#include "core/geometry/lowest_clear.h"
-#include "core/passes/tip_drop.h"
+#include "core/base/units.h"
+#include "core/passes/surface_trace.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 
 namespace burin {
 namespace {
 
-constexpr double coarsest = 0.2;        // mm between places of a row
-constexpr double chordError = 0.002;    // mm between a row and the part's surface of tips, at the middle of two places
-constexpr double closest = 0.02;        // mm between places
-constexpr double straightWithin = 5e-4; // mm: places that a straight way passes as near as that are left out
-constexpr double tolerance = 1e-6;      // mm
-
-/// A place of a row.
-struct RowPlace {
-    glm::dvec3 tip{0.0};
-    bool onPart = false;
-};
-
-/// Leaves out what lies on the straight way between its neighbours.
-TipLine straightened(const TipLine& line) {
-    if (line.size() < 3) return line;
-    TipLine kept{line.front()};
-    std::size_t from = 0;
-    constexpr std::size_t longest = 400; // places
-    for (std::size_t i = 2; i < line.size(); ++i) {
-        const glm::dvec3 along = line[i] - line[from];
-        const double length = glm::length(along);
-        bool straight = length > 0.0 && i - from < longest;
-        for (std::size_t k = from + 1; k < i && straight; ++k)
-            straight = glm::length(glm::cross(line[k] - line[from], along)) <= straightWithin * length;
-        if (straight) continue;
-        from = i - 1;
-        kept.push_back(line[from]);
-    }
-    kept.push_back(line.back());
-    return kept;
-}
+constexpr double coarsest = 0.2;   // mm between places of a line that is engraved
+constexpr double tolerance = 1e-6; // mm
 
 class RowPlanner {
 public:
     RowPlanner(const PassRequest& request, const PassGround& ground, Progress& progress)
-        : request_(request)
-        , ground_(ground)
-        , progress_(progress)
-        , pieces_(pieces(ground.tool.cutter))
-        , heights_(ground.stock, ground.tool.cutter)
-        , bottom_(
-              request.bottom.value_or(ground.part.bounds().empty() ? ground.stock.low.z : ground.part.bounds().low.z)) {
-        heights_.lowerTo(ground.standing);
-    }
+        : request_(request), ground_(ground), progress_(progress), trace_(request, ground) {}
 
     Result<PlannedPass> plan() {
         if (ground_.part.bounds().empty())
@@ -67,13 +31,14 @@ public:
         const Result<double> stepOver = stepOverOf(request_, ground_.tool.cutter);
         if (!stepOver) return stepOver.error();
         stepOver_ = *stepOver;
-        const std::vector<PlanRow> rows = rowsOf(request_, bounds(), stepOver_);
+        const std::vector<PlanRow> rows = rowsOnPart();
+        const ProgressPart part(progress_, 0.5, 1.0);
         std::vector<std::vector<TipLine>> stretches(rows.size());
         std::vector<double> leftOut(rows.size(), 0.0);
         ParallelProgress done(progress_, rows.size());
         parallelFor(std::size_t{0}, rows.size(), [&](std::size_t i) {
             if (progress_.cancelled()) return;
-            stretches[i] = stretchesOf(rows[i], leftOut[i]);
+            stretches[i] = trace_.along(rows[i], leftOut[i]);
             done.add();
         });
         if (progress_.cancelled()) return Error{ErrorCode::cancelled, "pass", "", ""};
@@ -84,83 +49,13 @@ public:
     }
 
 private:
-    /// Over the area, or the part and as far beside it as the tool touches it.
-    PlanBounds bounds() const {
-        if (!request_.area.empty()) return boundsOf(request_.area);
-        const Box part = ground_.part.bounds();
-        const double reach = ground_.tool.cutter.radius();
-        return {glm::dvec2(part.low) - reach, glm::dvec2(part.high) + reach};
+    std::vector<PlanRow> rowsOnPart() const {
+        if (request_.kind != PassKind::scallop) return rowsOf(request_, trace_.bounds(), stepOver_);
+        const ProgressPart part(progress_, 0.0, 0.5);
+        const bool ball = ground_.tool.cutter.cornerRadius >= ground_.tool.cutter.radius();
+        return scallopRows(trace_, stepOver_, ball, progress_);
     }
 
-    std::vector<TipLine> stretchesOf(const PlanRow& row, double& leftOut) const {
-        TipDrop drop(ground_.part, pieces_, request_.allowance, bottom_);
-        std::vector<TipLine> stretches;
-        bool open = false;
-        std::optional<RowPlace> before;
-        const auto add = [&](const RowPlace& place) {
-            const bool wanted = isWanted(place, drop);
-            const bool possible = wanted && isPossible(place);
-            if (wanted && !possible && before) leftOut += glm::distance(before->tip, place.tip);
-            if (possible && !open) stretches.emplace_back();
-            open = possible;
-            if (possible) stretches.back().push_back(place.tip);
-            before = place;
-        };
-        for (std::size_t i = 1; i < row.size(); ++i) {
-            const glm::dvec2 &from = row[i - 1], &to = row[i];
-            const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / coarsest)));
-            for (int k = 0; k < steps; ++k) {
-                const RowPlace first = before ? *before : placeAt(from, drop);
-                if (!before) add(first);
-                const RowPlace last = placeAt(glm::mix(from, to, static_cast<double>(k + 1) / steps), drop);
-                between(first, last, drop, add);
-                add(last);
-            }
-        }
-        std::erase_if(stretches, [](const TipLine& line) { return line.size() < 2; });
-        return stretches;
-    }
-
-    /// Adds places where the straight way between two leaves the part's surface of tips.
-    template <class Add>
-    void between(const RowPlace& first, const RowPlace& last, TipDrop& drop, const Add& add) const {
-        const glm::dvec2 from(first.tip), to(last.tip);
-        if (glm::distance(from, to) < 2.0 * closest || (!first.onPart && !last.onPart)) return;
-        const RowPlace middle = placeAt(0.5 * (from + to), drop);
-        if (std::abs(middle.tip.z - 0.5 * (first.tip.z + last.tip.z)) <= chordError) return;
-        between(first, middle, drop, add);
-        add(middle);
-        between(middle, last, drop, add);
-    }
-
-    RowPlace placeAt(const glm::dvec2& place, TipDrop& drop) const {
-        // The field leads quickly to just above: what it says, less its error there, is never more than there is.
-        const auto surelySpare = [&](double z) {
-            const glm::dvec3 tip(place, z);
-            return ground_.field.at(tip).clearance - ground_.field.errorBoundAt(tip) - request_.allowance;
-        };
-        const bool known = surelySpare(drop.top()) > 0.0;
-        const double from = known ? lowestClear(surelySpare, drop.top(), bottom_).value_or(bottom_) : drop.top();
-        const std::optional<double> height = drop.at(place, from);
-        return {{place, height.value_or(bottom_)}, height.has_value()};
-    }
-
-    bool isWanted(const RowPlace& place, TipDrop& drop) const {
-        if (!request_.area.empty() && !holds(request_.area, glm::dvec2(place.tip))) return false;
-        const bool rest = heights_.freeTip(place.tip.x, place.tip.y) > place.tip.z + WorkpieceHeights::leastRest;
-        if (!place.onPart || request_.restOnly) {
-            if (!rest) return false;
-            if (!place.onPart) return request_.flattest == 0.0;
-        }
-        return !request_.limitsSlope() || request_.allowsSlope(drop.away(place.tip));
-    }
-
-    /// Whether nothing but the flutes meets stock, and these no more than they bear.
-    bool isPossible(const RowPlace& place) const {
-        return heights_.safeHeight(place.tip) <= place.tip.z + tolerance &&
-               heights_.freeTip(place.tip.x, place.tip.y) <=
-                   place.tip.z + std::min(ground_.rowDepth, usableFlutes(ground_.tool.cutter));
-    }
     /// Joins a row to the ones before it, there and back.
     void addRow(std::vector<TipLine> row) {
         if (row.empty()) return;
@@ -184,7 +79,7 @@ private:
         const double way = glm::distance(glm::dvec2(from), glm::dvec2(to));
         if (way > 2.5 * stepOver_ || glm::distance(from, to) > 2.0 * ground_.tool.cutter.diameter) return false;
         double unused = 0.0;
-        const std::vector<TipLine> stretches = stretchesOf({glm::dvec2(from), glm::dvec2(to)}, unused);
+        const std::vector<TipLine> stretches = trace_.along({glm::dvec2(from), glm::dvec2(to)}, unused);
         if (stretches.size() != 1 || way == 0.0) return way == 0.0;
         const TipLine& line = stretches.front();
         if (glm::distance(line.front(), from) > 0.01 || glm::distance(line.back(), to) > 0.01) return false;
@@ -195,9 +90,8 @@ private:
     const PassRequest& request_;
     const PassGround& ground_;
     Progress& progress_;
-    std::vector<RevolvedPiece> pieces_;
-    WorkpieceHeights heights_;
-    double bottom_, stepOver_ = 0.0;
+    SurfaceTrace trace_;
+    double stepOver_ = 0.0;
     PlannedPass planned_;
 };
 
@@ -205,6 +99,30 @@ private:
 
 Result<PlannedPass> planRows(const PassRequest& request, const PassGround& ground, Progress& progress) {
     return RowPlanner(request, ground, progress).plan();
+}
+
+Result<PlannedPass> planRest(const PassRequest& request, const PassGround& ground, Progress& progress) {
+    constexpr double steep = 45.0 * pi / 180.0, overlap = 5.0 * pi / 180.0; // rad
+    PassRequest flat = request, wall = request;
+    flat.kind = PassKind::parallel;
+    wall.kind = PassKind::waterline;
+    flat.restOnly = wall.restOnly = true;
+    flat.flattest = std::max(request.flattest, 1e-6); // beside the part there is nothing to finish
+    flat.steepest = std::min(request.steepest, steep + overlap);
+    wall.flattest = std::max(request.flattest, steep - overlap);
+    PlannedPass planned;
+    const auto add = [&](const PassRequest& one, double low, double high, const auto& plan) -> Result<void> {
+        if (one.flattest > one.steepest) return {};
+        const ProgressPart part(progress, low, high);
+        Result<PlannedPass> made = plan(one, ground, progress);
+        if (!made) return std::move(made).error();
+        planned.leftOut += made->leftOut;
+        std::ranges::move(made->strokes, std::back_inserter(planned.strokes));
+        return {};
+    };
+    if (Result<void> added = add(wall, 0.0, 0.5, planWaterlines); !added) return std::move(added).error();
+    if (Result<void> added = add(flat, 0.5, 1.0, planRows); !added) return std::move(added).error();
+    return planned;
 }
 
 Result<PlannedPass> planEngraving(const PassRequest& request, const PassGround& ground, Progress& progress) {

@@ -28,8 +28,13 @@ std::optional<double> TipDrop::at(const glm::dvec2& place, double from) {
     return lowestClear([&](double z) { return spareAt(place, z); }, std::max(from, floor_), floor_);
 }
 
-glm::dvec3 TipDrop::away(const glm::dvec3& tip) {
-    return asker_.ask(tip, distance_ + farthestLook, {}).away;
+ToolClearance TipDrop::touch(const glm::dvec3& tip) {
+    return asker_.ask(tip, distance_ + farthestLook, {});
+}
+
+glm::dvec2 touchedPlace(const ToolClearance& touch, const glm::dvec3& tip) noexcept {
+    constexpr double level = 0.99985; // of the way out of the part: one degree
+    return glm::dvec2(touch.away.z > level ? tip : touch.meshPoint);
 }
 
 } // namespace burin

@@ -22,8 +22,8 @@ public:
     std::optional<double> at(const glm::dvec2& place, double from);
     std::optional<double> at(const glm::dvec2& place) { return at(place, top_); }
 
-    /// Where the tool touches at a tip: the way out of the part there, unit length.
-    glm::dvec3 away(const glm::dvec3& tip);
+    /// What the tool touches at a tip.
+    ToolClearance touch(const glm::dvec3& tip);
 
     double top() const noexcept { return top_; } ///< mm: a tip this high has the whole part below it
 
@@ -33,5 +33,9 @@ private:
     ClearanceAsker asker_;
     double distance_, floor_, top_;
 };
+
+/// The place in plan that a tool means at a tip: what it touches, where that is a slope; under its tip where it stands
+/// level, as a flat end touches there in many places. mm
+glm::dvec2 touchedPlace(const ToolClearance& touch, const glm::dvec3& tip) noexcept;
 
 } // namespace burin

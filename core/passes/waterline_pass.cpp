@@ -4,6 +4,7 @@
 #include "core/base/parallel_progress.h"
 #include "core/passes/level_order.h"
 #include "core/passes/surface_pass.h"
+#include "core/passes/tip_drop.h"
 #include "core/passes/tip_raster.h"
 
 #include <algorithm>
@@ -38,18 +39,16 @@ public:
         }
         return exact;
     }
-    /// The way out of the part where the tool touches it, unit.
-    glm::dvec3 away(const glm::dvec2& place) { return ask(place).away; }
-
-private:
-    ToolClearance ask(const glm::dvec2& place) {
+    /// What the tool touches at a place.
+    ToolClearance touch(const glm::dvec2& place) {
         return asker_.ask({place.x, place.y, height_}, allowance_ + 10.0, {});
     }
 
+private:
     std::optional<glm::dvec2> onContour(glm::dvec2 place) {
         constexpr int attempts = 12;
         for (int i = 0; i < attempts; ++i) {
-            const ToolClearance now = ask(place);
+            const ToolClearance now = touch(place);
             const double missing = allowance_ - now.clearance;
             if (std::abs(missing) <= contourPrecision) return place;
             const glm::dvec2 out(now.away);
@@ -150,10 +149,15 @@ private:
     }
 
     bool isWanted(const glm::dvec2& place, double height, ExactContour& contour) const {
-        if (!request_.area.empty() && !holds(request_.area, place)) return false;
-        if (request_.restOnly && heights_.freeTip(place.x, place.y) <= height + WorkpieceHeights::leastRest)
-            return false;
-        return !request_.limitsSlope() || request_.allowsSlope(contour.away(place));
+        if (!isInArea(place, height, contour)) return false;
+        if (request_.restOnly && !isRest(heights_, ground_, {place, height})) return false;
+        return !request_.limitsSlope() || request_.allowsSlope(contour.touch(place).away);
+    }
+    bool isInArea(const glm::dvec2& place, double height, ExactContour& contour) const {
+        if (request_.area.empty()) return true;
+        const glm::dvec2 meant =
+            request_.areaOnPart ? touchedPlace(contour.touch(place), glm::dvec3(place, height)) : place;
+        return holds(request_.area, meant);
     }
     bool isPossible(const glm::dvec3& tip) const {
         return heights_.safeHeight(tip) <= tip.z + 1e-6 &&

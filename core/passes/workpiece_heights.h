@@ -32,7 +32,8 @@ struct StandingStock {
     glm::dvec2 low{0.0}; ///< mm, corner of the first square
     double edge = 0.0;   ///< mm
     int columns = 0, rows = 0;
-    std::vector<double> heights; ///< mm, row by row along x; WorkpieceHeights::nothing: none. Empty: not known
+    std::vector<double> heights;     ///< mm, row by row along x; WorkpieceHeights::nothing: none. Empty: not known
+    std::vector<double> thickness{}; ///< mm of what stands highest, down to the part or the air below it
 
     /// The highest on the squares that a rectangle touches, mm; `nothing` beside them.
     double highestIn(const glm::dvec2& from, const glm::dvec2& to) const noexcept;

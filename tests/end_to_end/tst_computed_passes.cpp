@@ -4,7 +4,10 @@
 #include "part_judge.h"
 #include "program_run.h"
 
+#include "core/base/units.h"
+
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -103,6 +106,41 @@ private slots:
         QVERIFY(cuts > 20);
     }
 
+    /// What a take painted is milled, again with another figure, and again as it was asked for.
+    void paintedStrokesAreMilled() {
+        QCOMPARE(run({"embed", BURIN_SOURCE_DIRECTORY "/resources/samples/mouse.step", "-o", in("f.burin"), "--voxel",
+                      "1", "--margin", "1"})
+                     .status,
+                 0);
+        const ProgramRun recorded = run({"mill", in("f.burin"), "--tool", "ball-6", "--seconds", "3"});
+        QVERIFY2(recorded.status == 0, recorded.messages.constData());
+        const ProgramRun painted = run({"path", in("f.burin"), "new", "--pass", "scallop", "--tool", "ball-4",
+                                        "--scallop", "0.02", "--paint", "1", "--brush", "6"});
+        QVERIFY2(painted.status == 0, painted.messages.constData());
+        const QJsonObject request = painted.json()["passes"].toArray().last().toObject()["request"].toObject();
+        QVERIFY(request["area_on_part"].toBool() && !request["area"].toArray().isEmpty());
+        // In the place of the pass, with another figure; then again, as it was asked for.
+        const int id = painted.json()["pass"].toInt();
+        const double length = painted.json()["length_mm"].toDouble();
+        const QString path = QString::number(painted.json()["id"].toInt());
+        const ProgramRun other = run({"path", in("f.burin"), "apply", path, "--pass", "scallop", "--scallop", "0.08",
+                                      "--paint", "1", "--brush", "6", "--instead", QString::number(id)});
+        QVERIFY2(other.status == 0, other.messages.constData());
+        QCOMPARE(other.json()["passes"].toArray().size(), 1);
+        // Ridges of four times the height are twice as far apart.
+        QVERIFY2(std::abs(other.json()["length_mm"].toDouble() - 0.5 * length) < 0.1 * length,
+                 other.output.constData());
+        const ProgramRun again = run({"path", in("f.burin"), "recompute", path});
+        QVERIFY2(again.status == 0, again.messages.constData());
+        QCOMPARE(again.json()["passes"].toArray().size(), 1);
+        QCOMPARE(again.json()["computed"][0]["length_mm"].toDouble(), other.json()["length_mm"].toDouble());
+        const ProgramRun unknown = runBurin({"path", in("f.burin"), "recompute", path, "--pass", "-99"});
+        QVERIFY(unknown.status != 0 && unknown.messages.contains("-99"));
+        const ProgramRun beside =
+            runBurin({"path", in("f.burin"), "new", "--pass", "parallel", "--tool", "ball-4", "--face", "900,0,0"});
+        QVERIFY(beside.status != 0 && beside.messages.contains("place on the part"));
+    }
+
     /// Letters of a drawing in inches on a plate: where the tool goes is where they are, at the depth that was asked.
     void linesAreEngraved() {
         QCOMPARE(
@@ -131,6 +169,33 @@ private slots:
         QVERIFY2(std::abs(farthest.x - 0.2 * 25.4) < 0.02 && std::abs(farthest.y - 0.3 * 25.4) < 0.02,
                  qPrintable(QString("%1 %2").arg(farthest.x).arg(farthest.y)));
         QVERIFY2(std::abs(lowest - (top - 0.4)) < 0.001, qPrintable(QString("%1 below %2").arg(lowest).arg(top)));
+    }
+
+    /// A slot of 6 mm, 1.5 mm deep: its volume by a closed formula, half of the cutter's circumference in it.
+    void figuresOfAPassAreThoseOfItsSlot() {
+        QCOMPARE(run({"embed", BURIN_FIXTURES "/models/cube.brep", "-o", in("slot.burin"), "--voxel", "0.2", "--margin",
+                      "2"})
+                     .status,
+                 0);
+        const QJsonObject info = run({"info", in("slot.burin")}).json();
+        const double part = info["model"]["bounding_box_mm"].toArray()[1].toArray()[2].toDouble();
+        const ProgramRun made =
+            run({"path", in("slot.burin"), "new", "--pass", "engrave", "--tool", "flat-6", "--lines", in("line.dxf"),
+                 "--top", QString::number(part + 1.5), "--depth", "1", "--level-depth", "2", "--move", "1.5,1"});
+        QVERIFY2(made.status == 0, made.messages.constData());
+        const QJsonObject slot = run({"path", in("slot.burin"), "show", "1"}).json()["passes"][0].toObject();
+        const QByteArray told = QJsonDocument(slot).toJson();
+        const double volume = 1.5 * (6.0 * 25.4 * std::hypot(0.2, 0.3) + pi * 9.0);
+        QVERIFY2(std::abs(slot["removed_mm3"].toDouble() - volume) < 0.02 * volume, told.constData());
+        QVERIFY2(slot["engagement_95_rad"].toDouble() > pi - 0.5, told.constData());
+        QVERIFY2(slot["air_share"].toDouble() > 0.0 && slot["air_share"].toDouble() < 0.7, told.constData());
+    }
+
+    /// A cube has none, and the answer says so.
+    void aPencilNeedsConcaveEdges() {
+        const ProgramRun none = runBurin({"path", in("slot.burin"), "new", "--pass", "pencil", "--tool", "ball-3"});
+        QVERIFY(none.status != 0);
+        QVERIFY2(none.messages.contains("concave edge"), none.messages.constData());
     }
 
     /// A path goes with its passes; of two passes one goes alone.

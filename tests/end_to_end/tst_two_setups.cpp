@@ -189,11 +189,18 @@ private:
     QString in(const char* name) const { return folder_.filePath(name); }
 
     void mill(const QString& setup, const char* program) {
-        // Rows 1.4 mm apart leave scallops of 0.08 mm, closed formula, and take half of the usual time.
-        const ProgramRun milled =
-            runBurin({"mill", in("p.burin"), "--setup", setup, "--tool", "ball-6", "--fast", "--step-over", "1.4"});
-        QVERIFY2(milled.status == 0, milled.messages.constData());
-        QCOMPARE(runBurin({"path", in("p.burin"), "new", "--setup", setup}).status, 0);
+        // Rows 1.4 mm apart leave scallops of 0.08 mm, closed formula.
+        const ProgramRun rough = runBurin({"path", in("p.burin"), "new", "--setup", setup, "--json", "--pass", "levels",
+                                           "--tool", "ball-6", "--allowance", "0.3"});
+        QVERIFY2(rough.status == 0, rough.messages.constData());
+        const QString path = QString::number(rough.json()["id"].toInt());
+        for (const QStringList& pass :
+             {QStringList{"parallel", "--steepest", "50"}, {"waterline", "--flattest", "40"}}) {
+            const ProgramRun made = runBurin(
+                QStringList{"path", in("p.burin"), "apply", path, "--setup", setup, "--step-over", "1.4", "--pass"} +
+                pass);
+            QVERIFY2(made.status == 0, made.messages.constData());
+        }
         const ProgramRun posted = runBurin({"post", in("p.burin"), "--setup", setup, "-o", in(program)});
         QVERIFY2(posted.status == 0, posted.output.constData());
     }

@@ -104,6 +104,23 @@ private slots:
                                  30000);
         QVERIFY(workbenchOf(driver).setup.locked()); // the passes are of this part in this stock
 
+        // Changed in its place, as it was asked for; and back.
+        driver.whenDialogStands([&](QWidget& dialog) {
+            QCOMPARE(dialog.windowTitle(), QString("Change a pass"));
+            QCOMPARE(dialog.findChild<QComboBox*>("passKind")->currentIndex(), 0);
+            QVERIFY(enter(dialog, "passAllowance", "0.2"));
+            driver.shoot("passes-4a-change");
+            QVERIFY(press(dialog, "computePassButton"));
+        });
+        QVERIFY(driver.clickOn("passChangeButton0"));
+        QTRY_VERIFY_WITH_TIMEOUT(workbenchOf(driver).path.passes().front().allowance == 0.2, 30000);
+        QCOMPARE(workbenchOf(driver).path.passes().size(), std::size_t(2));
+        QTRY_VERIFY_WITH_TIMEOUT(evaluatedIn(driver) != nullptr, 30000);
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(evaluatedIn(driver) != nullptr && evaluatedIn(driver)->path.points.size() == points,
+                                 30000);
+        QCOMPARE(workbenchOf(driver).path.passes().front().allowance, 0.5);
+
         QVERIFY(driver.clickOn("passRemoveButton0"));
         QTRY_COMPARE(workbenchOf(driver).path.passes().size(), std::size_t(1));
         driver.key(Qt::Key_Z, Qt::ControlModifier);

@@ -62,6 +62,9 @@ void ActionStates::update() {
     enable(ActionId::newPath,
            (workbench.path.hasTakes() || !workbench.path.toolsWithoutPath().empty()) && workbench.workpiece.embedded());
     enable(ActionId::newPass, workbench.passes.possible());
+    const bool paintable = workbench.workpiece.milling() && !workbench.workpiece.milling()->part.bounds().empty();
+    for (const ActionId id : {ActionId::brushArea, ActionId::lassoArea, ActionId::faceArea}) enable(id, paintable);
+    enable(ActionId::clearArea, !workbench.area.area().empty());
     enable(ActionId::evaluatePath, workbench.path.stored() != nullptr && workbench.workpiece.embedded());
     enable(ActionId::drawStretch, workbench.path.selection().has_value());
     enable(ActionId::drawEdit, workbench.path.evaluated() && workbench.path.stored() != nullptr &&

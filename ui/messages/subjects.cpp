@@ -19,6 +19,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "recording"),
     BURIN_TEXT("Subject", "checked program"),
     BURIN_TEXT("Subject", "generated moves"),
+    BURIN_TEXT("Subject", "face"),
     BURIN_TEXT("Subject", "pass"),
     BURIN_TEXT("Subject", "a recording"),
     BURIN_TEXT("Subject", "a tool"),

@@ -4,6 +4,7 @@
 
 #include "core/path/edit_step.h"
 #include "ui/messages/messages.h"
+#include "ui/panels/area_card.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/card_keyboard.h"
 #include "ui/panels/choice_box.h"
@@ -34,6 +35,7 @@ public:
 
     PathState state;
     LengthUnit unit = LengthUnit::millimetre;
+    AreaCard* area;
 
 private:
     void addHead();
@@ -128,6 +130,8 @@ void PathPanel::Fields::addHead() {
     pass_ =
         makeButton(PathPanel::tr("Compute a pass…"), QStringLiteral("path"), QStringLiteral("newPassButton"), panel_);
     column_->addWidget(pass_);
+    area = new AreaCard(panel_);
+    column_->addWidget(area);
     auto* notices = new NoticePlace(panel_);
     notice_ = notices->add("pathNotice");
     column_->addWidget(notices);
@@ -197,6 +201,10 @@ void PathPanel::Fields::refreshPasses() {
         name->setObjectName(QStringLiteral("passRow%1").arg(i));
         name->setValue(pass.figures);
         line->addWidget(name, 1);
+        auto* change = makeIconButton(QStringLiteral("edit"), PathPanel::tr("Change this pass and compute it again"),
+                                      QStringLiteral("passChangeButton%1").arg(i), row);
+        connect(change, &QToolButton::clicked, panel_, [this, id = pass.id] { emit panel_->passChangeRequested(id); });
+        line->addWidget(change);
         auto* remove = makeIconButton(QStringLiteral("remove"), PathPanel::tr("Delete this pass"),
                                       QStringLiteral("passRemoveButton%1").arg(i), row);
         connect(remove, &QToolButton::clicked, panel_, [this, id = pass.id] { emit panel_->passRemoved(id); });
@@ -383,6 +391,10 @@ PathPanel::PathPanel(QWidget* parent) : QWidget(parent), fields_(new Fields(this
 void PathPanel::setUnit(LengthUnit unit) {
     fields_->unit = unit;
     fields_->refresh();
+}
+
+AreaCard& PathPanel::area() const {
+    return *fields_->area;
 }
 
 void PathPanel::setState(const PathState& state) {

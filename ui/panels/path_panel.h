@@ -9,6 +9,8 @@
 
 namespace burin {
 
+class AreaCard;
+
 /// The edits in order, each with switch, place, parameters and the error that it caused; the error budget with its
 /// worst place. New ones come from a menu.
 class PathPanel : public QWidget {
@@ -17,12 +19,14 @@ public:
     explicit PathPanel(QWidget* parent = nullptr);
     void setUnit(LengthUnit unit);
     void setState(const PathState& state); ///< never emits
+    AreaCard& area() const;                ///< the part of the panel that tells the area of the next pass
 
 signals:
     void toolChosen(const std::string& id); ///< one that milled
     void newPathRequested();
     void passRequested();
     void passRemoved(std::int64_t id);
+    void passChangeRequested(std::int64_t id);
     void editChanged(std::size_t index, const burin::Edit& edit); ///< switched or a parameter changed
     void editAdded(const burin::Edit& edit);
     void editRemoved(std::size_t index);

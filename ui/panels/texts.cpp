@@ -148,6 +148,13 @@ QString sizeText(const glm::dvec3& size, LengthUnit unit) {
     return withUnit(numbers.join(QStringLiteral(" × ")), unitText(unit));
 }
 
+QString areaText(double squareMillimetres, LengthUnit unit) {
+    if (unit == LengthUnit::inch)
+        return withUnit(fewDigits(squareMillimetres / (millimetresPerInch * millimetresPerInch)),
+                        QStringLiteral("in²"));
+    return withUnit(fewDigits(squareMillimetres), QStringLiteral("mm²"));
+}
+
 QString volumeText(double cubicMillimetres, LengthUnit unit) {
     if (unit == LengthUnit::inch)
         return withUnit(fewDigits(cubicMillimetres / std::pow(millimetresPerInch, 3)), QStringLiteral("in³"));

@@ -31,6 +31,7 @@ QString countText(std::size_t count);                                ///< groupe
 QString shortLength(double millimetres, LengthUnit unit);            ///< without trailing zeros, with its unit
 QString wayText(double millimetres, LengthUnit unit);                ///< grouped, to the millimetre: "38,393 mm"
 QString sizeText(const glm::dvec3& size, LengthUnit unit);           ///< "120 × 70 × 45 mm"
+QString areaText(double squareMillimetres, LengthUnit unit);         ///< "412 mm²", "0.64 in²"
 QString volumeText(double cubicMillimetres, LengthUnit unit);        ///< "24.51 cm³", "1.496 in³"
 QString rateText(double cubicMillimetresPerSecond, LengthUnit unit); ///< "412 mm³/s"
 QString shareText(double share);                                     ///< "42 %", of 0.42

@@ -50,6 +50,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , moveMark_(*marks_)
     , outlines_(*marks_)
     , strokePlans_(*marks_)
+    , area_(*marks_)
     , force_(*marks_)
     , cube_(window, 3) {
     window.SetNumberOfLayers(4);
@@ -89,6 +90,7 @@ void Scene::setPalette(const Palette& palette) {
     moveMark_.setColours(palette.chosenPath, palette.pathHalo);
     outlines_.setColours(palette.rapidPath, palette.pathHalo);
     strokePlans_.setColours(palette.chosenPath, palette.pathHalo);
+    area_.setColours(palette.chosenPath, palette.pathHalo);
     force_.setPalette(palette);
     cube_.setPalette(palette);
 }
@@ -242,6 +244,7 @@ void Scene::setLineWidths(double ratio) {
     moveMark_.setLineWidth(boldLine * ratio);
     outlines_.setLineWidth(pathLine * ratio);
     strokePlans_.setLineWidth(pathLine * ratio);
+    area_.setLineWidth(pathLine * ratio);
     obstacles_.setLineWidth(ratio);
     guides_.setLineWidth(thinLine * ratio);
     tool_.setLineWidth(edgeLine * ratio);
@@ -276,8 +279,8 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     films_->SetDraw(guides_.visible() || obstacles_.filmsVisible() || tool_.filmsVisible() ||
                     workpiece_.filmsVisible());
     marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible() || moveMark_.visible() ||
-                    outlines_.visible() || strokePlans_.visible() || touch_.visible() || touchedVoxels_.visible() ||
-                    zero_.visible() || section_.plane().has_value());
+                    outlines_.visible() || strokePlans_.visible() || area_.visible() || touch_.visible() ||
+                    touchedVoxels_.visible() || zero_.visible() || section_.plane().has_value());
 
     aimCamera(*solids_, drawnBounds(), view);
     const DepthCue cue = depthCue(*solids_);

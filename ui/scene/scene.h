@@ -84,6 +84,7 @@ public:
     MarkedLines& moveMark() noexcept { return moveMark_; }
     MarkedLines& outlines() noexcept { return outlines_; }
     MarkedLines& strokePlans() noexcept { return strokePlans_; }
+    MarkedLines& area() noexcept { return area_; }
     ViewCube& cube() noexcept { return cube_; }
     const WorkpieceActors& workpiece() const noexcept { return workpiece_; }
 
@@ -129,7 +130,7 @@ private:
     TouchMark touch_;
     ZeroMark zero_;
     TouchedVoxelsActor touchedVoxels_;
-    MarkedLines moveMark_, outlines_, strokePlans_;
+    MarkedLines moveMark_, outlines_, strokePlans_, area_;
     ForceArrow force_;
     ViewCube cube_;
 

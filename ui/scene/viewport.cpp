@@ -273,6 +273,11 @@ void Viewport::setStrokePlans(const PlaceChains& lines) {
     impl_->refresh();
 }
 
+void Viewport::setArea(const PlaceChains& lines) {
+    impl_->scene.area().set(lines);
+    impl_->refresh();
+}
+
 void Viewport::setTouchedVoxels(const std::vector<TouchedVoxels>& areas) {
     impl_->scene.touchedVoxels().set(areas);
     impl_->refresh();

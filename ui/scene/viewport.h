@@ -129,6 +129,8 @@ public:
     void setOutlines(const PlaceChains& lines);
     /// What the tool has still to cut: the pointer's trail, a line or rows to come.
     void setStrokePlans(const PlaceChains& lines);
+    /// The area of the next pass, as lines on the part.
+    void setArea(const PlaceChains& lines);
 
     /// A view straight along an axis is parallel, whatever else is chosen, until it is turned.
     void setStandardView(StandardView view);

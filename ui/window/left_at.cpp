@@ -6,6 +6,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -56,6 +57,32 @@ MillToolSettings millFrom(const QJsonObject& object) {
     return mill;
 }
 
+QJsonArray toArray(const PlanRegion& area) {
+    QJsonArray rings;
+    for (const PlanRing& ring : area.rings) {
+        QJsonArray corners;
+        for (const glm::dvec2& corner : ring) {
+            corners.append(corner.x);
+            corners.append(corner.y);
+        }
+        rings.append(corners);
+    }
+    return rings;
+}
+
+PlanRegion areaFrom(const QJsonArray& rings) {
+    PlanRegion area;
+    for (const QJsonValue& each : rings) {
+        const QJsonArray corners = each.toArray();
+        PlanRing ring;
+        for (qsizetype i = 0; i + 1 < corners.size(); i += 2)
+            ring.emplace_back(std::clamp(corners[i].toDouble(), -farthestInPlan, farthestInPlan),
+                              std::clamp(corners[i + 1].toDouble(), -farthestInPlan, farthestInPlan));
+        if (ring.size() >= 3) area.rings.push_back(std::move(ring));
+    }
+    return area;
+}
+
 } // namespace
 
 std::string toJson(const LeftAt& left) {
@@ -73,6 +100,7 @@ std::string toJson(const LeftAt& left) {
                           {"setup", static_cast<double>(left.setup)},
                           {"mill", mill},
                           {"camera", toObject(left.camera)},
+                          {"area_mm", toArray(left.area)},
                           {"shown", shown}};
     return QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString();
 }
@@ -89,6 +117,7 @@ std::optional<LeftAt> leftAtFromJson(const std::string& text) {
     left.setup = static_cast<std::int64_t>(numberIn(all, "setup", 1.0, 1e9, 1.0));
     left.mill = millFrom(all[QLatin1String("mill")].toObject());
     left.camera = cameraFrom(all[QLatin1String("camera")].toObject());
+    left.area = areaFrom(all[QLatin1String("area_mm")].toArray());
     const QJsonObject shown = all[QLatin1String("shown")].toObject();
     for (auto each = shown.begin(); each != shown.end(); ++each) left.shown[each.key()] = each.value().toBool(true);
     return left;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/plan_region.h"
 #include "ui/input/mill_tool.h"
 #include "ui/panels/job_states.h"
 #include "ui/scene/camera_view.h"
@@ -22,6 +23,7 @@ struct LeftAt {
     std::int64_t setup = 1; ///< number of the one that was worked in
     MillToolSettings mill;
     CameraView camera;
+    PlanRegion area;           ///< of the next pass, mm, frame of that setup
     QMap<QString, bool> shown; ///< by the name of the action that switches it: what the view shows
 };
 

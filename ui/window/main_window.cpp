@@ -222,9 +222,11 @@ void MainWindow::showStep(JobStep step) {
         presenters_->part.setShown(false);
     }
     presenters_->zero.setShown(step);
+    if (step != JobStep::path) presenters_->area.setShown(step);
     if (step == JobStep::program) presenters_->pathScene.setShown(step);
     presenters_->programScene.setShown(step);
     if (step != JobStep::program) presenters_->pathScene.setShown(step);
+    if (step == JobStep::path) presenters_->area.setShown(step);
     if (step == JobStep::part) presenters_->part.setShown(true);
     panels_->showStep(step);
     followProgram();
@@ -238,6 +240,7 @@ LeftAt MainWindow::leftAt() const {
     left.setup = numberOf(workbench_.setups.used());
     left.mill = presenters_->millMode.settings();
     left.camera = viewport_->cameraView();
+    left.area = workbench_.area.area();
     for (const ActionId id : shownByAction) left.shown[actions_[id]->objectName()] = actions_[id]->isChecked();
     return left;
 }
@@ -245,8 +248,14 @@ LeftAt MainWindow::leftAt() const {
 void MainWindow::goTo(const LeftAt& left) {
     if (workbench_.model.model()) showStep(left.step);
     const std::vector<SetupName>& setups = workbench_.setups.setups();
-    if (std::ranges::find(setups, SetupId{left.setup}, &SetupName::id) != setups.end())
+    if (SetupId{left.setup} == workbench_.setups.used()) {
+        workbench_.area.load(left.area);
+    } else if (std::ranges::find(setups, SetupId{left.setup}, &SetupName::id) != setups.end()) {
+        connect(
+            &workbench_.document, &DocumentController::setupUsed, this,
+            [this, area = left.area] { workbench_.area.load(area); }, Qt::SingleShotConnection);
         workbench_.setups.use(SetupId{left.setup});
+    }
     workbench_.tool.show(left.tool);
     presenters_->millMode.setSettings(left.mill);
     for (const ActionId id : shownByAction)

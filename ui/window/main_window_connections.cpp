@@ -86,6 +86,11 @@ void MainWindow::connectActions() {
     });
     connect(&presenters_->zero, &ZeroPresenter::refused, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
+    connect(&presenters_->area, &AreaPresenter::paintingBegins, this, [this] {
+        if (presenters_->job.shown() != JobStep::path) showStep(JobStep::path);
+    });
+    connect(&presenters_->area, &AreaPresenter::refused, this,
+            [this](const Error& error) { message_->tell(Notice::Kind::information, Messages::sentence(error)); });
     connect(&presenters_->mill, &MillPresenter::takeRemovalRequested, this, &MainWindow::removeTake);
     connect(jobLine_, &JobLine::stepChosen, this, &MainWindow::showStep);
     connect(menus_, &Menus::recentChosen, &flow_, &DocumentFlow::openAny);

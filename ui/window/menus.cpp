@@ -51,7 +51,8 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
              raster,      repeatLower, repeatLeft, repeatRight,    line,       guides,    nearestEdge,
              levelAbove,  levelBelow,  line,       clutch,         recentre,   alignHand, finerHand,
              coarserHand, rateControl, line,       showMe,         stopShow});
-    addMenu(bar, tr("&Path"), "pathMenu", actions, {newPath, newPass, evaluatePath, line, drawStretch, drawEdit});
+    addMenu(bar, tr("&Path"), "pathMenu", actions,
+            {newPath, newPass, brushArea, lassoArea, faceArea, clearArea, evaluatePath, line, drawStretch, drawEdit});
     addMenu(bar, tr("P&rogram"), "programMenu", actions,
             {post, exportProgram, overrideCheck, restart, line, findInProgram, programDock, line, machines});
     addMenu(bar, tr("&Help"), "helpMenu", actions, {welcome, keyList, about});

@@ -30,9 +30,13 @@ constexpr double rightAngle = 0.5 * pi; // rad
 
 using Kinds = std::vector<PassKind>;
 const Kinds allKinds{PassKind::levels, PassKind::pocket, PassKind::profile, PassKind::face,      PassKind::parallel,
-                     PassKind::radial, PassKind::spiral, PassKind::flow,    PassKind::waterline, PassKind::engrave};
+                     PassKind::radial, PassKind::spiral, PassKind::flow,    PassKind::waterline, PassKind::scallop,
+                     PassKind::pencil, PassKind::rest,   PassKind::engrave};
 const Kinds levelKinds{PassKind::levels, PassKind::pocket, PassKind::profile, PassKind::face, PassKind::engrave};
-const Kinds rowKinds{PassKind::parallel, PassKind::radial, PassKind::spiral, PassKind::flow, PassKind::waterline};
+const Kinds rowKinds{PassKind::parallel,  PassKind::radial,  PassKind::spiral, PassKind::flow,
+                     PassKind::waterline, PassKind::scallop, PassKind::rest};
+const Kinds surfaceKinds{PassKind::parallel,  PassKind::radial,  PassKind::spiral, PassKind::flow,
+                         PassKind::waterline, PassKind::scallop, PassKind::rest,   PassKind::pencil};
 
 bool contains(const Kinds& kinds, PassKind kind) {
     return std::ranges::find(kinds, kind) != kinds.end();
@@ -50,6 +54,9 @@ QString passWords(const TextId& text) {
     return QCoreApplication::translate(text.context, text.text);
 }
 
+constexpr int areaDrawing = 1;                 // its place in the list "passArea"
+constexpr int paintedArea = 1, areaBefore = 2; // what the list knows its further choices by
+
 /// mm of what the list "passUnit" offers, in its order.
 constexpr double fileUnits[] = {0.0, 1.0, 10.0, 25.4};
 
@@ -60,18 +67,20 @@ PassDialog::PassDialog(const Offer& offer, QWidget* parent)
     , unit_(offer.unit)
     , defaults_(offer.defaults)
     , folder_(offer.folder)
+    , painted_(offer.painted)
     , takes_(offer.takes)
     , wanted_(offer.last) {
     setObjectName(QStringLiteral("passDialog"));
-    setWindowTitle(tr("Compute a pass"));
+    setWindowTitle(offer.last.instead ? tr("Change a pass") : tr("Compute a pass"));
     layOut(offer);
     setFixedWidth(passDialogWidth);
     kind_->setCurrentIndex(static_cast<int>(offer.last.request.kind));
     for (Figure& figure : figures_) { // as they were the last time
-        if (figure.height != nullptr || figure.member == nullptr) continue;
-        const double value = offer.last.request.*figure.member;
-        if (value == PassRequest{}.*figure.member) continue;
-        figure.field->showValue(value);
+        const PassRequest& last = offer.last.request;
+        std::optional<double> value = figure.member != nullptr ? last.*figure.member : last.*figure.height;
+        if (figure.member != nullptr && *value == PassRequest{}.*figure.member) value.reset();
+        if (!value) continue;
+        figure.field->showValue(*value);
         figure.edited = true;
     }
     update();
@@ -82,10 +91,12 @@ void PassDialog::layOut(const Offer& offer) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 12);
     column->setSpacing(6);
-    auto* about = new QLabel(tr("Burin computes moves of %1 for the stock that the earlier paths leave, and adds them "
-                                "to the path of this tool. You can edit, check and undo them like recorded ones.")
-                                 .arg(offer.toolName),
-                             this);
+    const QString adds =
+        tr("Burin computes moves of %1 for the stock that the earlier paths leave, and adds them to the "
+           "path of this tool. You can edit, check and undo them like recorded ones.");
+    const QString replaces = tr("Burin computes this pass of %1 again, for the stock that what is milled before it "
+                                "leaves. It keeps its place in the path.");
+    auto* about = new QLabel((offer.last.instead ? replaces : adds).arg(offer.toolName), this);
     about->setWordWrap(true);
     column->addWidget(about);
     kind_ = new ChoiceBox(this);
@@ -141,11 +152,11 @@ void PassDialog::addFigures() {
               tr("Largest height of the steps that the levels leave on slopes"), Quantity::length, 0.0, widestStep);
     addFigure(figure(&PassRequest::depth, {PassKind::engrave}), "passDepth", tr("Depth"),
               tr("Depth of the lines below the top of the stock"), Quantity::length, 0.0, widestStep);
-    addFigure(figure(&PassRequest::direction, {PassKind::parallel}), "passDirection", tr("Direction"),
+    addFigure(figure(&PassRequest::direction, {PassKind::parallel, PassKind::rest}), "passDirection", tr("Direction"),
               tr("Angle between the rows and X"), Quantity::angle, -pi, pi);
-    addFigure(figure(&PassRequest::flattest, rowKinds), "passFlattest", tr("Steeper than"),
+    addFigure(figure(&PassRequest::flattest, surfaceKinds), "passFlattest", tr("Steeper than"),
               tr("Only where the part is at least this steep"), Quantity::angle, 0.0, rightAngle);
-    addFigure(figure(&PassRequest::steepest, rowKinds), "passSteepest", tr("Flatter than"),
+    addFigure(figure(&PassRequest::steepest, surfaceKinds), "passSteepest", tr("Flatter than"),
               tr("Only where the part is at most this steep"), Quantity::angle, 0.0, rightAngle);
     addFigure(height(&PassRequest::top, levelKinds), "passTop", tr("From height"),
               tr("Height at which the pass begins, in the coordinates of the setup"), Quantity::length, -farthestInPlan,
@@ -153,10 +164,12 @@ void PassDialog::addFigures() {
     addFigure(height(&PassRequest::bottom, without(allKinds, PassKind::engrave)), "passBottom", tr("Down to height"),
               tr("Lowest height of the tip, in the coordinates of the setup"), Quantity::length, -farthestInPlan,
               farthestInPlan);
-    addSwitch({nullptr, &PassRequest::restOnly, rowKinds}, "passRest", tr("Only where stock is left"),
-              tr("Skips rows that would touch no stock"));
-    addSwitch({nullptr, &PassRequest::oneWay, without(rowKinds, PassKind::waterline)}, "passOneWay",
-              tr("All rows in one direction"), tr("The tool returns through the air after each row"));
+    addSwitch({nullptr, &PassRequest::restOnly, without(surfaceKinds, PassKind::rest)}, "passRest",
+              tr("Only where stock is left"), tr("Skips rows that would touch no stock"));
+    addSwitch({nullptr,
+               &PassRequest::oneWay,
+               {PassKind::parallel, PassKind::radial, PassKind::spiral, PassKind::flow, PassKind::rest}},
+              "passOneWay", tr("All rows in one direction"), tr("The tool returns through the air after each row"));
     addSwitch({nullptr, &PassRequest::inside, {PassKind::profile}}, "passInside", tr("Inside the outline"),
               tr("The cutter follows the outline of the area on its inside"));
 }
@@ -205,17 +218,29 @@ void PassDialog::addDrawings(const Offer& offer) {
     area_ = new ChoiceBox(this);
     area_->setObjectName(QStringLiteral("passArea"));
     area_->addItems({tr("whole part"), tr("from a drawing…")});
+    if (!painted_.empty()) area_->addItem(tr("painted area"), paintedArea);
+    if (!wanted_.request.area.empty()) area_->addItem(tr("area of this pass"), areaBefore);
+    if (area_->count() > areaDrawing + 1) area_->setCurrentIndex(area_->count() - 1);
     areaRow_ =
         new FieldRow(tr("Area"), area_,
-                     tr("Where the tool may go: the closed curves of a DXF or SVG drawing, in the coordinates of "
-                        "the setup"),
+                     tr("Where the tool may go: what was painted on the part, or the closed curves of a DXF or SVG "
+                        "drawing, in the coordinates of the setup"),
                      this, FieldRow::choiceWidth);
     layout()->addWidget(areaRow_);
+    areaOnPart_ = new QCheckBox(tr("Area on the part"), this);
+    areaOnPart_->setObjectName(QStringLiteral("passAreaOnPart"));
+    areaOnPart_->setToolTip(tr("The area limits where the tool touches the part, not where its tip goes"));
+    areaOnPart_->setChecked(area_->currentData() == areaBefore ? wanted_.request.areaOnPart : !painted_.empty());
+    layout()->addWidget(areaOnPart_);
     lines_ = new ChoiceBox(this);
     lines_->setObjectName(QStringLiteral("passLines"));
     lines_->addItems({tr("nothing"), tr("from a drawing…")});
     for (const TakeInfo& take : offer.takes)
         lines_->addItem(tr("strokes of take %1").arg(take.id), static_cast<qlonglong>(take.id));
+    if (!wanted_.request.lines.empty()) {
+        lines_->addItem(tr("lines of this pass"));
+        lines_->setCurrentIndex(lines_->count() - 1);
+    }
     linesRow_ =
         new FieldRow(tr("Lines"), lines_,
                      tr("What the rows follow, or what is engraved: strokes of a recording or curves of a drawing"),
@@ -229,7 +254,8 @@ void PassDialog::addDrawings(const Offer& offer) {
                      this, FieldRow::choiceWidth);
     layout()->addWidget(fileUnitRow_);
     connect(area_, &QComboBox::activated, this, [this](int index) {
-        if (index == 1) chooseDrawing(area_, areaFile_);
+        if (index == areaDrawing) chooseDrawing(area_, areaFile_);
+        areaOnPart_->setChecked(index > areaDrawing);
         update();
     });
     connect(lines_, &QComboBox::activated, this, [this](int index) {
@@ -259,8 +285,9 @@ void PassDialog::update() {
     for (const Figure& figure : figures_) figure.row->setVisible(contains(figure.kinds, chosen));
     for (const Switch& one : switches_) one.box->setVisible(contains(one.kinds, chosen));
     areaRow_->setVisible(chosen != PassKind::engrave);
+    areaOnPart_->setVisible(contains(surfaceKinds, chosen) && area_->currentIndex() != 0);
     linesRow_->setVisible(chosen == PassKind::engrave || chosen == PassKind::flow);
-    fileUnitRow_->setVisible(area_->currentIndex() == 1 ||
+    fileUnitRow_->setVisible(area_->currentIndex() == areaDrawing ||
                              (linesRow_->isVisibleTo(this) && lines_->currentIndex() == 1));
     notice_->clear();
     adjustSize();
@@ -270,9 +297,9 @@ void PassDialog::update() {
 QString PassDialog::missing(const WantedPass& wanted) const {
     const PassRequest& request = wanted.request;
     if (area_->currentIndex() == 0 && request.kind == PassKind::pocket)
-        return tr("Choose a drawing with the outline of the pocket.");
+        return tr("Paint the area of the pocket, or choose a drawing with its outline.");
     if (area_->currentIndex() == 0 && request.kind == PassKind::profile && request.inside)
-        return tr("Choose a drawing with the outline to follow.");
+        return tr("Paint an area, or choose a drawing with the outline to follow.");
     if (lines_->currentIndex() == 0 && request.kind == PassKind::engrave)
         return tr("Choose the strokes or the drawing to engrave.");
     if (lines_->currentIndex() == 0 && request.kind == PassKind::flow)
@@ -289,6 +316,7 @@ void PassDialog::confirm() {
         figure.edited = figure.edited || figure.field->value() != before;
     }
     WantedPass wanted;
+    wanted.instead = wanted_.instead;
     PassRequest& request = wanted.request;
     request.kind = kind();
     for (const Figure& figure : figures_) {
@@ -302,10 +330,13 @@ void PassDialog::confirm() {
     if (request.steepest >= rightAngle) request.steepest = anySlope;
     for (const Switch& one : switches_)
         if (contains(one.kinds, request.kind)) request.*one.member = one.box->isChecked();
+    request.areaOnPart = areaOnPart_->isVisibleTo(this) && areaOnPart_->isChecked();
     const double unit = fileUnits[std::max(0, fileUnit_->currentIndex())];
     if (const QString lacks = missing(wanted); !lacks.isEmpty()) return notice_->tell(Notice::Kind::error, lacks);
     const auto refuse = [this](const Error& error) { notice_->tell(Notice::Kind::error, Messages::sentence(error)); };
-    if (areaRow_->isVisibleTo(this) && area_->currentIndex() == 1) {
+    if (areaRow_->isVisibleTo(this) && area_->currentData() == paintedArea) request.area = painted_;
+    if (areaRow_->isVisibleTo(this) && area_->currentData() == areaBefore) request.area = wanted_.request.area;
+    if (areaRow_->isVisibleTo(this) && area_->currentIndex() == areaDrawing) {
         const Result<PlanDrawing> drawing = readDrawing(areaFile_.toStdString(), unit);
         if (!drawing) return refuse(drawing.error());
         Result<PlanRegion> region = regionOf(*drawing, areaFile_.toStdString());
@@ -316,6 +347,8 @@ void PassDialog::confirm() {
         const Result<PlanDrawing> drawing = readDrawing(linesFile_.toStdString(), unit);
         if (!drawing) return refuse(drawing.error());
         request.lines = linesOf(*drawing);
+    } else if (linesRow_->isVisibleTo(this) && lines_->currentIndex() > 1 && lines_->currentData().isNull()) {
+        request.lines = wanted_.request.lines;
     } else if (linesRow_->isVisibleTo(this) && lines_->currentIndex() > 1) {
         wanted.leads.push_back(lines_->currentData().toLongLong());
     }

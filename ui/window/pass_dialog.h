@@ -41,7 +41,8 @@ public:
         std::vector<TakeInfo> takes; ///< whose strokes may lead
         WantedPass last;             ///< what was asked for before
         PassDefaults defaults;
-        QString folder; ///< of drawings
+        PlanRegion painted; ///< empty: nothing is
+        QString folder;     ///< of drawings
         LengthUnit unit = LengthUnit::millimetre;
     };
     PassDialog(const Offer& offer, QWidget* parent);
@@ -80,9 +81,11 @@ private:
     LengthUnit unit_;
     PassDefaults defaults_;
     QString folder_, areaFile_, linesFile_;
+    PlanRegion painted_;
     std::vector<TakeInfo> takes_;
     WantedPass wanted_;
     ChoiceBox *kind_ = nullptr, *area_ = nullptr, *lines_ = nullptr, *fileUnit_ = nullptr;
+    QCheckBox* areaOnPart_ = nullptr;
     FieldRow *areaRow_ = nullptr, *linesRow_ = nullptr, *fileUnitRow_ = nullptr;
     std::vector<Figure> figures_;
     std::vector<Switch> switches_;

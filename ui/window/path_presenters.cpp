@@ -94,6 +94,7 @@ PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePr
     connect(&panel, &PathPanel::newPathRequested, &workbench.path, &PathController::makeNew);
     connect(&panel, &PathPanel::passRemoved, &workbench.path, &PathController::removePass);
     connect(&panel, &PathPanel::passRequested, this, &PathPresenter::askPass);
+    connect(&panel, &PathPanel::passChangeRequested, this, &PathPresenter::askChange);
     connect(&panel, &PathPanel::editChanged, &workbench.path, &PathController::changeEdit);
     connect(&panel, &PathPanel::editAdded, &scene, &PathScenePresenter::addEdit);
     connect(&panel, &PathPanel::fieldDrawingWanted, &scene, &PathScenePresenter::setFieldDrawing);
@@ -118,6 +119,29 @@ void PathPresenter::connectActions(const Actions& actions) {
 
 void PathPresenter::askPass() {
     if (!workbench_.passes.possible()) return;
+    const std::optional<WantedPass> wanted = asked(lastPass_, workbench_.area.area());
+    if (!wanted) return;
+    lastPass_ = *wanted;
+    lastPass_.request.area = {};
+    lastPass_.request.lines.clear();
+    workbench_.passes.compute(*wanted);
+}
+
+/// As it was asked for, and where it was.
+void PathPresenter::askChange(std::int64_t id) {
+    if (!workbench_.passes.possible()) return;
+    const std::vector<GeneratedInfo> passes = workbench_.path.passes();
+    const auto pass = std::ranges::find(passes, id, &GeneratedInfo::id);
+    if (pass == passes.end()) return;
+    WantedPass before{{}, {}, id};
+    if (const Result<PassRequest> request = passRequestFromJson(pass->request, pass->name)) before.request = *request;
+    const bool painted = !workbench_.area.area().empty();
+    if (const auto wanted = asked(before, painted ? workbench_.area.area() : PlanRegion{}))
+        workbench_.passes.compute(*wanted);
+}
+
+/// What the user wants; nothing: no pass.
+std::optional<WantedPass> PathPresenter::asked(const WantedPass& last, const PlanRegion& painted) {
     const std::filesystem::path project = workbench_.document.file();
     const MillingContext& milling = *workbench_.workpiece.milling();
     const double diameter = milling.tool.cutter.diameter;
@@ -130,14 +154,11 @@ void PathPresenter::askPass() {
                                 milling.setup.stock.high.z,
                                 free ? milling.setup.stock.low.z : part.low.z,
                                 free ? milling.setup.stock.low.z : part.high.z};
-    PassDialog dialog({toolName(workbench_.tool.current()), workbench_.mill.takes(), lastPass_, defaults,
+    PassDialog dialog({toolName(workbench_.tool.current()), workbench_.mill.takes(), last, defaults, painted,
                        QString::fromStdString(project.parent_path().string()), unit()},
                       panel_.window());
-    if (dialog.exec() != QDialog::Accepted) return;
-    lastPass_ = dialog.wanted();
-    lastPass_.request.area = {};
-    lastPass_.request.lines.clear();
-    workbench_.passes.compute(dialog.wanted());
+    if (dialog.exec() != QDialog::Accepted) return {};
+    return dialog.wanted();
 }
 
 void PathPresenter::setUnit(LengthUnit unit) {

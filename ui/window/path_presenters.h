@@ -23,6 +23,8 @@ public:
 private:
     void present() override;
     void askPass();
+    void askChange(std::int64_t pass);
+    std::optional<WantedPass> asked(const WantedPass& last, const PlanRegion& painted);
 
     PathPanel& panel_;
     PathScenePresenter& scene_;

@@ -23,6 +23,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , hand(workbench, *stage.panels.hand, this)
     , pathScene(workbench, stage.viewport, this)
     , path(workbench, *stage.panels.path, pathScene, this)
+    , area(workbench, stage.viewport, stage.panels.path->area(), this)
     , program(workbench, *stage.panels.program, this)
     , meters(workbench, *stage.panels.meters, this)
     , status(workbench, meters, millMode, stage.viewport, stage.status, this)
@@ -32,6 +33,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , programScene(workbench, stage.viewport, *stage.panels.program, scene, this)
     , deviation(workbench, stage.viewport, stage.panels.program->deviation(), scene, this) {
     connect(&pathScene, &PathScenePresenter::escapeChanged, &status, &Presenter::presentSoon);
+    connect(&area, &AreaPresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(&programScene, &ProgramScenePresenter::hovered, &deviation, &DeviationPresenter::pointAt);
 }
 
@@ -44,14 +46,15 @@ void Presenters::connectActions(const Actions& actions, const Viewport& viewport
     mill.connectActions(actions);
     hand.connectActions(actions, viewport);
     path.connectActions(actions);
+    area.connectActions(actions);
     program.connectActions(actions);
 }
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{
-             &part,   &setups,       &stock,  &zero,       &material,     &layers,   &tool,    &allowance,
-             &mill,   &surroundings, &guides, &hand,       &pathScene,    &path,     &program, &meters,
-             &status, &job,          &scene,  &guideScene, &programScene, &deviation})
+             &part,   &setups,       &stock,  &zero,       &material,     &layers,    &tool,    &allowance,
+             &mill,   &surroundings, &guides, &hand,       &pathScene,    &path,      &program, &meters,
+             &status, &job,          &scene,  &guideScene, &programScene, &deviation, &area})
         presenter->setUnit(unit);
 }
 

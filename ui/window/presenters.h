@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/window/area_presenter.h"
 #include "ui/window/deviation_presenter.h"
 #include "ui/window/guide_presenter.h"
 #include "ui/window/guide_scene_presenter.h"
@@ -53,6 +54,7 @@ public:
     HandPresenter hand;
     PathScenePresenter pathScene;
     PathPresenter path;
+    AreaPresenter area;
     ProgramPresenter program;
     MeterPresenter meters;
     StatusPresenter status;

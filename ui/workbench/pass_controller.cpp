@@ -11,6 +11,7 @@ namespace burin {
 struct PassController::Matter {
     PassRequest request;
     std::vector<PathMatter> before;
+    std::optional<std::int64_t> instead;
     quint64 load = 0;
 };
 
@@ -55,14 +56,15 @@ void PassController::goOn() {
     const StoredPath path = path_.stored() != nullptr ? *path_.stored() : StoredPath{};
     desk_.project.ask(
         [wanted = *wanted_, path, tool = tool_, load = loads_](const Project& project) -> Result<Matter> {
-            Matter matter{wanted.request, {}, load};
+            Matter matter{wanted.request, {}, wanted.instead, load};
             Progress unseen;
             for (const std::int64_t take : wanted.leads) {
                 Result<std::vector<PassLine>> lines = linesOfTake(project, take, unseen);
                 if (!lines) return std::move(lines).error();
                 for (PassLine& line : *lines) matter.request.lines.push_back(std::move(line));
             }
-            Result<std::vector<PathMatter>> before = pathsBeforePass(project, path, tool, matter.request);
+            Result<std::vector<PathMatter>> before =
+                pathsBeforePass(project, path, tool, matter.request, matter.instead);
             if (!before) return std::move(before).error();
             matter.before = std::move(*before);
             return matter;
@@ -83,6 +85,7 @@ void PassController::goOn() {
 
 void PassController::run(Matter matter) {
     const quint64 load = matter.load;
+    const std::optional<std::int64_t> instead = matter.instead;
     desk_.tasks.start(
         TaskKind::pass, tr("Computing the pass"),
         [milling = workpiece_.milling(),
@@ -91,11 +94,11 @@ void PassController::run(Matter matter) {
             if (!pass) return std::move(pass).error();
             return std::make_shared<const ComputedPass>(std::move(*pass));
         },
-        [this, load, tool = tools_.current()](const Result<std::shared_ptr<const ComputedPass>>& pass) {
+        [this, load, instead, tool = tools_.current()](const Result<std::shared_ptr<const ComputedPass>>& pass) {
             if (load != loads_) return; // another project
             if (pass) {
                 newest_ = *pass;
-                path_.addPass((*pass)->moves, tool);
+                path_.addPass((*pass)->moves, tool, instead);
             } else if (pass.error().code != ErrorCode::cancelled) {
                 emit failed(pass.error());
             }

@@ -15,7 +15,8 @@ namespace burin {
 /// A pass as the user wants it.
 struct WantedPass {
     PassRequest request;
-    std::vector<std::int64_t> leads; ///< takes whose strokes are added to the request's lines
+    std::vector<std::int64_t> leads;     ///< takes whose strokes are added to the request's lines
+    std::optional<std::int64_t> instead; ///< the pass of the path in force whose place it takes
 };
 
 /// Computes passes of the tool in force in the background and makes each the last source of its path.

@@ -251,7 +251,7 @@ void PathController::makeNew() {
     emit changed();
 }
 
-void PathController::addPass(const GeneratedMoves& moves, const Tool& tool) {
+void PathController::addPass(const GeneratedMoves& moves, const Tool& tool, std::optional<std::int64_t> instead) {
     struct Kept {
         GeneratedInfo pass;
         StoredPath before, after;
@@ -260,11 +260,11 @@ void PathController::addPass(const GeneratedMoves& moves, const Tool& tool) {
         std::ranges::find_if(paths_, [&](const StoredPath& path) { return burin::toolOf(path, sources_) == tool.id; });
     const StoredPath before = own != paths_.end() ? *own : StoredPath{};
     desk_.project.post(
-        [moves, tool, before](Project& project) -> Result<Kept> {
+        [moves, tool, before, instead](Project& project) -> Result<Kept> {
             const Result<std::int64_t> source = project.addGenerated(moves);
             if (!source) return source.error();
             if (Result<void> kept = project.setTool(tool); !kept) return std::move(kept).error();
-            Kept kept{moves.info, before, withPass(before, moves.info.name, *source)};
+            Kept kept{moves.info, before, withPass(before, moves.info.name, *source, instead)};
             kept.pass.id = *source;
             if (before.id != 0) {
                 if (Result<void> stored = project.setPath(kept.after); !stored) return std::move(stored).error();

@@ -54,8 +54,8 @@ public:
     /// the tool in force has one, its edits are these again. An entry of the undo stack.
     void makeNew();
     /// Keeps a computed pass as the last source of its tool's path, or of a new one. An entry of the undo stack.
-    /// @param tool that it is for; the project gets it
-    void addPass(const GeneratedMoves& moves, const Tool& tool);
+    /// @param tool that it is for; the project gets it @param instead the pass of that path whose place it takes
+    void addPass(const GeneratedMoves& moves, const Tool& tool, std::optional<std::int64_t> instead = std::nullopt);
     /// Those of the path in force, in its order.
     std::vector<GeneratedInfo> passes() const;
     void removePass(

@@ -35,6 +35,7 @@ Workbench::Workbench(QObject* parent)
     , hand(desk_, workpiece, mill, session, styluses, guides, this)
     , showMe(desk_, workpiece, session, this)
     , path(desk_, workpiece, tool, this)
+    , area(desk_, this)
     , passes(desk_, workpiece, path, tool, this)
     , program(desk_, workpiece, path, target, this)
     , setups(desk_, {document, setup, workpiece, program, target}, this)
@@ -51,7 +52,7 @@ Workbench::~Workbench() {
 
 std::vector<Controller*> Workbench::controllers() {
     return {&document,     &model,  &setup, &material, &tool, &target, &workpiece, &styluses, &session, &mill,
-            &surroundings, &guides, &hand,  &showMe,   &path, &passes, &program,   &setups,   &sheet};
+            &surroundings, &guides, &hand,  &showMe,   &path, &area,   &passes,    &program,  &setups,  &sheet};
 }
 
 void Workbench::wire() {
@@ -65,6 +66,7 @@ void Workbench::wire() {
     connect(&model, &ModelController::imported, this, [this] {
         undo_.clear();
         workpiece.clear();
+        area.load({});
         path.load({}, {}, {});
         program.load({}, {});
         setup.placeAround(model.model());
@@ -116,6 +118,7 @@ void Workbench::load(const ProjectContents& contents) {
     guides.load(contents.guides);
     mill.load(contents.takes);
     mill.setStrokes({});
+    area.load({});
     passes.forget();
     path.load(contents.paths, contents.takes, contents.generated);
     lockSetup();

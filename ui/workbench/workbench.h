@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/workbench/area_controller.h"
 #include "ui/workbench/document_controller.h"
 #include "ui/workbench/hand_controller.h"
 #include "ui/workbench/material_controller.h"
@@ -52,6 +53,7 @@ public:
     HandController hand;
     ShowMe showMe;
     PathController path;
+    AreaController area;
     PassController passes;
     ProgramController program;
     SetupsController setups;

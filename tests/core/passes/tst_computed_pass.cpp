@@ -177,6 +177,62 @@ Ground domeGround() {
     return {blockUnder(dome, 16.0, 160), endMill(6.0, 3.0), {{-16.0, -16.0, 0.0}, {16.0, 16.0, 17.0}}, 0.0};
 }
 
+/// A plate up to z = 4 with a round boss of radius 8 mm up to z = 12, its wall upright.
+TriangleMesh plateWithBoss() {
+    TriangleMesh mesh;
+    constexpr int count = 720;
+    const auto add = [&mesh](const glm::dvec3& place) {
+        mesh.vertices.push_back(place);
+        return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+    };
+    const auto ring = [&](double radius, double z) {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (int i = 0; i < count; ++i) {
+            const double angle = 2.0 * pi * i / count;
+            add({radius * std::cos(angle), radius * std::sin(angle), z});
+        }
+        return first;
+    };
+    const auto band = [&](std::uint32_t inner, std::uint32_t outer) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const std::uint32_t k = (i + 1) % count;
+            mesh.triangles.push_back({inner + i, outer + i, outer + k});
+            mesh.triangles.push_back({inner + i, outer + k, inner + k});
+        }
+    };
+    const std::uint32_t top = ring(8.0, 12.0), foot = ring(8.0, 4.0), edge = ring(20.0, 4.0), low = ring(20.0, 0.0);
+    const std::uint32_t above = add({0.0, 0.0, 12.0}), below = add({0.0, 0.0, 0.0});
+    band(top, foot);
+    band(foot, edge);
+    band(edge, low);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t k = (i + 1) % count;
+        mesh.triangles.push_back({above, top + i, top + k});
+        mesh.triangles.push_back({below, low + k, low + i});
+    }
+    return mesh;
+}
+
+/// A face whose normals are known: plane, cylinder along y, hemisphere.
+struct KnownFace {
+    double x = 0.0, y = 0.0; ///< of the radius of curvature, by axis; 0: flat along it
+    double height(double u, double v) const { return 2.0 + std::sqrt(domeRadius * domeRadius - x * u * u - y * v * v); }
+    glm::dvec3 normal(double u, double v) const { return glm::normalize(glm::dvec3(x * u, y * v, height(u, v) - 2.0)); }
+};
+
+/// What balls at tips leave standing above a place of a face, along its normal, mm.
+double leftAbove(const glm::dvec3& place, const glm::dvec3& normal, double radius,
+                 const std::vector<glm::dvec3>& tips) {
+    double least = 1e9;
+    for (const glm::dvec3& tip : tips) {
+        const glm::dvec3 to = tip + glm::dvec3(0.0, 0.0, radius) - place;
+        if (glm::length(to) > 2.0 * radius) continue;
+        const double along = glm::dot(to, normal), square = radius * radius - glm::dot(to, to) + along * along;
+        if (square > 0.0) least = std::min(least, along - std::sqrt(square));
+    }
+    return least;
+}
+
 double step(double x, double y) {
     return std::abs(x) < 12.0 && std::abs(y) < 8.0 ? 18.0 : 6.0;
 }
@@ -348,6 +404,184 @@ private slots:
                 for (const glm::dvec2& place : places) nearest = std::min(nearest, glm::distance(place, {x, y}));
                 QVERIFY2(nearest < 0.26, qPrintable(QString("%1 mm at %2 %3").arg(nearest).arg(x).arg(y)));
             }
+    }
+
+    /// Ridges of scallop are as high as asked on plane, cylinder and sphere, by what balls at its tips leave standing
+    /// along the normals; and the rows are not closer than that takes.
+    void scallopsAreEven_data() {
+        QTest::addColumn<double>("diameter");
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("y");
+        for (const double diameter : {3.0, 6.0, 12.0}) {
+            QTest::addRow("plane, %g mm", diameter) << diameter << 0.0 << 0.0;
+            QTest::addRow("cylinder, %g mm", diameter) << diameter << 1.0 << 0.0;
+            QTest::addRow("sphere, %g mm", diameter) << diameter << 1.0 << 1.0;
+        }
+    }
+    void scallopsAreEven() {
+        QFETCH(double, diameter);
+        QFETCH(double, x);
+        QFETCH(double, y);
+        constexpr double asked = 0.02;
+        const KnownFace face{x, y};
+        const double radius = 0.5 * diameter;
+        const Ground ground(blockUnder(
+                                [&](double u, double v) {
+                                    return 2.0 +
+                                           std::sqrt(std::max(1.0, domeRadius * domeRadius - x * u * u - y * v * v));
+                                },
+                                13.0, 208),
+                            endMill(diameter, radius), {{-13.0, -13.0, 0.0}, {13.0, 13.0, 17.0}}, 0.0);
+        PassRequest request;
+        request.kind = PassKind::scallop;
+        request.scallop = asked;
+        request.area = rectangle({-8.0, -8.0}, {8.0, 8.0});
+        request.areaOnPart = true;
+        const Result<PlannedPass> pass = ground.plan(request);
+        QVERIFY(pass);
+        std::vector<glm::dvec3> tips;
+        follow(*pass, [&](const glm::dvec3& tip) { tips.push_back(tip); });
+        double highest = 0.0;
+        const double stepOver = 2.0 * std::sqrt(asked * (diameter - asked));
+        const double inside = 8.0 - 1.5 * stepOver; // beside the area there is no next row
+        int count = 0;
+        for (double u = -inside; u <= inside; u += 0.11)
+            for (double v = -inside; v <= inside; v += 0.47) {
+                const glm::dvec3 place(u, v, face.height(u, v));
+                highest = std::max(highest, leftAbove(place, face.normal(u, v), radius, tips));
+                ++count;
+            }
+        QVERIFY(count > 100);
+        QVERIFY2(highest <= 1.1 * asked, qPrintable(QString::number(highest)));
+        // As long as rows so far apart are, and a third for what joins and meets. On a convex face tips are k times as
+        // far apart as contacts: rows are k times as long, and their contacts by the root of k closer.
+        double area = 0.0;
+        for (double u = -7.95; u < 8.0; u += 0.1)
+            for (double v = -7.95; v < 8.0; v += 0.1) area += 0.01 / face.normal(u, v).z;
+        const double curved = x > 0.0 ? std::pow((domeRadius + radius) / domeRadius, 1.5) : 1.0;
+        const double least = area / stepOver;
+        QVERIFY2(lengthOf(*pass) <= 1.35 * least * curved,
+                 qPrintable(QString("%1 of %2").arg(lengthOf(*pass)).arg(least)));
+    }
+
+    /// In a groove of two planes a ball touches both: the closed formula says where.
+    void pencilFollowsAGroove() {
+        const double slope = std::tan(pi / 6.0);
+        const Ground ground(blockUnder([&](double x, double) { return 3.0 + slope * std::abs(x); }, 15.0, 60),
+                            endMill(6.0, 3.0), {{-15.0, -15.0, 0.0}, {15.0, 15.0, 12.0}}, 0.0);
+        PassRequest request;
+        request.kind = PassKind::pencil;
+        const Result<PlannedPass> pass = ground.plan(request);
+        QVERIFY(pass);
+        const double resting = 3.0 + 3.0 / std::cos(pi / 6.0) - 3.0;
+        double low = 1e9, high = -1e9;
+        follow(*pass, [&](const glm::dvec3& tip) {
+            if (std::abs(tip.y) > 14.0) return; // beyond the end faces
+            QVERIFY2(std::abs(tip.x) < 0.003 && std::abs(tip.z - resting) < 0.003,
+                     qPrintable(QString("%1 %2 %3").arg(tip.x).arg(tip.y).arg(tip.z)));
+            low = std::min(low, tip.y);
+            high = std::max(high, tip.y);
+        });
+        QVERIFY(low < -13.8 && high > 13.8);
+    }
+
+    /// Round the foot of an upright wall: a circle, and nothing on the boss's convex edge.
+    void pencilGoesRoundTheFootOfAWall_data() {
+        QTest::addColumn<double>("corner");
+        QTest::newRow("ball") << 3.0;
+        QTest::newRow("bull nose") << 1.0;
+        QTest::newRow("flat") << 0.0;
+    }
+    void pencilGoesRoundTheFootOfAWall() {
+        QFETCH(double, corner);
+        const Ground ground(plateWithBoss(), endMill(6.0, corner), {{-20.0, -20.0, 0.0}, {20.0, 20.0, 12.0}}, 0.0);
+        PassRequest request;
+        request.kind = PassKind::pencil;
+        const Result<PlannedPass> pass = ground.plan(request);
+        QVERIFY(pass);
+        QCOMPARE(pass->strokes.size(), std::size_t(1));
+        const std::vector<RevolvedPiece> tool = pieces(ground.tool.cutter);
+        follow(*pass, [&](const glm::dvec3& tip) {
+            const double radius = glm::length(glm::dvec2(tip));
+            QVERIFY2(std::abs(radius - 11.0) < 0.004 && std::abs(tip.z - 4.0) < 0.003,
+                     qPrintable(QString("%1 %2").arg(radius).arg(tip.z)));
+            QVERIFY(ground.part.clearance(tool, {tip, {0.0, 0.0, 1.0}}).clearance > -0.003);
+        });
+        QVERIFY2(std::abs(lengthOf(*pass) - 2.0 * pi * 11.0) < 0.1, qPrintable(QString::number(lengthOf(*pass))));
+    }
+
+    /// A fillet of 10 mm is none for a ball of 3 mm: it touches everything there in rows.
+    void aWideFilletIsNoEdge() {
+        const Ground ground(
+            blockUnder([](double x, double) { return 13.0 - std::sqrt(100.0 - std::min(81.0, x * x)); }, 12.0, 120),
+            endMill(6.0, 3.0), {{-12.0, -12.0, 0.0}, {12.0, 12.0, 10.0}}, 0.0);
+        PassRequest request;
+        request.kind = PassKind::pencil;
+        request.area = rectangle({-5.0, -8.0}, {5.0, 8.0});
+        const Result<PlannedPass> pass = ground.plan(request);
+        QVERIFY(pass);
+        QCOMPARE(pass->strokes.size(), std::size_t(0));
+    }
+
+    /// An area that was painted on a slope is where the ball touches it, not where its tip is.
+    void anAreaOnThePartIsWhatTheToolTouches_data() {
+        QTest::addColumn<int>("kind");
+        for (const PassKind kind : {PassKind::parallel, PassKind::waterline, PassKind::scallop})
+            QTest::addRow("%s", rowOf(kind).id.data()) << static_cast<int>(kind);
+    }
+    void anAreaOnThePartIsWhatTheToolTouches() {
+        QFETCH(int, kind);
+        const Ground ground = domeGround();
+        PassRequest request;
+        request.kind = static_cast<PassKind>(kind);
+        request.stepOver = 0.4;
+        const glm::dvec2 middle(9.0, 1.0);
+        request.area = brushed({middle}, 2.0);
+        request.areaOnPart = true;
+        const Result<PlannedPass> pass = ground.plan(request);
+        QVERIFY(pass && !pass->strokes.empty());
+        std::vector<glm::dvec2> touched;
+        follow(*pass, [&](const glm::dvec3& tip) {
+            const glm::dvec3 centre(0.0, 0.0, 2.0), ball = tip + glm::dvec3(0.0, 0.0, 3.0);
+            touched.emplace_back(centre + domeRadius * glm::normalize(ball - centre));
+            // Facets of 0.2 mm are touched at their corners.
+            QVERIFY2(glm::distance(touched.back(), middle) < 2.25, qPrintable(QString::number(touched.back().x)));
+        });
+        for (double angle = 0.0; angle < 6.2; angle += 0.3)
+            for (const double out : {0.0, 0.8, 1.5}) {
+                const glm::dvec2 place = middle + out * glm::dvec2(std::cos(angle), std::sin(angle));
+                double nearest = 1e9;
+                for (const glm::dvec2& one : touched) nearest = std::min(nearest, glm::distance(one, place));
+                QVERIFY2(nearest < 0.5, qPrintable(QString("%1 at %2 %3").arg(nearest).arg(place.x).arg(place.y)));
+            }
+    }
+
+    /// What a coarser cutter left on one half is gone over there alone, flat and steep.
+    void restGoesOnlyWhereStockIsLeft() {
+        Ground ground = domeGround();
+        StandingStock& standing = ground.ground.standing;
+        standing = {{-16.0, -16.0}, 0.25, 128, 128, {}, {}};
+        for (int row = 0; row < standing.rows; ++row)
+            for (int column = 0; column < standing.columns; ++column) {
+                const double x = -16.0 + 0.25 * (column + 0.5), y = -16.0 + 0.25 * (row + 0.5);
+                const double part = 2.0 + std::sqrt(std::max(0.0, domeRadius * domeRadius - x * x - y * y));
+                // Elsewhere what voxels and step-overs leave: next to nothing, on the part.
+                standing.thickness.push_back(x > 3.0 ? 0.7 : 0.05);
+                standing.heights.push_back(std::min(17.0, part + standing.thickness.back()));
+            }
+        PassRequest request;
+        request.kind = PassKind::rest;
+        request.stepOver = 0.5;
+        request.bottom = 4.0;
+        const Result<PlannedPass> pass = ground.plan(request);
+        QVERIFY(pass);
+        bool flat = false, steep = false;
+        follow(*pass, [&](const glm::dvec3& tip) {
+            QVERIFY2(tip.x > 0.0, qPrintable(QString::number(tip.x))); // a ball of 3 mm reaches stock from there
+            flat = flat || tip.z > 14.0;
+            steep = steep || tip.z < 7.0;
+        });
+        QVERIFY(flat && steep);
     }
 
     void waterlinesLieOnTheSphere() {

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cad/face_area.h"
+
+#include "core/base/numbers.h"
+#include "core/geometry/triangle.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <unordered_map>
+
+namespace burin {
+
+namespace {
+
+constexpr double reach = 0.1;          // mm from a place to its face
+constexpr double leastCosine = 0.9397; // of a bend of 20 degrees
+constexpr double leastUpwards = 1e-3;  // z of a normal: what is steeper has no area from above
+
+/// A triangle of one of a model's bodies.
+struct Spot {
+    const TriangleMesh* mesh = nullptr;
+    std::size_t triangle = 0;
+    double distance = std::numeric_limits<double>::infinity(); ///< mm
+};
+
+Triangle cornersOf(const TriangleMesh& mesh, std::size_t triangle) {
+    const auto& corners = mesh.triangles[triangle];
+    return {mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]};
+}
+
+Spot nearestSpot(const Model& model, const glm::dvec3& place) {
+    Spot nearest;
+    for (const Body& body : model.bodies)
+        for (std::size_t i = 0; i < body.mesh.triangles.size(); ++i) {
+            const double distance = glm::distance(closestOnTriangle(cornersOf(body.mesh, i), place).point, place);
+            if (distance < nearest.distance) nearest = {&body.mesh, i, distance};
+        }
+    return nearest;
+}
+
+/// The face of a mesh that a triangle lies on.
+class Face {
+public:
+    explicit Face(const TriangleMesh& mesh) : mesh_(mesh), places_(firstAtSamePlace(mesh)) {
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+            for (int side = 0; side < 3; ++side) sides_.emplace(keyOf(i, side), static_cast<std::uint32_t>(i));
+    }
+
+    /// Its outlines: the material of the face to the left.
+    std::vector<PlanRing> outlines(std::size_t from) {
+        std::vector<char> on(mesh_.triangles.size(), 0);
+        std::vector<std::size_t> open;
+        const auto reachTo = [&](std::size_t triangle) {
+            if (on[triangle] || normalOf(triangle).z < leastUpwards) return;
+            on[triangle] = 1;
+            open.push_back(triangle);
+        };
+        std::unordered_multimap<std::uint32_t, std::uint32_t> border; // from one corner to the next
+        reachTo(from);
+        while (!open.empty()) {
+            const std::size_t triangle = open.back();
+            open.pop_back();
+            for (int side = 0; side < 3; ++side)
+                if (const auto next = beside(triangle, side)) reachTo(*next);
+        }
+        for (std::size_t i = 0; i < on.size(); ++i)
+            for (int side = 0; on[i] && side < 3; ++side) {
+                const auto next = beside(i, side);
+                if (!next || !on[*next]) border.emplace(corner(i, side), corner(i, side + 1));
+            }
+        return chained(std::move(border));
+    }
+
+private:
+    std::uint32_t corner(std::size_t triangle, int which) const {
+        return places_[mesh_.triangles[triangle][static_cast<std::size_t>(which % 3)]];
+    }
+    std::uint64_t keyOf(std::size_t triangle, int side) const {
+        return std::uint64_t{corner(triangle, side)} << 32 | corner(triangle, side + 1);
+    }
+    glm::dvec3 normalOf(std::size_t triangle) const {
+        const glm::dvec3 normal = areaNormal(cornersOf(mesh_, triangle));
+        const double length = glm::length(normal);
+        return length > 0.0 ? normal / length : glm::dvec3(0.0);
+    }
+    /// The triangle behind a side, unless the face ends there.
+    std::optional<std::size_t> beside(std::size_t triangle, int side) const {
+        const auto found = sides_.find(std::uint64_t{corner(triangle, side + 1)} << 32 | corner(triangle, side));
+        if (found == sides_.end() || glm::dot(normalOf(triangle), normalOf(found->second)) < leastCosine) return {};
+        return found->second;
+    }
+    std::vector<PlanRing> chained(std::unordered_multimap<std::uint32_t, std::uint32_t> border) const {
+        std::vector<PlanRing> rings;
+        while (!border.empty()) {
+            PlanRing ring;
+            const std::uint32_t first = border.begin()->first;
+            for (auto step = border.begin(); step != border.end();) {
+                const auto [from, to] = *step;
+                ring.emplace_back(mesh_.vertices[from]);
+                border.erase(step);
+                step = to == first ? border.end() : border.find(to);
+            }
+            rings.push_back(std::move(ring));
+        }
+        return rings;
+    }
+
+    const TriangleMesh& mesh_;
+    std::vector<std::uint32_t> places_;
+    std::unordered_map<std::uint64_t, std::uint32_t> sides_; ///< of directed sides the triangle
+};
+
+} // namespace
+
+Result<PlanRegion> faceArea(const Model& model, const glm::dvec3& place) {
+    const std::string asked = formatShortest(place.x) + ", " + formatShortest(place.y) + ", " + formatShortest(place.z);
+    const Spot spot = nearestSpot(model, place);
+    if (!(spot.distance <= reach))
+        return Error{ErrorCode::argumentInvalid, "face", asked, "a place on the part; none of it is there"};
+    PlanRegion region = filledBy(Face(*spot.mesh).outlines(spot.triangle));
+    if (region.empty()) return Error{ErrorCode::argumentInvalid, "face", asked, "a face that is seen from above"};
+    return region;
+}
+
+} // namespace burin

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/parallel.h"
+#include "core/passes/crease_lines.h"
+#include "core/passes/surface_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+constexpr double coarsestRaster = 0.5; // mm
+constexpr double shortest = 2.0;       // squares of the raster: what is shorter is no edge
+
+/// Creases one after the other, each from the end that is nearer to where the last one ended.
+std::vector<TipLine> inOrder(std::vector<TipLine> lines) {
+    std::vector<TipLine> ordered;
+    glm::dvec3 tip(0.0);
+    while (!lines.empty()) {
+        std::size_t next = 0;
+        double least = 1e300;
+        bool fromEnd = false;
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            for (const bool end : {false, true}) {
+                const double way = ordered.empty() ? static_cast<double>(i)
+                                                   : glm::distance(end ? lines[i].back() : lines[i].front(), tip);
+                if (!(way < least)) continue;
+                least = way;
+                next = i;
+                fromEnd = end;
+            }
+        if (fromEnd) std::ranges::reverse(lines[next]);
+        tip = lines[next].back();
+        ordered.push_back(std::move(lines[next]));
+        lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(next));
+    }
+    return ordered;
+}
+
+double lengthOf(const TipLine& line) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
+    return length;
+}
+
+} // namespace
+
+Result<PlannedPass> planPencil(const PassRequest& request, const PassGround& ground, Progress& progress) {
+    if (ground.part.bounds().empty())
+        return Error{ErrorCode::argumentInvalid, "pass", std::string(rowOf(request.kind).id),
+                     "a part with edges to follow; there is none"};
+    const SurfaceTrace trace(request, ground);
+    const double raster = std::min(coarsestRaster, ground.tool.cutter.radius() / 6.0);
+    std::vector<TipLine> creases = creaseLines(trace, raster, progress);
+    std::erase_if(creases, [&](const TipLine& line) { return lengthOf(line) < shortest * raster; });
+    std::vector<std::vector<TipLine>> stretches(creases.size());
+    std::vector<double> leftOut(creases.size(), 0.0);
+    parallelFor(std::size_t{0}, creases.size(), [&](std::size_t i) {
+        if (!progress.cancelled()) stretches[i] = trace.stretchesOf(creases[i], leftOut[i]);
+    });
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "pass", "", ""};
+    PlannedPass planned;
+    for (const double one : leftOut) planned.leftOut += one;
+    std::vector<TipLine> lines;
+    for (const std::vector<TipLine>& line : stretches) lines.insert(lines.end(), line.begin(), line.end());
+    for (const TipLine& line : inOrder(std::move(lines))) planned.strokes.push_back(straightened(line));
+    return planned;
+}
+
+} // namespace burin

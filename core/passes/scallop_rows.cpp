@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/parallel.h"
+#include "core/base/parallel_progress.h"
+#include "core/geometry/segment.h"
+#include "core/passes/raster_borders.h"
+#include "core/passes/surface_distance.h"
+#include "core/passes/surface_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+constexpr double leastUpwards = 0.2588; // of the way out of the part: 75 degrees
+constexpr double mostSquares = 1500.0;  // along a side of the raster
+constexpr double gap = 0.58;            // of the step-over, from the middle between two rows to the next one
+constexpr double leastShare = 0.3;      // of the way of the tip: where it rolls round an edge it cuts next to nothing
+
+/// Rows at even distances on a surface of tips.
+class ScallopRows {
+public:
+    ScallopRows(const SurfaceTrace& trace, double stepOver, bool ball, Progress& progress)
+        : trace_(trace), step_(stepOver), ball_(ball), progress_(progress), bounds_(trace.bounds()) {
+        const glm::dvec2 size = bounds_.high - bounds_.low;
+        edge_ = std::max(std::clamp(0.5 * stepOver, 0.1, 0.3), std::max(size.x, size.y) / mostSquares);
+        surface_.columns = static_cast<int>(std::ceil(size.x / edge_)) + 1;
+        surface_.rows = static_cast<int>(std::ceil(size.y / edge_)) + 1;
+    }
+
+    std::vector<PlanRow> rows() {
+        look();
+        if (progress_.cancelled()) return {};
+        distance_ = distancesFromBorder(
+            surface_, [this](std::size_t one, std::size_t other) { return lengthBetween(one, other); }, 0.5 * edge_);
+        const double farthest = distance_.empty() ? 0.0 : *std::ranges::max_element(distance_);
+        std::vector<PlanRow> rows;
+        std::vector<PlanRing> rings = ringsAt(0.5 * step_);
+        for (double level = 0.5 * step_; level < farthest && !progress_.cancelled(); level += step_) {
+            std::vector<PlanRing> next = ringsAt(level + step_);
+            for (const PlanRing& ring : ringsAt(level + 0.5 * step_)) addGaps(ring, next, rows);
+            for (PlanRing& ring : rings) rows.push_back(closed(std::move(ring)));
+            rings = std::move(next);
+        }
+        return inOrder(std::move(rows));
+    }
+
+private:
+    void look() {
+        const std::size_t count = static_cast<std::size_t>(surface_.columns) * static_cast<std::size_t>(surface_.rows);
+        surface_.on.assign(count, 0);
+        tips_.resize(count);
+        touched_.resize(count);
+        ParallelProgress done(progress_, static_cast<std::size_t>(surface_.rows));
+        parallelFor(0, surface_.rows, [&](int row) {
+            if (progress_.cancelled()) return;
+            TipDrop probe = trace_.probe();
+            for (int column = 0; column < surface_.columns; ++column) {
+                const std::size_t i = surface_.indexOf(column, row);
+                const SurfacePlace place = trace_.at(bounds_.low + edge_ * glm::dvec2(column, row), probe);
+                tips_[i] = place.tip;
+                if (!place.onPart || !trace_.isWanted(place, probe)) continue;
+                const ToolClearance touch = probe.touch(place.tip);
+                touched_[i] = touch.meshPoint;
+                surface_.on[i] = touch.away.z >= leastUpwards ? 1 : 0;
+            }
+            done.add();
+        });
+    }
+
+    /// A ball leaves a ridge of s·t / 8R between two rows whose tips are s apart and touch the part t apart, on plane,
+    /// convex and concave faces alike: the mean of both is what has to be even.
+    double lengthBetween(std::size_t one, std::size_t other) const {
+        const double tips = glm::distance(tips_[one], tips_[other]);
+        if (!ball_) return tips;
+        const double touched = glm::distance(touched_[one], touched_[other]);
+        return std::max(leastShare * tips, std::sqrt(tips * touched));
+    }
+
+    std::vector<PlanRing> ringsAt(double level) const {
+        std::vector<double> room(distance_.size());
+        for (std::size_t i = 0; i < room.size(); ++i) room[i] = level - distance_[i];
+        std::vector<PlanRing> rings = bordersOf(room, surface_.columns, surface_.rows, level);
+        for (PlanRing& ring : rings)
+            for (glm::dvec2& place : ring) place = bounds_.low + edge_ * place;
+        return rings;
+    }
+    static PlanRow closed(PlanRing ring) {
+        ring.push_back(ring.front());
+        return ring;
+    }
+
+    /// Where rows bend sharply, or those from two sides meet, the next one is farther than a step: there a stretch of a
+    /// row half a step on fills the gap. @param ring half a step on
+    void addGaps(const PlanRing& ring, const std::vector<PlanRing>& next, std::vector<PlanRow>& rows) const {
+        std::vector<char> lacks(ring.size(), 0);
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            if (!leavesGap(ring[i], next)) continue;
+            for (const std::size_t k : {i + ring.size() - 1, i, i + 1}) lacks[k % ring.size()] = 1;
+        }
+        const auto first = std::ranges::find(lacks, 0);
+        if (first == lacks.end()) return rows.push_back(closed(ring));
+        const auto start = static_cast<std::size_t>(first - lacks.begin());
+        for (std::size_t i = 0, open = 0; i < ring.size(); ++i) {
+            const std::size_t at = (start + i) % ring.size();
+            if (lacks[at] && !open) rows.emplace_back();
+            if (lacks[at]) rows.back().push_back(ring[at]);
+            open = lacks[at] ? 1 : 0;
+        }
+    }
+    bool leavesGap(const glm::dvec2& place, const std::vector<PlanRing>& next) const {
+        const double steepness = steepnessAt(place);
+        const double reach = gap * step_ / std::max(steepness, 1e-6); // mm in plan
+        return std::ranges::none_of(next, [&](const PlanRing& ring) {
+            for (std::size_t i = 0; i < ring.size(); ++i)
+                if (distanceToSegment(place, ring[i], ring[(i + 1) % ring.size()]) < reach) return true;
+            return false;
+        });
+    }
+    /// By how much the distance grows a mm in plan at most; of a ridge its steeper side.
+    double steepnessAt(const glm::dvec2& place) const {
+        const glm::dvec2 at = (place - bounds_.low) / edge_;
+        const int column = std::clamp(static_cast<int>(std::lround(at.x)), 1, surface_.columns - 2);
+        const int row = std::clamp(static_cast<int>(std::lround(at.y)), 1, surface_.rows - 2);
+        const auto near = [&](int right, int up) { return distance_[surface_.indexOf(column + right, row + up)]; };
+        const double here = near(0, 0);
+        const double x = std::max(std::abs(near(1, 0) - here), std::abs(near(-1, 0) - here));
+        const double y = std::max(std::abs(near(0, 1) - here), std::abs(near(0, -1) - here));
+        return std::hypot(x, y) / edge_;
+    }
+
+    /// The nearest row next, closed ones begun where they are nearest.
+    static std::vector<PlanRow> inOrder(std::vector<PlanRow> rows) {
+        std::vector<PlanRow> ordered;
+        while (!rows.empty()) {
+            std::size_t next = 0, start = 0;
+            double least = 1e300;
+            for (std::size_t i = 0; i < rows.size() && !ordered.empty(); ++i) {
+                const bool ring = rows[i].front() == rows[i].back();
+                for (std::size_t k = 0; k < rows[i].size(); k += ring ? 1 : rows[i].size() - 1) {
+                    const double way = glm::distance(rows[i][k], ordered.back().back());
+                    if (!(way < least)) continue;
+                    least = way;
+                    next = i;
+                    start = k;
+                }
+            }
+            PlanRow row = std::move(rows[next]);
+            rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(next));
+            if (row.front() == row.back()) {
+                row.pop_back();
+                std::ranges::rotate(row, row.begin() + static_cast<std::ptrdiff_t>(start % row.size()));
+                row.push_back(row.front());
+            } else if (start > 0) {
+                std::ranges::reverse(row);
+            }
+            ordered.push_back(std::move(row));
+        }
+        return ordered;
+    }
+
+    const SurfaceTrace& trace_;
+    double step_;
+    bool ball_;
+    Progress& progress_;
+    PlanBounds bounds_;
+    double edge_ = 0.0; // mm
+    SurfaceRaster surface_;
+    std::vector<glm::dvec3> tips_, touched_; // mm, by place
+    std::vector<double> distance_;           // mm, by place
+};
+
+} // namespace
+
+std::vector<PlanRow> scallopRows(const SurfaceTrace& trace, double stepOver, bool ball, Progress& progress) {
+    return ScallopRows(trace, stepOver, ball, progress).rows();
+}
+
+} // namespace burin

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/passes/surface_trace.h"
+
+#include "core/geometry/lowest_clear.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace burin {
+namespace {
+
+constexpr double coarsest = 0.2;        // mm between places of a row
+constexpr double chordError = 0.002;    // mm between a row and the part's surface of tips, at the middle of two places
+constexpr double closest = 0.02;        // mm between places
+constexpr double straightWithin = 5e-4; // mm: places that a straight way passes as near as that are left out
+constexpr double tolerance = 1e-6;      // mm
+
+} // namespace
+
+bool isRest(const WorkpieceHeights& heights, const PassGround& ground, const glm::dvec3& tip) noexcept {
+    const StandingStock& standing = ground.standing;
+    if (!(heights.freeTip(tip.x, tip.y) > tip.z + WorkpieceHeights::leastRest)) return false;
+    if (standing.thickness.empty()) return true; // nothing is milled yet
+    const double radius = ground.tool.cutter.radius();
+    const glm::dvec2 middle =
+        (glm::dvec2(tip) - standing.low) / standing.edge - 0.5; // in squares, from centre to centre
+    const double reach = radius / standing.edge;
+    const int firstRow = std::max(0, static_cast<int>(std::ceil(middle.y - reach)));
+    const int lastRow = std::min(standing.rows - 1, static_cast<int>(std::floor(middle.y + reach)));
+    const int firstColumn = std::max(0, static_cast<int>(std::ceil(middle.x - reach)));
+    const int lastColumn = std::min(standing.columns - 1, static_cast<int>(std::floor(middle.x + reach)));
+    for (int row = firstRow; row <= lastRow; ++row)
+        for (int column = firstColumn; column <= lastColumn; ++column) {
+            const std::size_t i = static_cast<std::size_t>(row) * static_cast<std::size_t>(standing.columns) +
+                                  static_cast<std::size_t>(column);
+            if (!(standing.thickness[i] > WorkpieceHeights::leastRest)) continue;
+            const double distance = standing.edge * glm::distance(middle, glm::dvec2(column, row));
+            if (distance <= radius &&
+                standing.heights[i] > tip.z + heights.riseAt(distance) + WorkpieceHeights::leastRest)
+                return true;
+        }
+    return false;
+}
+
+SurfaceTrace::SurfaceTrace(const PassRequest& request, const PassGround& ground)
+    : request_(request)
+    , ground_(ground)
+    , pieces_(pieces(ground.tool.cutter))
+    , heights_(ground.stock, ground.tool.cutter)
+    , bottom_(request.bottom.value_or(ground.part.bounds().empty() ? ground.stock.low.z : ground.part.bounds().low.z)) {
+    heights_.lowerTo(ground.standing);
+}
+
+PlanBounds SurfaceTrace::bounds() const {
+    const double reach = ground_.tool.cutter.radius() + request_.allowance;
+    if (!request_.area.empty()) {
+        PlanBounds bounds = boundsOf(request_.area);
+        if (request_.areaOnPart) bounds = {bounds.low - reach, bounds.high + reach};
+        return bounds;
+    }
+    const Box part = ground_.part.bounds();
+    return {glm::dvec2(part.low) - reach, glm::dvec2(part.high) + reach};
+}
+
+/// Takes places one by one, and keeps those that are wanted and possible.
+class SurfaceTrace::Stretches {
+public:
+    Stretches(const SurfaceTrace& trace, TipDrop& probe, double& leftOut)
+        : trace_(trace), probe_(probe), leftOut_(leftOut) {}
+
+    void add(const SurfacePlace& place) {
+        const bool wanted = trace_.isWanted(place, probe_);
+        const bool possible = wanted && trace_.isPossible(place);
+        if (wanted && !possible && last_) leftOut_ += glm::distance(last_->tip, place.tip);
+        if (possible && !open_) stretches_.emplace_back();
+        open_ = possible;
+        if (possible) stretches_.back().push_back(place.tip);
+        last_ = place;
+    }
+    const std::optional<SurfacePlace>& last() const noexcept { return last_; }
+    std::vector<TipLine> taken() {
+        std::erase_if(stretches_, [](const TipLine& line) { return line.size() < 2; });
+        return std::move(stretches_);
+    }
+
+private:
+    const SurfaceTrace& trace_;
+    TipDrop& probe_;
+    double& leftOut_;
+    std::vector<TipLine> stretches_;
+    std::optional<SurfacePlace> last_;
+    bool open_ = false;
+};
+
+std::vector<TipLine> SurfaceTrace::stretchesOf(const TipLine& line, double& leftOut) const {
+    TipDrop probe = this->probe();
+    Stretches stretches(*this, probe, leftOut);
+    for (const glm::dvec3& tip : line) stretches.add({tip, true});
+    return stretches.taken();
+}
+
+std::vector<TipLine> SurfaceTrace::along(const PlanRow& row, double& leftOut) const {
+    TipDrop probe = this->probe();
+    Stretches stretches(*this, probe, leftOut);
+    const auto add = [&](const SurfacePlace& place) { stretches.add(place); };
+    for (std::size_t i = 1; i < row.size(); ++i) {
+        const glm::dvec2 &from = row[i - 1], &to = row[i];
+        const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / coarsest)));
+        for (int k = 0; k < steps; ++k) {
+            if (!stretches.last()) add(at(from, probe));
+            const SurfacePlace first = *stretches.last();
+            const SurfacePlace last = at(glm::mix(from, to, static_cast<double>(k + 1) / steps), probe);
+            between(first, last, probe, add);
+            add(last);
+        }
+    }
+    return stretches.taken();
+}
+
+/// Adds places where the straight way between two leaves the part's surface of tips.
+void SurfaceTrace::between(const SurfacePlace& first, const SurfacePlace& last, TipDrop& probe,
+                           const std::function<void(const SurfacePlace&)>& add) const {
+    const glm::dvec2 from(first.tip), to(last.tip);
+    if (glm::distance(from, to) < 2.0 * closest || (!first.onPart && !last.onPart)) return;
+    const SurfacePlace middle = at(0.5 * (from + to), probe);
+    if (std::abs(middle.tip.z - 0.5 * (first.tip.z + last.tip.z)) <= chordError) return;
+    between(first, middle, probe, add);
+    add(middle);
+    between(middle, last, probe, add);
+}
+
+SurfacePlace SurfaceTrace::at(const glm::dvec2& place, TipDrop& probe) const {
+    // The field leads quickly to just above: what it says, less its error there, is never more than there is.
+    const auto surelySpare = [&](double z) {
+        const glm::dvec3 tip(place, z);
+        return ground_.field.at(tip).clearance - ground_.field.errorBoundAt(tip) - request_.allowance;
+    };
+    const bool known = surelySpare(probe.top()) > 0.0;
+    const double from = known ? lowestClear(surelySpare, probe.top(), bottom_).value_or(bottom_) : probe.top();
+    const std::optional<double> height = probe.at(place, from);
+    return {{place, height.value_or(bottom_)}, height.has_value()};
+}
+
+bool SurfaceTrace::isWanted(const SurfacePlace& place, TipDrop& probe) const {
+    if (!isInArea(place, probe)) return false;
+    if (!place.onPart)
+        return request_.flattest == 0.0 &&
+               heights_.freeTip(place.tip.x, place.tip.y) > place.tip.z + WorkpieceHeights::leastRest;
+    if (request_.restOnly && !isRest(heights_, ground_, place.tip)) return false;
+    return !request_.limitsSlope() || request_.allowsSlope(probe.touch(place.tip).away);
+}
+
+bool SurfaceTrace::isInArea(const SurfacePlace& place, TipDrop& probe) const {
+    if (request_.area.empty()) return true;
+    if (!request_.areaOnPart || !place.onPart) return holds(request_.area, glm::dvec2(place.tip));
+    return holds(request_.area, touchedPlace(probe.touch(place.tip), place.tip));
+}
+
+bool SurfaceTrace::isPossible(const SurfacePlace& place) const {
+    return heights_.safeHeight(place.tip) <= place.tip.z + tolerance &&
+           heights_.freeTip(place.tip.x, place.tip.y) <=
+               place.tip.z + std::min(ground_.rowDepth, usableFlutes(ground_.tool.cutter));
+}
+
+TipLine straightened(const TipLine& line) {
+    if (line.size() < 3) return line;
+    TipLine kept{line.front()};
+    std::size_t from = 0;
+    constexpr std::size_t longest = 400; // places
+    for (std::size_t i = 2; i < line.size(); ++i) {
+        const glm::dvec3 along = line[i] - line[from];
+        const double length = glm::length(along);
+        bool straight = length > 0.0 && i - from < longest;
+        for (std::size_t k = from + 1; k < i && straight; ++k)
+            straight = glm::length(glm::cross(line[k] - line[from], along)) <= straightWithin * length;
+        if (straight) continue;
+        from = i - 1;
+        kept.push_back(line[from]);
+    }
+    kept.push_back(line.back());
+    return kept;
+}
+
+} // namespace burin

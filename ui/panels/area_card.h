@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/theme/length_unit.h"
+
+#include <QFrame>
+
+#include <array>
+#include <optional>
+
+class QPushButton;
+class QToolButton;
+
+namespace burin {
+
+class ElidedLabel;
+class FieldRow;
+class QuantityField;
+
+/// What paints the area of the next pass.
+enum class AreaTool { brush, lasso, face };
+
+inline constexpr double thinnestBrush = 0.1, widestBrush = 1000.0; // mm
+
+/// What the card of the painted area shows.
+struct AreaState {
+    double area = 0.0;                ///< mm²; 0: nothing is painted
+    std::optional<AreaTool> painting; ///< with what
+    double brush = 10.0;              ///< mm, diameter
+    bool possible = false;            ///< there is a part to paint on
+
+    friend bool operator==(const AreaState&, const AreaState&) = default;
+};
+
+/// The area of the next pass: what paints it, how large it is.
+class AreaCard : public QFrame {
+    Q_OBJECT
+public:
+    explicit AreaCard(QWidget* parent = nullptr);
+    void setUnit(LengthUnit unit);
+    void setState(const AreaState& state); ///< never emits
+
+signals:
+    void paintingWanted(burin::AreaTool shape, bool wanted);
+    void brushChosen(double diameter); ///< mm
+    void cleared();
+
+private:
+    void show();
+
+    AreaState state_;
+    LengthUnit unit_ = LengthUnit::millimetre;
+    ElidedLabel* size_;
+    QToolButton* clear_;
+    std::array<QPushButton*, 3> shapes_{}; ///< in the order of AreaTool
+    QuantityField* brush_;
+    FieldRow* brushRow_;
+};
+
+} // namespace burin

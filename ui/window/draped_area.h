@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/mesh_distance.h"
+#include "core/geometry/plan_region.h"
+#include "ui/scene/place_chains.h"
+
+namespace burin {
+
+/// The outlines of an area in plan as they lie on a part, seen from above; beside it on the height of its lowest place.
+PlaceChains drapedOutlines(const PlanRegion& area, const MeshDistance& part);
+/// The same with hatching.
+PlaceChains drapedArea(const PlanRegion& area, const MeshDistance& part);
+
+} // namespace burin
