@@ -78,6 +78,7 @@ Result<void> addArea(const PassArguments& arguments, CommandContext& context, Pa
     Result<PassRequest> shapes = shapesIn(arguments.area, true, arguments, context);
     if (!shapes) return std::move(shapes).error();
     request.area = std::move(shapes->area);
+    request.areaOnPart = request.areaOnPart || shapes->areaOnPart;
     return {};
 }
 
@@ -170,8 +171,11 @@ Argument addPass(CommandParser command, PassArguments& arguments) {
         "--area", arguments.area,
         BURIN_TEXT("Help", "Area of the pass, in the coordinates of the setup: closed curves of a DXF or SVG drawing, "
                            "or a JSON file with a request as \"path list --json\" prints it")));
-    withPass(command.option("--face", arguments.faces,
-                            BURIN_TEXT("Help", "Area: the face of the part at X,Y,Z, mm; can be given several times")));
+    withPass(command
+                 .option("--face", arguments.faces,
+                         BURIN_TEXT("Help",
+                                    "Area: the face of the part at X,Y,Z, mm, within 1 mm; can be given several times"))
+                 .oneAtATime());
     withPass(command
                  .option("--paint", arguments.paint,
                          BURIN_TEXT("Help", "Area: what the strokes of these takes paint with --brush"))

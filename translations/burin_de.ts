@@ -5596,10 +5596,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Einen Durchgang berechnen: levels (Schruppen in Ebenen), pocket (Tasche), profile (Kontur), face (Planen), parallel, radial, spiral (Spirale), flow (Zeilen, die --lead oder --lines folgen), waterline (Höhenlinien), scallop (gleichmäßige Rautiefe), pencil (konkave Kanten), rest (was übrig ist), engrave (Gravieren)</translation>
     </message>
     <message>
-        <source>Area: the face of the part at X,Y,Z, mm; can be given several times</source>
-        <translation>Bereich: die Fläche des Teils bei X,Y,Z, mm; mehrmals möglich</translation>
-    </message>
-    <message>
         <source>Area: what the strokes of these takes paint with --brush</source>
         <translation>Bereich: was die Züge dieser Aufnahmen mit --brush malen</translation>
     </message>
@@ -5618,6 +5614,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Compute it in place of the pass with this id</source>
         <translation>An der Stelle des Durchgangs mit dieser Nummer berechnen</translation>
+    </message>
+    <message>
+        <source>Area: the face of the part at X,Y,Z, mm, within 1 mm; can be given several times</source>
+        <translation>Bereich: die Fläche des Teils bei X,Y,Z, mm, auf 1 mm genau; mehrmals möglich</translation>
     </message>
 </context>
 <context>

@@ -14,7 +14,7 @@ namespace burin {
 
 namespace {
 
-constexpr double reach = 0.1;          // mm from a place to its face
+constexpr double reach = 1.0;          // mm from a place to its face
 constexpr double leastCosine = 0.9397; // of a bend of 20 degrees
 constexpr double leastUpwards = 1e-3;  // z of a normal: what is steeper has no area from above
 

@@ -34,7 +34,6 @@ public:
     void setPart(PartOnSight part, double height);
     void setShape(AreaShape shape);
     void setBrush(double diameter) { brush_ = diameter; } ///< mm
-    AreaShape shape() const noexcept { return shape_; }
 
     bool press(const ViewportEvent& event) override;
     bool move(const ViewportEvent& event) override;
