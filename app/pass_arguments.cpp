@@ -178,7 +178,7 @@ Argument addPass(CommandParser command, PassArguments& arguments) {
                  .oneAtATime());
     withPass(command
                  .option("--paint", arguments.paint,
-                         BURIN_TEXT("Help", "Area: what the strokes of these takes paint with --brush"))
+                         BURIN_TEXT("Help", "Area: painted by the strokes of these takes, as wide as --brush"))
                  .separatedBy(','));
     withPass(command.option("--brush", arguments.brush, BURIN_TEXT("Help", "Diameter of the brush of --paint, mm")));
     withPass(command.flag("--on-part", request.areaOnPart,

@@ -644,16 +644,8 @@
         <translation>Schruppen, Schlichten, eine Tasche, eine Kontur oder eine Gravur mit dem geladenen Werkzeug berechnen.</translation>
     </message>
     <message>
-        <source>&amp;Brush an area</source>
-        <translation>Bereich &amp;malen</translation>
-    </message>
-    <message>
         <source>Paint the area of the next pass on the part; Shift erases.</source>
         <translation>Den Bereich des nächsten Durchgangs auf das Teil malen; Umschalt radiert.</translation>
-    </message>
-    <message>
-        <source>&amp;Lasso an area</source>
-        <translation>Bereich mit dem &amp;Lasso</translation>
     </message>
     <message>
         <source>Draw round the area of the next pass; Shift erases.</source>
@@ -674,6 +666,14 @@
     <message>
         <source>The next pass goes over the whole part again.</source>
         <translation>Der nächste Durchgang geht wieder über das ganze Teil.</translation>
+    </message>
+    <message>
+        <source>Paint an area with the &amp;brush</source>
+        <translation>Bereich mit dem &amp;Pinsel malen</translation>
+    </message>
+    <message>
+        <source>Draw an area with the &amp;lasso</source>
+        <translation>Bereich mit dem &amp;Lasso umfahren</translation>
     </message>
 </context>
 <context>
@@ -1726,14 +1726,6 @@
         <translation>eine Aufspannung ohne Aufnahmen und Durchgänge, oder --add-setup</translation>
     </message>
     <message>
-        <source>%1 mm were left out: too much stock is in the way of the tool. Rough it first, or use a longer tool.</source>
-        <translation>%1 mm wurden ausgelassen: zu viel Rohteil ist dem Werkzeug im Weg. Zuerst schruppen, oder ein längeres Werkzeug verwenden.</translation>
-    </message>
-    <message>
-        <source>%1 mm were left out: fixtures or keep-out volumes are in the way.</source>
-        <translation>%1 mm wurden ausgelassen: Spannmittel oder Sperrräume sind im Weg.</translation>
-    </message>
-    <message>
         <source>%1, the tool of this path; make a new path for another tool</source>
         <translation>%1, das Werkzeug dieser Bahn; für ein anderes Werkzeug eine neue Bahn anlegen</translation>
     </message>
@@ -1748,6 +1740,18 @@
     <message>
         <source>pass %1: %2 mm in %3 s, %4 % of it in air; %5 mm³ removed; engagement within %6° for 95 % of the cut, at most %7°</source>
         <translation>Durchgang %1: %2 mm in %3 s, davon %4 % in der Luft; %5 mm³ abgetragen; Eingriff auf 95 % des Schnitts höchstens %6°, überall höchstens %7°</translation>
+    </message>
+    <message>
+        <source>%1 mm were skipped: too much stock is in the way of the tool. Rough it first, or use a longer tool.</source>
+        <translation>%1 mm wurden ausgelassen: zu viel Rohteil ist dem Werkzeug im Weg. Zuerst schruppen oder ein längeres Werkzeug verwenden.</translation>
+    </message>
+    <message>
+        <source>%1 mm were skipped: fixtures or keep-out volumes are in the way.</source>
+        <translation>%1 mm wurden ausgelassen: Spannmittel oder Sperrräume sind im Weg.</translation>
+    </message>
+    <message>
+        <source>a path with a computed pass</source>
+        <translation>eine Bahn mit einem berechneten Durchgang</translation>
     </message>
 </context>
 <context>
@@ -3189,16 +3193,16 @@
         <translation>ein Teil mit Kanten, denen zu folgen ist; es gibt keines</translation>
     </message>
     <message>
-        <source>a place on the part; none of it is there</source>
-        <translation>eine Stelle auf dem Teil; dort ist nichts davon</translation>
+        <source>the part has no concave edge for this tool there</source>
+        <translation>das Teil hat dort keine konkave Kante für dieses Werkzeug</translation>
     </message>
     <message>
-        <source>a face that is seen from above</source>
-        <translation>eine Fläche, die von oben zu sehen ist</translation>
+        <source>a point on the part, within 1 mm</source>
+        <translation>ein Punkt auf dem Teil, auf 1 mm genau</translation>
     </message>
     <message>
-        <source>the tool meets no concave edge there</source>
-        <translation>das Werkzeug trifft dort auf keine konkave Kante</translation>
+        <source>a face that is visible from above</source>
+        <translation>eine Fläche, die von oben sichtbar ist</translation>
     </message>
 </context>
 <context>
@@ -5596,10 +5600,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Einen Durchgang berechnen: levels (Schruppen in Ebenen), pocket (Tasche), profile (Kontur), face (Planen), parallel, radial, spiral (Spirale), flow (Zeilen, die --lead oder --lines folgen), waterline (Höhenlinien), scallop (gleichmäßige Rautiefe), pencil (konkave Kanten), rest (was übrig ist), engrave (Gravieren)</translation>
     </message>
     <message>
-        <source>Area: what the strokes of these takes paint with --brush</source>
-        <translation>Bereich: was die Züge dieser Aufnahmen mit --brush malen</translation>
-    </message>
-    <message>
         <source>Diameter of the brush of --paint, mm</source>
         <translation>Durchmesser des Pinsels von --paint, mm</translation>
     </message>
@@ -5618,6 +5618,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Area: the face of the part at X,Y,Z, mm, within 1 mm; can be given several times</source>
         <translation>Bereich: die Fläche des Teils bei X,Y,Z, mm, auf 1 mm genau; mehrmals möglich</translation>
+    </message>
+    <message>
+        <source>Area: painted by the strokes of these takes, as wide as --brush</source>
+        <translation>Bereich: von den Zügen dieser Aufnahmen gemalt, so breit wie --brush</translation>
     </message>
 </context>
 <context>
@@ -10731,10 +10735,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Geben Sie die Tiefe der Linien ein.</translation>
     </message>
     <message>
-        <source>Burin computes moves of %1 for the stock that the earlier paths leave, and adds them to the path of this tool. You can edit, check and undo them like recorded ones.</source>
-        <translation>Burin berechnet Bewegungen von %1 für das Rohteil, das die früheren Bahnen übrig lassen, und fügt sie der Bahn dieses Werkzeugs hinzu. Sie lassen sich wie aufgezeichnete bearbeiten, prüfen und rückgängig machen.</translation>
-    </message>
-    <message>
         <source>Compute the pass in the background; it can be cancelled in the status line</source>
         <translation>Den Durchgang im Hintergrund berechnen; in der Statuszeile lässt er sich abbrechen</translation>
     </message>
@@ -10855,8 +10855,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Linien dieses Durchgangs</translation>
     </message>
     <message>
-        <source>Burin computes this pass of %1 again, for the stock that what is milled before it leaves. It keeps its place in the path.</source>
-        <translation>Burin berechnet diesen Durchgang von %1 noch einmal, für das Rohteil, wie es das zuvor Gefräste lässt. Sein Platz in der Bahn bleibt.</translation>
+        <source>Computes moves of %1 for the stock that the earlier paths leave, and adds them to the path of this tool. You can edit, check and undo them like recorded ones.</source>
+        <translation>Berechnet Bewegungen von %1 für das Rohteil, wie die früheren Bahnen es lassen, und fügt sie zur Bahn dieses Werkzeugs hinzu. Sie lassen sich bearbeiten, prüfen und zurücknehmen wie aufgenommene.</translation>
+    </message>
+    <message>
+        <source>Computes this pass of %1 again for the stock that is left before it. The pass keeps its position in the path.</source>
+        <translation>Berechnet diesen Durchgang von %1 noch einmal für das Rohteil, das vor ihm übrig ist. Seine Stelle in der Bahn bleibt.</translation>
     </message>
 </context>
 <context>
@@ -11064,16 +11068,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Warten Sie, bis das Werkstück bereit ist und kein Durchgang berechnet wird.</translation>
     </message>
     <message>
-        <source>%1 of the pass were left out: too much stock is in the way of the tool. Rough it first, or use a longer tool.</source>
-        <translation>%1 des Durchgangs wurden ausgelassen: zu viel Rohteil ist dem Werkzeug im Weg. Schruppen Sie zuerst, oder verwenden Sie ein längeres Werkzeug.</translation>
-    </message>
-    <message>
-        <source>%1 of the pass were left out: fixtures or keep-out volumes are in the way.</source>
-        <translation>%1 des Durchgangs wurden ausgelassen: Spannmittel oder Sperrräume sind im Weg.</translation>
-    </message>
-    <message>
         <source>Change this pass and compute it again</source>
         <translation>Diesen Durchgang ändern und neu berechnen</translation>
+    </message>
+    <message>
+        <source>%1 of the pass were skipped: too much stock is in the way of the tool. Rough it first, or use a longer tool.</source>
+        <translation>%1 des Durchgangs wurden ausgelassen: zu viel Rohteil ist dem Werkzeug im Weg. Zuerst schruppen oder ein längeres Werkzeug verwenden.</translation>
+    </message>
+    <message>
+        <source>%1 of the pass were skipped: fixtures or keep-out volumes are in the way.</source>
+        <translation>%1 des Durchgangs wurden ausgelassen: Spannmittel oder Sperrräume sind im Weg.</translation>
     </message>
 </context>
 <context>

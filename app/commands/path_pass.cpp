@@ -21,9 +21,9 @@ std::string textOfOmissions(const ComputedPass& pass) {
     const auto add = [&text](double length, TextId why) {
         if (length > 0.0) text += "\n" + worded(why, {formatFixed(length, 1)});
     };
-    add(pass.leftOut, BURIN_TEXT("Command", "%1 mm were left out: too much stock is in the way of the tool. Rough it "
+    add(pass.leftOut, BURIN_TEXT("Command", "%1 mm were skipped: too much stock is in the way of the tool. Rough it "
                                             "first, or use a longer tool."));
-    add(pass.inTheWay, BURIN_TEXT("Command", "%1 mm were left out: fixtures or keep-out volumes are in the way."));
+    add(pass.inTheWay, BURIN_TEXT("Command", "%1 mm were skipped: fixtures or keep-out volumes are in the way."));
     return text;
 }
 
@@ -138,7 +138,9 @@ int recompute(ProjectChange& project, StoredPath path, std::optional<std::int64_
     if (const Result<void> known = checkPassOf(path, pass); !known) return context.fail(known.error());
     const Result<std::vector<GeneratedInfo>> passes = passesOf(*project, path);
     if (!passes) return context.fail(passes.error());
-    if (passes->empty()) return context.fail({ErrorCode::nameUnknown, "pass", std::to_string(path.id), {}});
+    if (passes->empty())
+        return context.fail({ErrorCode::argumentInvalid, "PATH", std::to_string(path.id),
+                             worded(BURIN_TEXT("Command", "a path with a computed pass"))});
     const Result<Tool> tool = toolFor(*project, passes->front().toolId);
     if (!tool) return context.fail(tool.error());
     context.stage(BURIN_TEXT("Command", "Opening"));

@@ -118,9 +118,9 @@ Result<PlanRegion> faceArea(const Model& model, const glm::dvec3& place) {
     const std::string asked = formatShortest(place.x) + ", " + formatShortest(place.y) + ", " + formatShortest(place.z);
     const Spot spot = nearestSpot(model, place);
     if (!(spot.distance <= reach))
-        return Error{ErrorCode::argumentInvalid, "face", asked, "a place on the part; none of it is there"};
+        return Error{ErrorCode::argumentInvalid, "face", asked, "a point on the part, within 1 mm"};
     PlanRegion region = filledBy(Face(*spot.mesh).outlines(spot.triangle));
-    if (region.empty()) return Error{ErrorCode::argumentInvalid, "face", asked, "a face that is seen from above"};
+    if (region.empty()) return Error{ErrorCode::argumentInvalid, "face", asked, "a face that is visible from above"};
     return region;
 }
 

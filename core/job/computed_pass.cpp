@@ -29,7 +29,8 @@ double lengthOf(const PlannedPass& planned) {
 const char* whyEmpty(const PlannedPass& planned, const PassRequest& request) {
     if (planned.inTheWay > 0.0) return "fixtures or keep-out volumes are in the way: move them";
     if (planned.leftOut > 0.0) return "too much stock is in the way of the tool: rough it first, or use a longer tool";
-    if (request.kind == PassKind::pencil && !request.restOnly) return "the tool meets no concave edge there";
+    if (request.kind == PassKind::pencil && !request.restOnly)
+        return "the part has no concave edge for this tool there";
     return "no stock is left there";
 }
 

@@ -3,7 +3,7 @@
 #include "core/job/pass_figures.h"
 
 #include "core/document/project.h"
-#include "core/job/job_paths.h"
+#include "core/job/milled_stock.h"
 #include "core/path/engagement_record.h"
 #include "core/path/path_source.h"
 
@@ -35,12 +35,13 @@ public:
         figures_.pass = pass;
         figures_.airShare = figures_.length > 0.0 ? air_ / figures_.length : 0.0;
         std::ranges::sort(met_);
-        double passed = 0.0;
-        const double cutting = figures_.length - air_;
+        if (met_.empty()) return figures_;
+        figures_.engagementMost = met_.back().first;
+        double within = 0.0;
         for (const auto& [arc, length] : met_) {
-            passed += length;
-            if (passed <= 0.95 * cutting || figures_.engagement95 == 0.0) figures_.engagement95 = arc;
-            figures_.engagementMost = arc;
+            within += length;
+            figures_.engagement95 = arc;
+            if (within >= 0.95 * (figures_.length - air_)) break;
         }
         return figures_;
     }
@@ -59,10 +60,12 @@ Result<std::vector<PassFigures>> passFigures(const Project& project, const Milli
     std::vector<PathSource> passes = path.sources;
     std::erase_if(passes, [](const PathSource& source) { return !source.isGenerated(); });
     if (passes.empty()) return std::vector<PassFigures>{};
-    StoredPath empty = path;
-    empty.sources.clear();
-    Result<std::vector<PathMatter>> before = pathsBefore(project, empty, {passes.front(), milling.tool.id, 0.0, 0.0});
-    if (!before) return std::move(before).error();
+    std::vector<MilledPath> before;
+    for (const std::shared_ptr<const EvaluatedPath>& each : evaluated.after) {
+        Result<Tool> tool = toolFor(project, each->path.toolId);
+        if (!tool) return std::move(tool).error();
+        before.push_back({each, std::move(*tool)});
+    }
     std::vector<MetStretch> record;
     const auto cut = [&](RunVolume& stock) -> Result<void> {
         Result<std::vector<MetStretch>> met =
@@ -71,8 +74,7 @@ Result<std::vector<PassFigures>> passFigures(const Project& project, const Milli
         record = std::move(*met);
         return {};
     };
-    if (Result<void> lent = lendStockBehind(milling, std::move(*before), cut, progress); !lent)
-        return std::move(lent).error();
+    if (Result<void> lent = milling.stock->lend(before, cut, progress); !lent) return std::move(lent).error();
     std::vector<PassFigures> figures;
     for (const PathSource& pass : passes) {
         Sum sum;

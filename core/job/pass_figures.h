@@ -12,7 +12,8 @@ namespace burin {
 
 class Project;
 
-/// What a computed pass does to the stock, with its leads and links, by the volume that the path is cut out of again.
+/// What the moves that come from a computed pass do to the stock, by the volume that the path is cut out of again.
+/// Moves that edits add on their own, as links do, belong to no pass.
 struct PassFigures {
     std::int64_t pass = 0; ///< id
     double length = 0.0;   ///< mm, of moves at a feed
@@ -26,7 +27,7 @@ struct PassFigures {
 
 /// Of each pass of a path, in its order; none where it has none.
 /// @param evaluated the path as it is milled in the job. Cost: cuts the path once. Cancellable.
-/// Errors: those of pathsBefore, lendStockBehind and recordEngagement.
+/// Errors: those of toolFor, MilledStock::lend and recordEngagement.
 Result<std::vector<PassFigures>> passFigures(const Project& project, const MillingContext& milling,
                                              const StoredPath& path, const EvaluatedPath& evaluated,
                                              Progress& progress);

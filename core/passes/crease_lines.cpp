@@ -96,34 +96,39 @@ private:
         std::vector<std::size_t> next;
     };
     glm::dvec2 placeOf(int column, int row) const { return bounds_.low + raster_ * glm::dvec2(column, row); }
+    std::size_t indexOf(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+    }
     /// Of the edge from a place to its neighbour along x, or along y.
-    std::size_t edgeOf(int column, int row, bool upwards) const {
-        return (static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)) *
-                   2 +
-               (upwards ? 1 : 0);
+    std::size_t edgeOf(int column, int row, bool upwards) const { return indexOf(column, row) * 2 + (upwards ? 1 : 0); }
+
+    std::vector<Look> lookAround() const {
+        std::vector<Look> looks(indexOf(0, rows_));
+        ParallelProgress done(progress_, static_cast<std::size_t>(rows_));
+        parallelFor(0, rows_, [&](int row) {
+            if (progress_.cancelled()) return;
+            CreaseSearch search(trace_);
+            for (int column = 0; column < columns_; ++column)
+                looks[indexOf(column, row)] = search.look(placeOf(column, row));
+            done.add();
+        });
+        return looks;
     }
 
     void findCrossings() {
         std::vector<std::optional<glm::dvec3>> found(static_cast<std::size_t>(columns_) *
                                                      static_cast<std::size_t>(rows_) * 2);
-        ParallelProgress done(progress_, static_cast<std::size_t>(rows_));
+        const std::vector<Look> looks = lookAround();
         parallelFor(0, rows_, [&](int row) {
             if (progress_.cancelled()) return;
             CreaseSearch search(trace_);
-            std::vector<Look> here, above;
             for (int column = 0; column < columns_; ++column) {
-                here.push_back(search.look(placeOf(column, row)));
-                if (row + 1 < rows_) above.push_back(search.look(placeOf(column, row + 1)));
+                const Look& here = looks[indexOf(column, row)];
+                if (column + 1 < columns_)
+                    found[edgeOf(column, row, false)] = search.between(here, looks[indexOf(column + 1, row)]);
+                if (row + 1 < rows_)
+                    found[edgeOf(column, row, true)] = search.between(here, looks[indexOf(column, row + 1)]);
             }
-            const auto keep = [&](std::size_t edge, const Look& from, const Look& to) {
-                found[edge] = search.between(from, to);
-            };
-            for (int column = 0; column < columns_; ++column) {
-                const auto i = static_cast<std::size_t>(column);
-                if (column + 1 < columns_) keep(edgeOf(column, row, false), here[i], here[i + 1]);
-                if (row + 1 < rows_) keep(edgeOf(column, row, true), here[i], above[i]);
-            }
-            done.add();
         });
         for (std::size_t edge = 0; edge < found.size(); ++edge) {
             if (!found[edge]) continue;

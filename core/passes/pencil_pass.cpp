@@ -11,6 +11,7 @@ namespace burin {
 namespace {
 
 constexpr double coarsestRaster = 0.5; // mm
+constexpr double mostSquares = 1500.0; // along a side of the raster, for the memory that it takes
 constexpr double shortest = 2.0;       // squares of the raster: what is shorter is no edge
 
 /// Creases one after the other, each from the end that is nearer to where the last one ended.
@@ -51,7 +52,9 @@ Result<PlannedPass> planPencil(const PassRequest& request, const PassGround& gro
         return Error{ErrorCode::argumentInvalid, "pass", std::string(rowOf(request.kind).id),
                      "a part with edges to follow; there is none"};
     const SurfaceTrace trace(request, ground);
-    const double raster = std::min(coarsestRaster, ground.tool.cutter.radius() / 6.0);
+    const PlanBounds bounds = trace.bounds();
+    const double largest = std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
+    const double raster = std::max(std::min(coarsestRaster, ground.tool.cutter.radius() / 6.0), largest / mostSquares);
     std::vector<TipLine> creases = creaseLines(trace, raster, progress);
     std::erase_if(creases, [&](const TipLine& line) { return lengthOf(line) < shortest * raster; });
     std::vector<std::vector<TipLine>> stretches(creases.size());

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace burin {
 namespace {
@@ -35,18 +36,22 @@ public:
         distance_ = distancesFromBorder(
             surface_, [this](std::size_t one, std::size_t other) { return lengthBetween(one, other); }, 0.5 * edge_);
         const double farthest = distance_.empty() ? 0.0 : *std::ranges::max_element(distance_);
+        const auto count = static_cast<std::size_t>(std::max(0.0, std::ceil(farthest / step_ - 0.5)));
+        std::vector<std::vector<PlanRing>> rings(count + 1); // the last is empty
+        parallelFor(std::size_t{0}, count, [&](std::size_t i) { rings[i] = ringsAt(levelOf(i)); });
+        std::vector<std::vector<PlanRow>> rowsAt(count);
+        parallelFor(std::size_t{0}, count, [&](std::size_t i) {
+            if (progress_.cancelled()) return;
+            for (const PlanRing& ring : ringsAt(levelOf(i) + 0.5 * step_)) addGaps(ring, rings[i + 1], rowsAt[i]);
+            for (const PlanRing& ring : rings[i]) rowsAt[i].push_back(closed(ring));
+        });
         std::vector<PlanRow> rows;
-        std::vector<PlanRing> rings = ringsAt(0.5 * step_);
-        for (double level = 0.5 * step_; level < farthest && !progress_.cancelled(); level += step_) {
-            std::vector<PlanRing> next = ringsAt(level + step_);
-            for (const PlanRing& ring : ringsAt(level + 0.5 * step_)) addGaps(ring, next, rows);
-            for (PlanRing& ring : rings) rows.push_back(closed(std::move(ring)));
-            rings = std::move(next);
-        }
+        for (std::vector<PlanRow>& level : rowsAt) std::ranges::move(level, std::back_inserter(rows));
         return inOrder(std::move(rows));
     }
 
 private:
+    double levelOf(std::size_t row) const { return (static_cast<double>(row) + 0.5) * step_; } ///< mm from the border
     void look() {
         const std::size_t count = static_cast<std::size_t>(surface_.columns) * static_cast<std::size_t>(surface_.rows);
         surface_.on.assign(count, 0);

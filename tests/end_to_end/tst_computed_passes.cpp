@@ -138,7 +138,7 @@ private slots:
         QVERIFY(unknown.status != 0 && unknown.messages.contains("-99"));
         const ProgramRun beside =
             runBurin({"path", in("f.burin"), "new", "--pass", "parallel", "--tool", "ball-4", "--face", "900,0,0"});
-        QVERIFY(beside.status != 0 && beside.messages.contains("place on the part"));
+        QVERIFY(beside.status != 0 && beside.messages.contains("point on the part"));
     }
 
     /// Letters of a drawing in inches on a plate: where the tool goes is where they are, at the depth that was asked.

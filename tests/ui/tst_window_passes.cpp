@@ -156,6 +156,26 @@ private slots:
                                  30000);
     }
 
+    /// A scallop height that is entered is what rows are laid by, not the step-over that was proposed.
+    void aScallopHeightReplacesTheStepOver() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 1.0));
+        QVERIFY(hasTool(driver, "ball-6"));
+        QVERIFY(driver.step(JobStep::path));
+        driver.whenDialogStands([&](QWidget& dialog) {
+            QVERIFY(choose(dialog, "passKind", 4));
+            QVERIFY(enter(dialog, "passScallop", "0.1"));
+            QVERIFY(press(dialog, "computePassButton"));
+        });
+        QVERIFY(driver.clickOn("newPassButton"));
+        QTRY_COMPARE_WITH_TIMEOUT(workbenchOf(driver).path.passes().size(), std::size_t(1), 30000);
+        const Result<PassRequest> request =
+            passRequestFromJson(workbenchOf(driver).path.passes().front().request, "the pass");
+        QVERIFY(request);
+        QCOMPARE(request->scallop, 0.1);
+        QCOMPARE(request->stepOver, 0.0);
+    }
+
     /// A request that can't be is told where it can be mended; a drawing that is none, too.
     void whatCannotBeIsToldInTheDialog() {
         WindowDriver driver;

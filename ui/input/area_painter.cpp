@@ -60,8 +60,7 @@ bool AreaPainter::move(const ViewportEvent& event) {
         if (shape_ != AreaShape::face) add(event);
         return true;
     }
-    if (event.buttons == Qt::NoButton)
-        if (const std::optional<glm::dvec3> place = placeOn(event, false)) emit hovered(*place);
+    if (event.buttons == Qt::NoButton) emit hovered(placeOn(event, false));
     return false;
 }
 
@@ -111,6 +110,7 @@ QString AreaPainter::escapeMeaning() {
 
 void AreaPainter::leave() {
     giveUp();
+    emit hovered(std::nullopt);
 }
 
 void AreaPainter::giveUp() {

@@ -48,7 +48,7 @@ signals:
     void painted(const burin::PlanRegion& region, bool erase);
     void faceChosen(const glm::dvec3& place, bool erase); ///< mm, on the part
     void brushTurned(double notches);                     ///< of the wheel; > 0: wider
-    void hovered(const glm::dvec3& place);                ///< mm, where the brush is
+    void hovered(const std::optional<glm::dvec3>& place); ///< mm, where the brush is; nothing: beside the part
     void givenUp();                                       ///< what was under way is discarded
     void cancelled();                                     ///< Esc with nothing under way
     void stateChanged();                                  ///< what Esc does may be another

@@ -240,12 +240,12 @@ void PathPanel::Fields::tell() {
                           .arg(state.missingBefore));
     else if (state.passLeftOut > 0.0)
         notice_->tell(Notice::Kind::warning,
-                      PathPanel::tr("%1 of the pass were left out: too much stock is in the way of the tool. Rough it "
+                      PathPanel::tr("%1 of the pass were skipped: too much stock is in the way of the tool. Rough it "
                                     "first, or use a longer tool.")
                           .arg(lengthText(state.passLeftOut, unit)));
     else if (state.passInTheWay > 0.0)
         notice_->tell(Notice::Kind::warning,
-                      PathPanel::tr("%1 of the pass were left out: fixtures or keep-out volumes are in the way.")
+                      PathPanel::tr("%1 of the pass were skipped: fixtures or keep-out volumes are in the way.")
                           .arg(lengthText(state.passInTheWay, unit)));
     else if (const QString omitted = omissionNotice(state.reports, state.zero, unit); !omitted.isEmpty())
         notice_->tell(Notice::Kind::warning, omitted);

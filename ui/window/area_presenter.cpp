@@ -34,8 +34,9 @@ AreaPresenter::AreaPresenter(Workbench& workbench, Viewport& viewport, AreaCard&
     });
     connect(&painter_, &AreaPainter::faceChosen, this, &AreaPresenter::takeFace);
     connect(&painter_, &AreaPainter::brushTurned, this, &AreaPresenter::turnBrush);
-    connect(&painter_, &AreaPainter::hovered, this, [this](const glm::dvec3& place) {
-        if (painting_ == AreaTool::brush) showUnderWay(brushed({glm::dvec2(place)}, 0.5 * brush_));
+    connect(&painter_, &AreaPainter::hovered, this, [this](const std::optional<glm::dvec3>& place) {
+        if (painting_ == AreaTool::brush)
+            showUnderWay(place ? brushed({glm::dvec2(*place)}, 0.5 * brush_) : PlanRegion{});
     });
     connect(&painter_, &AreaPainter::givenUp, this, [this] { viewport_.setArea(lines_); });
     connect(&painter_, &AreaPainter::cancelled, this, [this] { paint(AreaTool::brush, false); });
@@ -150,6 +151,7 @@ void AreaPresenter::showArea() {
 }
 
 void AreaPresenter::showUnderWay(const PlanRegion& region) {
+    if (!milling_) return;
     PlaceChains lines = lines_;
     for (std::vector<glm::dvec3>& line : drapedOutlines(region, milling_->part)) lines.push_back(std::move(line));
     viewport_.setArea(lines);

@@ -92,10 +92,11 @@ void PassDialog::layOut(const Offer& offer) {
     column->setContentsMargins(16, 16, 16, 12);
     column->setSpacing(6);
     const QString adds =
-        tr("Burin computes moves of %1 for the stock that the earlier paths leave, and adds them to the "
-           "path of this tool. You can edit, check and undo them like recorded ones.");
-    const QString replaces = tr("Burin computes this pass of %1 again, for the stock that what is milled before it "
-                                "leaves. It keeps its place in the path.");
+        tr("Computes moves of %1 for the stock that the earlier paths leave, and adds them to the path of "
+           "this tool. You can edit, check and undo them like recorded ones.");
+    const QString replaces =
+        tr("Computes this pass of %1 again for the stock that is left before it. The pass keeps its "
+           "position in the path.");
     auto* about = new QLabel((offer.last.instead ? replaces : adds).arg(offer.toolName), this);
     about->setWordWrap(true);
     column->addWidget(about);
@@ -220,7 +221,8 @@ void PassDialog::addDrawings(const Offer& offer) {
     area_->addItems({tr("whole part"), tr("from a drawing…")});
     if (!painted_.empty()) area_->addItem(tr("painted area"), paintedArea);
     if (!wanted_.request.area.empty()) area_->addItem(tr("area of this pass"), areaBefore);
-    if (area_->count() > areaDrawing + 1) area_->setCurrentIndex(area_->count() - 1);
+    const int chosen = area_->findData(wanted_.instead ? areaBefore : paintedArea);
+    if (chosen >= 0) area_->setCurrentIndex(chosen);
     areaRow_ =
         new FieldRow(tr("Area"), area_,
                      tr("Where the tool may go: what was painted on the part, or the closed curves of a DXF or SVG "
@@ -230,7 +232,7 @@ void PassDialog::addDrawings(const Offer& offer) {
     areaOnPart_ = new QCheckBox(tr("Area on the part"), this);
     areaOnPart_->setObjectName(QStringLiteral("passAreaOnPart"));
     areaOnPart_->setToolTip(tr("The area limits where the tool touches the part, not where its tip goes"));
-    areaOnPart_->setChecked(area_->currentData() == areaBefore ? wanted_.request.areaOnPart : !painted_.empty());
+    areaOnPart_->setChecked(wanted_.instead ? wanted_.request.areaOnPart : !painted_.empty());
     layout()->addWidget(areaOnPart_);
     lines_ = new ChoiceBox(this);
     lines_->setObjectName(QStringLiteral("passLines"));
@@ -328,6 +330,7 @@ void PassDialog::confirm() {
             request.*figure.height = value;
     }
     if (request.steepest >= rightAngle) request.steepest = anySlope;
+    if (request.scallop > 0.0) request.stepOver = 0.0; // a step-over of its own would go before it
     for (const Switch& one : switches_)
         if (contains(one.kinds, request.kind)) request.*one.member = one.box->isChecked();
     request.areaOnPart = areaOnPart_->isVisibleTo(this) && areaOnPart_->isChecked();

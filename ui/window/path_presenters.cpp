@@ -135,9 +135,7 @@ void PathPresenter::askChange(std::int64_t id) {
     if (pass == passes.end()) return;
     WantedPass before{{}, {}, id};
     if (const Result<PassRequest> request = passRequestFromJson(pass->request, pass->name)) before.request = *request;
-    const bool painted = !workbench_.area.area().empty();
-    if (const auto wanted = asked(before, painted ? workbench_.area.area() : PlanRegion{}))
-        workbench_.passes.compute(*wanted);
+    if (const auto wanted = asked(before, workbench_.area.area())) workbench_.passes.compute(*wanted);
 }
 
 /// What the user wants; nothing: no pass.
