@@ -3204,6 +3204,10 @@
         <source>a face that is visible from above</source>
         <translation>eine Fläche, die von oben sichtbar ist</translation>
     </message>
+    <message>
+        <source>its beginning</source>
+        <translation>sein Anfang</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>

@@ -92,11 +92,11 @@ std::vector<PlanRing> chained(const std::vector<DrawnCurve>& open) {
 
 Result<PlanDrawing> drawingOf(std::string_view text, const std::string& origin, double unit) {
     if (text.starts_with("AutoCAD Binary DXF"))
-        return Error{ErrorCode::resourceInvalid, origin, {}, "it is a binary DXF; save it as ASCII"};
+        return Error{ErrorCode::resourceInvalid, origin, "its beginning", "it is a binary DXF; save it as ASCII"};
     const std::string_view begun = beginning(text);
     const bool svg = begun.starts_with('<') && begun.find("<svg") != std::string_view::npos;
     if (!svg && !looksLikeDxf(begun))
-        return Error{ErrorCode::resourceInvalid, origin, {}, "it is neither a DXF nor an SVG drawing"};
+        return Error{ErrorCode::resourceInvalid, origin, "its beginning", "it is neither a DXF nor an SVG drawing"};
     Result<PlanDrawing> drawing = svg ? svgDrawing(begun, origin, unit) : dxfDrawing(begun, origin, unit);
     if (drawing && drawing->curves.empty() && drawing->points.empty())
         return Error{ErrorCode::resourceInvalid, origin, {}, "there is no curve in it"};

@@ -362,6 +362,7 @@ constexpr std::array details{
     BURIN_TEXT("Detail", "it is larger than 64 MB"),
     BURIN_TEXT("Detail", "a closed curve at least, as border of an area"),
     BURIN_TEXT("Detail", "its curves"),
+    BURIN_TEXT("Detail", "its beginning"),
     BURIN_TEXT("Detail", "ends before its EOF"),
     BURIN_TEXT("Detail", "line %1: a group code was expected"),
     BURIN_TEXT("Detail", "has a place farther than 1e5 mm from its origin"),
