@@ -13,7 +13,7 @@ namespace burin {
 namespace {
 
 /// What the parser's English text says at the places that `pattern` captures; empty: it says something else.
-QStringList partsOf(const QString& text, const char* pattern) {
+QStringList partsByText(const QString& text, const char* pattern) {
     const QRegularExpressionMatch match =
         QRegularExpression("^" + QString(pattern) + "$", QRegularExpression::DotMatchesEverythingOption).match(text);
     return match.hasMatch() ? match.capturedTexts().sliced(1) : QStringList();
@@ -34,36 +34,37 @@ QString shortest(const QString& number) {
 
 QString sentenceFor(const char* fault) {
     const QString text = QString::fromLocal8Bit(fault);
-    if (const QStringList parts = partsOf(text, "(.*?): Value (.*) not in range (\\S+) to (\\S+)"); !parts.isEmpty())
+    if (const QStringList parts = partsByText(text, "(.*?): Value (.*) not in range (\\S+) to (\\S+)");
+        !parts.isEmpty())
         return notAllowed(
             parts[0], parts[1],
             QCoreApplication::translate("Command", "%1 to %2").arg(shortest(parts[2]), shortest(parts[3])));
-    if (const QStringList parts = partsOf(text, "(.*?): (.*) not in \\{(.*)\\}"); !parts.isEmpty()) {
+    if (const QStringList parts = partsByText(text, "(.*?): (.*) not in \\{(.*)\\}"); !parts.isEmpty()) {
         QStringList names; // of "name->value" where the parser maps them
         for (const QString& entry : parts[2].split(',')) names << entry.section("->", 0, 0);
         return notAllowed(parts[0], parts[1], names.join(", "));
     }
-    if (const QStringList parts = partsOf(text, "Could not convert: (.*?) = (.*)"); !parts.isEmpty())
+    if (const QStringList parts = partsByText(text, "Could not convert: (.*?) = (.*)"); !parts.isEmpty())
         return notAllowed(parts[0], parts[1], QCoreApplication::translate("Command", "a number"));
-    if (const QStringList parts = partsOf(text, "(.*?): (?:\\d+ required .* missing|At .*)"); !parts.isEmpty())
+    if (const QStringList parts = partsByText(text, "(.*?): (?:\\d+ required .* missing|At .*)"); !parts.isEmpty())
         return QCoreApplication::translate("Command", "\"%1\" needs a value.").arg(parts[0]);
     if (text == "A subcommand is required")
         return QCoreApplication::translate("Command", "A command is missing; \"burin --help\" lists the commands.");
-    if (const QStringList parts = partsOf(text, "(.*) is required"); !parts.isEmpty())
+    if (const QStringList parts = partsByText(text, "(.*) is required"); !parts.isEmpty())
         return QCoreApplication::translate("Command",
                                            "\"%1\" is missing; \"burin COMMAND --help\" shows what a command needs.")
             .arg(parts[0]);
-    if (const QStringList parts = partsOf(text, "The following arguments? (?:was|were) not expected: (.*)");
+    if (const QStringList parts = partsByText(text, "The following arguments? (?:was|were) not expected: (.*)");
         !parts.isEmpty())
         return QCoreApplication::translate(
                    "Command", "\"%1\" is no argument of this command; \"burin COMMAND --help\" lists them.")
             .arg(parts[0]);
-    if (const QStringList parts = partsOf(text, "(.*?) excludes (.*)"); !parts.isEmpty())
+    if (const QStringList parts = partsByText(text, "(.*?) excludes (.*)"); !parts.isEmpty())
         return QCoreApplication::translate("Command", "\"%1\" and \"%2\" can't be used together.")
             .arg(parts[0], parts[1]);
-    if (const QStringList parts = partsOf(text, "(.*?) requires (.*)"); !parts.isEmpty())
+    if (const QStringList parts = partsByText(text, "(.*?) requires (.*)"); !parts.isEmpty())
         return QCoreApplication::translate("Command", "\"%1\" can only be used with \"%2\".").arg(parts[0], parts[1]);
-    if (const QStringList parts = partsOf(text, "(.*?): (.*)"); !parts.isEmpty())
+    if (const QStringList parts = partsByText(text, "(.*?): (.*)"); !parts.isEmpty())
         return notAllowed(parts[0], {}, parts[1]);
     return QCoreApplication::translate("Command", "The arguments can't be understood (%1).").arg(text);
 }

@@ -107,6 +107,16 @@ Result<void> addPainted(const PassArguments& arguments, const Project& project, 
     return {};
 }
 
+Result<void> addHoles(const PassArguments& arguments, PassRequest& request) {
+    for (const std::string& text : arguments.holes) {
+        const std::optional<glm::dvec3> place = vectorOf(text + ",0");
+        if (!place)
+            return Error{ErrorCode::argumentInvalid, "--hole", text, worded(BURIN_TEXT("Command", "X,Y in mm"))};
+        request.places.emplace_back(*place);
+    }
+    return {};
+}
+
 Result<void> addLines(const PassArguments& arguments, const Project& project, CommandContext& context,
                       PassRequest& request) {
     const auto add = [&request](std::vector<PassLine>& lines) {
@@ -133,7 +143,7 @@ Argument addPass(CommandParser command, PassArguments& arguments) {
             .option("--pass", arguments.kind,
                     BURIN_TEXT("Help", "Compute a pass: levels (roughing), pocket, profile, face, parallel, radial, "
                                        "spiral, flow (rows that follow --lead or --lines), waterline, scallop, pencil "
-                                       "(concave edges), rest (what is left), engrave"))
+                                       "(concave edges), rest (what is left), engrave, drill"))
             .choices(passIds());
     const auto withPass = [&](const Argument& argument) { return argument.needs(pass); };
     withPass(command.option("--tool", arguments.tool,
@@ -146,7 +156,10 @@ Argument addPass(CommandParser command, PassArguments& arguments) {
                             BURIN_TEXT("Help", "Instead of --step-over: height of the ridges between rows, mm")));
     withPass(command.option(
         "--level-depth", request.levelDepth,
-        BURIN_TEXT("Help", "Largest depth of a level, mm (default: what material, tool and spindle can take)")));
+        BURIN_TEXT(
+            "Help",
+            "Largest depth of a level, or of a peck when drilling, mm (default: what material, tool and spindle can "
+            "take; holes deeper than 3 diameters: one diameter)")));
     withPass(command.option(
         "--stairs", request.stairs,
         BURIN_TEXT("Help",
@@ -162,7 +175,23 @@ Argument addPass(CommandParser command, PassArguments& arguments) {
     withPass(command.option(
         "--bottom", request.bottom,
         BURIN_TEXT("Help", "Lowest height of the tip, mm (default: the lowest point of the part; for face its top)")));
-    withPass(command.option("--depth", request.depth, BURIN_TEXT("Help", "engrave: depth below the top, mm")));
+    withPass(command.option("--depth", request.depth,
+                            BURIN_TEXT("Help",
+                                       "engrave: depth below the top, mm; drill: the same (default: to the bottom of "
+                                       "the part's hole)")));
+    withPass(command
+                 .option("--hole", arguments.holes,
+                         BURIN_TEXT("Help", "drill: a place X,Y, mm; can be given several times (default: every "
+                                            "upright hole of the part that fits the drill)"))
+                 .oneAtATime());
+    withPass(command.option("--tabs", request.tabs,
+                            BURIN_TEXT("Help", "profile: number of holding tabs left on each outline")));
+    withPass(command.option("--tab-width", request.tabWidth, BURIN_TEXT("Help", "Width of a holding tab, mm")));
+    withPass(command.option("--tab-height", request.tabHeight,
+                            BURIN_TEXT("Help", "Height of a holding tab above the lowest level, mm")));
+    withPass(command.flag("--dogbones", request.dogbones,
+                          BURIN_TEXT("Help", "pocket, profile: cut into the inner corners of the area, so that a "
+                                             "part with square corners fits")));
     withPass(command.flag("--one-way", request.oneWay, BURIN_TEXT("Help", "Cut all rows in one direction")));
     withPass(command.flag("--inside", request.inside,
                           BURIN_TEXT("Help", "profile: inside the outline of --area instead of around it")));
@@ -184,17 +213,23 @@ Argument addPass(CommandParser command, PassArguments& arguments) {
     withPass(command.flag("--on-part", request.areaOnPart,
                           BURIN_TEXT("Help", "The area limits where rows touch the part, not where the tip goes "
                                              "(always with --face and --paint)")));
+    withPass(command.option(
+        "--lines", arguments.lines,
+        BURIN_TEXT("Help", "Curves to engrave, that the rows of flow follow, or beside which pencil looks for "
+                           "edges: DXF, SVG or JSON")));
     withPass(
-        command.option("--lines", arguments.lines,
-                       BURIN_TEXT("Help", "Curves to engrave, or that the rows of flow follow: DXF, SVG or JSON")));
-    withPass(
-        command.option("--lead", arguments.leads, BURIN_TEXT("Help", "Takes whose strokes the rows of flow follow"))
+        command
+            .option("--lead", arguments.leads,
+                    BURIN_TEXT("Help", "Takes whose strokes the rows of flow follow, or beside which pencil looks for "
+                                       "edges"))
             .separatedBy(','));
     withPass(command.option("--move", arguments.move, BURIN_TEXT("Help", "Move the drawing by X,Y, mm")));
     withPass(command
                  .option("--unit", arguments.unit,
                          BURIN_TEXT("Help", "Unit of the drawing (default: the unit that it states)"))
                  .choices(keysOf(drawingUnits())));
+    withPass(command.flag("--preview", arguments.preview,
+                          BURIN_TEXT("Help", "Only estimate the length and time of the pass; change nothing")));
     return pass;
 }
 
@@ -210,6 +245,7 @@ Result<PassRequest> requestOf(const PassArguments& arguments, const Project& pro
     if (Result<void> added = addArea(arguments, context, request); !added) return std::move(added).error();
     if (Result<void> added = addPainted(arguments, project, part, context, request); !added)
         return std::move(added).error();
+    if (Result<void> added = addHoles(arguments, request); !added) return std::move(added).error();
     if (Result<void> added = addLines(arguments, project, context, request); !added) return std::move(added).error();
     if (Result<void> valid = validate(request); !valid) return std::move(valid).error();
     return request;

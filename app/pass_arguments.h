@@ -18,8 +18,10 @@ struct PassArguments {
     std::string kind, tool, area, lines, move, unit;
     std::vector<std::int64_t> leads, paint;
     std::vector<std::string> faces;      ///< places on the part
+    std::vector<std::string> holes;      ///< places in plan
     double brush = 10.0;                 ///< mm, diameter
     std::optional<std::int64_t> instead; ///< id of the pass whose place it takes
+    bool preview = false;                ///< nothing is kept
     double directionDegrees = 0.0;
     std::optional<double> flattestDegrees, steepestDegrees;
     PassRequest request;

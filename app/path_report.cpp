@@ -74,24 +74,41 @@ Result<StoredPath> pathWithId(const Project& project, std::int64_t id) {
 void addFigures(const std::vector<PassFigures>& figures, json& passes) {
     for (json& pass : passes)
         for (const PassFigures& each : figures)
-            if (pass["id"].get<std::int64_t>() == each.pass)
+            if (pass["id"].get<std::int64_t>() == each.pass) {
                 pass.update({{"length_mm", each.length},
                              {"time_s", each.duration},
                              {"air_share", each.airShare},
                              {"removed_mm3", each.removed},
                              {"engagement_95_rad", each.engagement95},
                              {"engagement_most_rad", each.engagementMost}});
+                pass["left_over"] = each.left ? json{{"reachable_mm2", each.left->reachable},
+                                                     {"within_99_percent_mm", each.left->within99},
+                                                     {"most_mm", each.left->most}}
+                                              : json();
+            }
 }
+
+namespace {
+
+std::string textOfLeft(const PassFigures& pass) {
+    if (!pass.left || pass.left->reachable == 0.0) return {};
+    return worded(BURIN_TEXT("Command", "; stock left on 99 % of the reachable part: at most %1 mm (most: %2 mm)"),
+                  {formatFixed(pass.left->within99, 3), formatFixed(pass.left->most, 3)});
+}
+
+} // namespace
 
 std::string textOf(const std::vector<PassFigures>& figures) {
     std::string text;
     for (const PassFigures& each : figures)
-        text += "\n  " + worded(BURIN_TEXT("Command", "pass %1: %2 mm in %3 s, %4 % of it in air; %5 mm³ removed; "
-                                                      "engagement within %6° for 95 % of the cut, at most %7°"),
-                                {std::to_string(each.pass), formatFixed(each.length, 0), formatFixed(each.duration, 0),
-                                 formatFixed(100.0 * each.airShare, 1), formatFixed(each.removed, 0),
-                                 formatFixed(glm::degrees(each.engagement95), 0),
-                                 formatFixed(glm::degrees(each.engagementMost), 0)});
+        text += "\n  " +
+                worded(BURIN_TEXT("Command", "pass %1: %2 mm in %3 s, %4 % of it in air; %5 mm³ removed; "
+                                             "engagement within %6° for 95 % of the cut, at most %7°"),
+                       {std::to_string(each.pass), formatFixed(each.length, 0), formatFixed(each.duration, 0),
+                        formatFixed(100.0 * each.airShare, 1), formatFixed(each.removed, 0),
+                        formatFixed(glm::degrees(each.engagement95), 0),
+                        formatFixed(glm::degrees(each.engagementMost), 0)}) +
+                textOfLeft(each);
     return text;
 }
 

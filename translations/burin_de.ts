@@ -675,6 +675,14 @@
         <source>Draw an area with the &amp;lasso</source>
         <translation>Bereich mit dem &amp;Lasso umfahren</translation>
     </message>
+    <message>
+        <source>&amp;Measure the passes</source>
+        <translation>Durchgänge &amp;messen</translation>
+    </message>
+    <message>
+        <source>Length, time, share of air and engagement of each pass, and the stock that it leaves.</source>
+        <translation>Länge, Zeit, Luftanteil und Eingriff jedes Durchgangs und das Material, das er übrig lässt.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -1752,6 +1760,30 @@
     <message>
         <source>a path with a computed pass</source>
         <translation>eine Bahn mit einem berechneten Durchgang</translation>
+    </message>
+    <message>
+        <source>%1 hole is not drilled to its bottom: the part, or the length of the drill, prevents it.</source>
+        <translation>%1 Bohrung wird nicht bis zum Grund gebohrt: Das Teil oder die Länge des Bohrers lässt es nicht zu.</translation>
+    </message>
+    <message>
+        <source>%1 holes are not drilled to their bottoms: the part, or the length of the drill, prevents it.</source>
+        <translation>%1 Bohrungen werden nicht bis zum Grund gebohrt: Das Teil oder die Länge des Bohrers lässt es nicht zu.</translation>
+    </message>
+    <message>
+        <source>Computing the preview</source>
+        <translation>Vorschau wird berechnet</translation>
+    </message>
+    <message>
+        <source>about %1 m, %2 min at the feed of tool and material, without links</source>
+        <translation>etwa %1 m, %2 min mit dem Vorschub von Werkzeug und Werkstoff, ohne Verbindungen</translation>
+    </message>
+    <message>
+        <source>holes    %1</source>
+        <translation>Bohrungen %1</translation>
+    </message>
+    <message>
+        <source>; stock left on 99 % of the reachable part: at most %1 mm (most: %2 mm)</source>
+        <translation>; auf 99 % des erreichbaren Teils bleibt höchstens %1 mm Material (größter Wert: %2 mm)</translation>
     </message>
 </context>
 <context>
@@ -3207,6 +3239,22 @@
     <message>
         <source>its beginning</source>
         <translation>sein Anfang</translation>
+    </message>
+    <message>
+        <source>the part, or the length of the drill, keeps it from the bottom of the hole</source>
+        <translation>das Teil oder die Länge des Bohrers hält ihn vom Grund der Bohrung ab</translation>
+    </message>
+    <message>
+        <source>the part has no upright hole there that fits this drill and is not drilled yet</source>
+        <translation>das Teil hat dort keine senkrechte Bohrung, die zu diesem Bohrer passt und noch nicht gebohrt ist</translation>
+    </message>
+    <message>
+        <source>a round upright hole of the part, or a depth</source>
+        <translation>eine runde senkrechte Bohrung des Teils oder eine Tiefe</translation>
+    </message>
+    <message>
+        <source>a drill of at most %1 mm for that hole</source>
+        <translation>ein Bohrer von höchstens %1 mm für diese Bohrung</translation>
     </message>
 </context>
 <context>
@@ -5544,10 +5592,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Abstand der Zeilen oder Schleifen, oder der Höhen von Höhenlinien, mm (Vorgabe: 0,4 des Durchmessers zum Schruppen, 1/15 zum Schlichten)</translation>
     </message>
     <message>
-        <source>Largest depth of a level, mm (default: what material, tool and spindle can take)</source>
-        <translation>Größte Tiefe einer Ebene, mm (Vorgabe: was Material, Werkzeug und Spindel vertragen)</translation>
-    </message>
-    <message>
         <source>levels: largest height of the steps left on slopes, mm (default: a tenth of the diameter)</source>
         <translation>levels: größte Höhe der Stufen, die auf Schrägen bleiben, mm (Vorgabe: ein Zehntel des Durchmessers)</translation>
     </message>
@@ -5568,10 +5612,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Tiefste Höhe der Spitze, mm (Vorgabe: tiefster Punkt des Teils; bei face sein höchster)</translation>
     </message>
     <message>
-        <source>engrave: depth below the top, mm</source>
-        <translation>engrave: Tiefe unter der Oberkante, mm</translation>
-    </message>
-    <message>
         <source>Cut all rows in one direction</source>
         <translation>Alle Zeilen in eine Richtung fräsen</translation>
     </message>
@@ -5588,20 +5628,8 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Bereich des Durchgangs, in den Koordinaten der Aufspannung: geschlossene Kurven einer DXF- oder SVG-Zeichnung, oder eine JSON-Datei mit einer Anfrage, wie „path list --json“ sie ausgibt</translation>
     </message>
     <message>
-        <source>Curves to engrave, or that the rows of flow follow: DXF, SVG or JSON</source>
-        <translation>Kurven, die graviert werden oder denen die Zeilen von flow folgen: DXF, SVG oder JSON</translation>
-    </message>
-    <message>
-        <source>Takes whose strokes the rows of flow follow</source>
-        <translation>Aufnahmen, deren Zügen die Zeilen von flow folgen</translation>
-    </message>
-    <message>
         <source>Unit of the drawing (default: the unit that it states)</source>
         <translation>Einheit der Zeichnung (Vorgabe: die angegebene)</translation>
-    </message>
-    <message>
-        <source>Compute a pass: levels (roughing), pocket, profile, face, parallel, radial, spiral, flow (rows that follow --lead or --lines), waterline, scallop, pencil (concave edges), rest (what is left), engrave</source>
-        <translation>Einen Durchgang berechnen: levels (Schruppen in Ebenen), pocket (Tasche), profile (Kontur), face (Planen), parallel, radial, spiral (Spirale), flow (Zeilen, die --lead oder --lines folgen), waterline (Höhenlinien), scallop (gleichmäßige Rautiefe), pencil (konkave Kanten), rest (was übrig ist), engrave (Gravieren)</translation>
     </message>
     <message>
         <source>Diameter of the brush of --paint, mm</source>
@@ -5626,6 +5654,58 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Area: painted by the strokes of these takes, as wide as --brush</source>
         <translation>Bereich: von den Zügen dieser Aufnahmen gemalt, so breit wie --brush</translation>
+    </message>
+    <message>
+        <source>Compute a pass: levels (roughing), pocket, profile, face, parallel, radial, spiral, flow (rows that follow --lead or --lines), waterline, scallop, pencil (concave edges), rest (what is left), engrave, drill</source>
+        <translation>Durchgang berechnen: levels (Schruppen), pocket (Tasche), profile (Kontur), face (Planfräsen), parallel, radial, spiral, flow (Bahnen, die --lead oder --lines folgen), waterline (Höhenlinien), scallop (gleichmäßiger Abstand), pencil (konkave Kanten), rest (Restmaterial), engrave (Gravieren), drill (Bohren)</translation>
+    </message>
+    <message>
+        <source>Largest depth of a level, or of a peck when drilling, mm (default: what material, tool and spindle can take; holes deeper than 3 diameters: one diameter)</source>
+        <translation>Größte Tiefe einer Ebene oder beim Bohren eines Hubes, mm (Vorgabe: was Werkstoff, Werkzeug und Spindel vertragen; Bohrungen tiefer als 3 Durchmesser: ein Durchmesser)</translation>
+    </message>
+    <message>
+        <source>engrave: depth below the top, mm; drill: the same (default: to the bottom of the part&apos;s hole)</source>
+        <translation>engrave: Tiefe unter der Oberkante, mm; drill: ebenso (Vorgabe: bis zum Grund der Bohrung des Teils)</translation>
+    </message>
+    <message>
+        <source>drill: a place X,Y, mm; can be given several times (default: every upright hole of the part that fits the drill)</source>
+        <translation>drill: eine Stelle X,Y, mm; mehrmals möglich (Vorgabe: jede senkrechte Bohrung des Teils, die zum Bohrer passt)</translation>
+    </message>
+    <message>
+        <source>profile: number of holding tabs left on each outline</source>
+        <translation>profile: Anzahl der Haltestege, die an jedem Umriss bleiben</translation>
+    </message>
+    <message>
+        <source>Width of a holding tab, mm</source>
+        <translation>Breite eines Haltestegs, mm</translation>
+    </message>
+    <message>
+        <source>Height of a holding tab above the lowest level, mm</source>
+        <translation>Höhe eines Haltestegs über der untersten Ebene, mm</translation>
+    </message>
+    <message>
+        <source>pocket, profile: cut into the inner corners of the area, so that a part with square corners fits</source>
+        <translation>pocket, profile: in die Innenecken des Bereichs schneiden, damit ein Teil mit scharfen Ecken hineinpasst</translation>
+    </message>
+    <message>
+        <source>Curves to engrave, that the rows of flow follow, or beside which pencil looks for edges: DXF, SVG or JSON</source>
+        <translation>Kurven, die graviert werden, denen die Bahnen von flow folgen oder neben denen pencil Kanten sucht: DXF, SVG oder JSON</translation>
+    </message>
+    <message>
+        <source>Takes whose strokes the rows of flow follow, or beside which pencil looks for edges</source>
+        <translation>Aufnahmen, deren Strichen die Bahnen von flow folgen oder neben denen pencil Kanten sucht</translation>
+    </message>
+    <message>
+        <source>Only estimate the length and time of the pass; change nothing</source>
+        <translation>Länge und Zeit des Durchgangs nur schätzen; nichts ändern</translation>
+    </message>
+    <message>
+        <source>Move a pass or take to another position in its path</source>
+        <translation>Einen Durchgang oder eine Aufnahme an eine andere Stelle der Bahn setzen</translation>
+    </message>
+    <message>
+        <source>Position, from 0: the first is milled first</source>
+        <translation>Stelle, ab 0: die erste wird zuerst gefräst</translation>
     </message>
 </context>
 <context>
@@ -6526,6 +6606,14 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Finishing only where stock is left: rows on flat faces, contours on steep ones</source>
         <translation>Schlichten nur dort, wo Rohteil übrig ist: Zeilen auf flachen, Höhenlinien auf steilen Flächen</translation>
+    </message>
+    <message>
+        <source>Drilling</source>
+        <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>Drills the upright holes of the part that fit the drill, or at given places</source>
+        <translation>Bohrt die senkrechten Bohrungen des Teils, die zum Bohrer passen, oder an angegebenen Stellen</translation>
     </message>
 </context>
 <context>
@@ -7728,6 +7816,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>face</source>
         <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>this pass with this kind of tool</source>
+        <translation>dieser Durchgang mit dieser Art von Werkzeug</translation>
     </message>
 </context>
 <context>
@@ -10623,14 +10715,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Durchgang berechnen</translation>
     </message>
     <message>
-        <source>Pass</source>
-        <translation>Durchgang</translation>
-    </message>
-    <message>
-        <source>What the pass does</source>
-        <translation>Was der Durchgang tut</translation>
-    </message>
-    <message>
         <source>Compute</source>
         <translation>Berechnen</translation>
     </message>
@@ -10641,58 +10725,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Change nothing</source>
         <translation>Nichts ändern</translation>
-    </message>
-    <message>
-        <source>Allowance</source>
-        <translation>Aufmaß</translation>
-    </message>
-    <message>
-        <source>Stock that stays on the part</source>
-        <translation>Rohteil, das auf dem Teil bleibt</translation>
-    </message>
-    <message>
-        <source>Step-over</source>
-        <translation>Zeilenabstand</translation>
-    </message>
-    <message>
-        <source>Scallop height</source>
-        <translation>Rauhtiefe</translation>
-    </message>
-    <message>
-        <source>Depth of a level</source>
-        <translation>Tiefe einer Ebene</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>Steeper than</source>
-        <translation>Steiler als</translation>
-    </message>
-    <message>
-        <source>Flatter than</source>
-        <translation>Flacher als</translation>
-    </message>
-    <message>
-        <source>From height</source>
-        <translation>Ab Höhe</translation>
-    </message>
-    <message>
-        <source>Down to height</source>
-        <translation>Bis Höhe</translation>
-    </message>
-    <message>
-        <source>Only where stock is left</source>
-        <translation>Nur wo Rohteil übrig ist</translation>
-    </message>
-    <message>
-        <source>All rows in one direction</source>
-        <translation>Alle Zeilen in eine Richtung</translation>
     </message>
     <message>
         <source>whole part</source>
@@ -10741,66 +10773,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Compute the pass in the background; it can be cancelled in the status line</source>
         <translation>Den Durchgang im Hintergrund berechnen; in der Statuszeile lässt er sich abbrechen</translation>
-    </message>
-    <message>
-        <source>Distance between rows or loops, or between the heights of a waterline</source>
-        <translation>Abstand der Zeilen oder Schleifen, oder der Höhen von Höhenlinien</translation>
-    </message>
-    <message>
-        <source>Largest height of the ridges between rows; replaces the step-over. 0: not used</source>
-        <translation>Größte Höhe der Grate zwischen Zeilen; ersetzt den Zeilenabstand. 0: nicht verwendet</translation>
-    </message>
-    <message>
-        <source>Largest depth of a level. Default: what material, tool and spindle can take</source>
-        <translation>Größte Tiefe einer Ebene. Vorgabe: was Material, Werkzeug und Spindel vertragen</translation>
-    </message>
-    <message>
-        <source>Steps on slopes</source>
-        <translation>Stufen auf Schrägen</translation>
-    </message>
-    <message>
-        <source>Largest height of the steps that the levels leave on slopes</source>
-        <translation>Größte Höhe der Stufen, die die Ebenen auf Schrägen lassen</translation>
-    </message>
-    <message>
-        <source>Depth of the lines below the top of the stock</source>
-        <translation>Tiefe der Linien unter der Oberkante des Rohteils</translation>
-    </message>
-    <message>
-        <source>Angle between the rows and X</source>
-        <translation>Winkel zwischen den Zeilen und X</translation>
-    </message>
-    <message>
-        <source>Only where the part is at least this steep</source>
-        <translation>Nur wo das Teil mindestens so steil ist</translation>
-    </message>
-    <message>
-        <source>Only where the part is at most this steep</source>
-        <translation>Nur wo das Teil höchstens so steil ist</translation>
-    </message>
-    <message>
-        <source>Height at which the pass begins, in the coordinates of the setup</source>
-        <translation>Höhe, in der der Durchgang beginnt, in den Koordinaten der Aufspannung</translation>
-    </message>
-    <message>
-        <source>Lowest height of the tip, in the coordinates of the setup</source>
-        <translation>Tiefste Höhe der Spitze, in den Koordinaten der Aufspannung</translation>
-    </message>
-    <message>
-        <source>Skips rows that would touch no stock</source>
-        <translation>Überspringt Zeilen, die kein Rohteil berühren würden</translation>
-    </message>
-    <message>
-        <source>The tool returns through the air after each row</source>
-        <translation>Das Werkzeug kehrt nach jeder Zeile durch die Luft zurück</translation>
-    </message>
-    <message>
-        <source>Inside the outline</source>
-        <translation>Innen am Umriss</translation>
-    </message>
-    <message>
-        <source>The cutter follows the outline of the area on its inside</source>
-        <translation>Der Fräser folgt dem Umriss des Bereichs auf dessen Innenseite</translation>
     </message>
     <message>
         <source>What the rows follow, or what is engraved: strokes of a recording or curves of a drawing</source>
@@ -10866,6 +10838,199 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Computes this pass of %1 again for the stock that is left before it. The pass keeps its position in the path.</source>
         <translation>Berechnet diesen Durchgang von %1 noch einmal für das Rohteil, das vor ihm übrig ist. Seine Stelle in der Bahn bleibt.</translation>
     </message>
+    <message>
+        <source>The part has no round upright holes.</source>
+        <translation>Das Teil hat keine runden senkrechten Bohrungen.</translation>
+    </message>
+    <message>
+        <source>Upright holes of the part: %1</source>
+        <translation>Senkrechte Bohrungen des Teils: %1</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PassForm</name>
+    <message>
+        <source>Pass</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>What the pass does</source>
+        <translation>Was der Durchgang tut</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>Stock that stays on the part</source>
+        <translation>Rohteil, das auf dem Teil bleibt</translation>
+    </message>
+    <message>
+        <source>Step-over</source>
+        <translation>Zeilenabstand</translation>
+    </message>
+    <message>
+        <source>Distance between rows or loops, or between the heights of a waterline</source>
+        <translation>Abstand der Zeilen oder Schleifen, oder der Höhen von Höhenlinien</translation>
+    </message>
+    <message>
+        <source>Scallop height</source>
+        <translation>Rauhtiefe</translation>
+    </message>
+    <message>
+        <source>Largest height of the ridges between rows; replaces the step-over. 0: not used</source>
+        <translation>Größte Höhe der Grate zwischen Zeilen; ersetzt den Zeilenabstand. 0: nicht verwendet</translation>
+    </message>
+    <message>
+        <source>Depth of a level</source>
+        <translation>Tiefe einer Ebene</translation>
+    </message>
+    <message>
+        <source>Largest depth of a level. Default: what material, tool and spindle can take</source>
+        <translation>Größte Tiefe einer Ebene. Vorgabe: was Material, Werkzeug und Spindel vertragen</translation>
+    </message>
+    <message>
+        <source>Depth of a peck</source>
+        <translation>Tiefe eines Hubes</translation>
+    </message>
+    <message>
+        <source>The drill comes up for its chips after each peck. 0: in one go up to three diameters, one diameter at a time in deeper holes</source>
+        <translation>Nach jedem Hub kommt der Bohrer hoch und räumt die Späne aus. 0: bis drei Durchmesser in einem Zug, in tieferen Bohrungen je ein Durchmesser</translation>
+    </message>
+    <message>
+        <source>Steps on slopes</source>
+        <translation>Stufen auf Schrägen</translation>
+    </message>
+    <message>
+        <source>Largest height of the steps that the levels leave on slopes</source>
+        <translation>Größte Höhe der Stufen, die die Ebenen auf Schrägen lassen</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Depth of the lines below the top of the stock</source>
+        <translation>Tiefe der Linien unter der Oberkante des Rohteils</translation>
+    </message>
+    <message>
+        <source>Depth of the tip below the top of the stock. 0: to the bottom of each hole of the part</source>
+        <translation>Tiefe der Spitze unter der Oberkante des Rohteils. 0: bis zum Grund jeder Bohrung des Teils</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Angle between the rows and X</source>
+        <translation>Winkel zwischen den Zeilen und X</translation>
+    </message>
+    <message>
+        <source>Steeper than</source>
+        <translation>Steiler als</translation>
+    </message>
+    <message>
+        <source>Only where the part is at least this steep</source>
+        <translation>Nur wo das Teil mindestens so steil ist</translation>
+    </message>
+    <message>
+        <source>Flatter than</source>
+        <translation>Flacher als</translation>
+    </message>
+    <message>
+        <source>Only where the part is at most this steep</source>
+        <translation>Nur wo das Teil höchstens so steil ist</translation>
+    </message>
+    <message>
+        <source>From height</source>
+        <translation>Ab Höhe</translation>
+    </message>
+    <message>
+        <source>Height at which the pass begins, in the coordinates of the setup</source>
+        <translation>Höhe, in der der Durchgang beginnt, in den Koordinaten der Aufspannung</translation>
+    </message>
+    <message>
+        <source>Down to height</source>
+        <translation>Bis Höhe</translation>
+    </message>
+    <message>
+        <source>Lowest height of the tip, in the coordinates of the setup</source>
+        <translation>Tiefste Höhe der Spitze, in den Koordinaten der Aufspannung</translation>
+    </message>
+    <message>
+        <source>Holding tabs</source>
+        <translation>Haltestege</translation>
+    </message>
+    <message>
+        <source>How many bridges stay on each outline</source>
+        <translation>Wie viele Stege an jedem Umriss bleiben</translation>
+    </message>
+    <message>
+        <source>Width of a tab</source>
+        <translation>Breite eines Stegs</translation>
+    </message>
+    <message>
+        <source>Along the outline</source>
+        <translation>Entlang des Umrisses</translation>
+    </message>
+    <message>
+        <source>Height of a tab</source>
+        <translation>Höhe eines Stegs</translation>
+    </message>
+    <message>
+        <source>Above the lowest level of the pass</source>
+        <translation>Über der untersten Ebene des Durchgangs</translation>
+    </message>
+    <message>
+        <source>Only where stock is left</source>
+        <translation>Nur wo Rohteil übrig ist</translation>
+    </message>
+    <message>
+        <source>Skips rows that would touch no stock</source>
+        <translation>Überspringt Zeilen, die kein Rohteil berühren würden</translation>
+    </message>
+    <message>
+        <source>All rows in one direction</source>
+        <translation>Alle Zeilen in eine Richtung</translation>
+    </message>
+    <message>
+        <source>The tool returns through the air after each row</source>
+        <translation>Das Werkzeug kehrt nach jeder Zeile durch die Luft zurück</translation>
+    </message>
+    <message>
+        <source>Inside the outline</source>
+        <translation>Innen am Umriss</translation>
+    </message>
+    <message>
+        <source>The cutter follows the outline of the area on its inside</source>
+        <translation>Der Fräser folgt dem Umriss des Bereichs auf dessen Innenseite</translation>
+    </message>
+    <message>
+        <source>Dogbones</source>
+        <translation>Eckfreistiche</translation>
+    </message>
+    <message>
+        <source>Cuts into the inner corners of the area, so that a part with square corners fits</source>
+        <translation>Schneidet in die Innenecken des Bereichs, damit ein Teil mit scharfen Ecken hineinpasst</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PassMeasurer</name>
+    <message>
+        <source>Measuring the passes</source>
+        <translation>Durchgänge werden gemessen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PassPreviewer</name>
+    <message>
+        <source>Preparing the preview</source>
+        <translation>Vorschau wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Computing the preview</source>
+        <translation>Vorschau wird berechnet</translation>
+    </message>
 </context>
 <context>
     <name>burin::PathController</name>
@@ -10904,6 +11069,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>deletion of a pass</source>
         <translation>Löschen eines Durchgangs</translation>
+    </message>
+    <message>
+        <source>order of passes</source>
+        <translation>Reihenfolge der Durchgänge</translation>
     </message>
 </context>
 <context>
@@ -11082,6 +11251,53 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>%1 of the pass were skipped: fixtures or keep-out volumes are in the way.</source>
         <translation>%1 des Durchgangs wurden ausgelassen: Spannmittel oder Sperrräume sind im Weg.</translation>
+    </message>
+    <message>
+        <source>One hole is not drilled to its bottom: the part, or the length of the drill, prevents it.</source>
+        <translation>Eine Bohrung wird nicht bis zum Grund gebohrt: Das Teil oder die Länge des Bohrers lässt es nicht zu.</translation>
+    </message>
+    <message>
+        <source>%1 holes are not drilled to their bottoms: the part, or the length of the drill, prevents it.</source>
+        <translation>%1 Bohrungen werden nicht bis zum Grund gebohrt: Das Teil oder die Länge des Bohrers lässt es nicht zu.</translation>
+    </message>
+    <message>
+        <source>Measure the passes</source>
+        <translation>Durchgänge messen</translation>
+    </message>
+    <message>
+        <source>Wait until the path is up to date and measured.</source>
+        <translation>Warten Sie, bis die Bahn aktuell und gemessen ist.</translation>
+    </message>
+    <message>
+        <source>Length, time, share of air and engagement of each pass, and the stock that it leaves</source>
+        <translation>Länge, Zeit, Luftanteil und Eingriff jedes Durchgangs und das Material, das er übrig lässt</translation>
+    </message>
+    <message>
+        <source>Mill this pass before the one above</source>
+        <translation>Diesen Durchgang vor dem darüber fräsen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PathPresenter</name>
+    <message>
+        <source>Preview: nothing is left to do there.</source>
+        <translation>Vorschau: Dort ist nichts mehr zu tun.</translation>
+    </message>
+    <message>
+        <source>Preview: about %1 of cutting, %2 without links.</source>
+        <translation>Vorschau: etwa %1 im Schnitt, %2 ohne Verbindungen.</translation>
+    </message>
+    <message>
+        <source>One row in %1 is drawn.</source>
+        <translation>Eine von %1 Bahnen ist gezeichnet.</translation>
+    </message>
+    <message>
+        <source>%1 in %2, %3 % in air; engagement within %4° for 95 % of the cut, at most %5°.</source>
+        <translation>%1 in %2, %3 % in der Luft; Eingriff auf 95 % des Schnitts bis %4°, höchstens %5°.</translation>
+    </message>
+    <message>
+        <source>Stock left on 99 % of the reachable part: at most %1 (most: %2).</source>
+        <translation>Auf 99 % des erreichbaren Teils bleibt höchstens %1 Material (größter Wert: %2).</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/chosen_setup.h"
 #include "app/command.h"
+#include "app/hole_report.h"
 #include "app/number_list.h"
 #include "app/report.h"
 #include "app/setups.h"
@@ -10,6 +11,7 @@
 #include "app/wording.h"
 #include "app/zero_arguments.h"
 #include "core/base/numbers.h"
+#include "core/cad/part_holes.h"
 #include "core/job/kept_program.h"
 #include "ui/panels/texts.h"
 
@@ -106,9 +108,13 @@ int runInfo(const std::string& file, CommandContext& context) {
     const Result<std::optional<ReopenedProgram>> kept = reopenProgram(*project);
     if (!kept) return context.fail(kept.error());
 
+    std::vector<UprightHole> holes;
+    if (model && setup) holes = uprightHoles(*protectedPart(std::make_shared<const Model>(*model), *setup));
+
     json answer{{"project", std::filesystem::absolute(file).lexically_normal().string()},
                 {"recovered", project->recovered()},
                 {"model", model ? burin::jsonOf(*model) : json(nullptr)},
+                {"holes", burin::jsonOf(holes)},
                 {"setups", *setups},
                 {"axis", burin::jsonOf(around->axis)},
                 {"machine_travel", burin::jsonOf(around->travel)},
@@ -133,6 +139,7 @@ int runInfo(const std::string& file, CommandContext& context) {
          << (project->recovered() ? " " + worded(BURIN_TEXT("Command", "(recovered from a run that was interrupted)"))
                                   : "");
     if (model) text << "\n" << textOf(*model);
+    if (const std::string sizes = textOf(holes); !sizes.empty()) text << "\n  " << sizes;
     if (setup)
         text << "\n  "
              << worded(BURIN_TEXT("Command", "stock    %1, voxel %2 mm"),

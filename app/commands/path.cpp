@@ -11,6 +11,7 @@
 #include "core/base/numbers.h"
 #include "core/document/companions.h"
 #include "core/document/project_change.h"
+#include "core/job/computed_pass.h"
 #include "core/job/job_paths.h"
 #include "core/path/milling_side.h"
 #include "core/recording/take_csv.h"
@@ -151,6 +152,14 @@ Result<void> removeEdit(StoredPath& path, const PathArguments& arguments) {
     return {};
 }
 
+Result<void> movePass(StoredPath& path, const PathArguments& arguments) {
+    Result<std::vector<PathSource>> moved =
+        movedSource(path.sources, {arguments.meantPass.value_or(0)}, arguments.place);
+    if (!moved) return std::move(moved).error();
+    path.sources = std::move(*moved);
+    return {};
+}
+
 Result<void> updateEdit(StoredPath& path, const PathArguments& arguments) {
     if (const Result<void> there = checkPosition(path, arguments); !there) return there;
     const std::optional<Edit> newer = updated(path.edits[arguments.place]);
@@ -210,8 +219,9 @@ int show(const PathArguments& arguments, CommandContext& context) {
     const Result<std::vector<GeneratedInfo>> passes = passesOf(*project, *stored);
     if (!passes) return context.fail(passes.error());
     json answer = jsonOf(*stored, *passes);
-    const Result<std::vector<PassFigures>> figures =
-        passFigures(*project, *milling, *stored, *path, context.progress());
+    const Result<FigureMatter> matter = figureMatter(*project, *path);
+    if (!matter) return context.fail(matter.error());
+    const Result<std::vector<PassFigures>> figures = passFigures(*matter, *milling, *stored, *path, context.progress());
     if (!figures) return context.fail(figures.error());
     addFigures(*figures, answer["passes"]);
     answer["reports"] = burin::jsonOf(path->reports);
@@ -340,7 +350,14 @@ void registerPath(CommandParser program, CommandContext& context, int& status) {
     const CommandParser again = withPath(add(
         "recompute", BURIN_TEXT("Help", "Compute the passes of a path again, as each was asked for"), computeAgain));
     again.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
-    for (const CommandParser& one : {erase, again})
+    const CommandParser order =
+        withPath(add("order", BURIN_TEXT("Help", "Move a pass or take to another position in its path"),
+                     [](const PathArguments& given, CommandContext& where) {
+                         return change(given, where, [&](StoredPath& path) { return movePass(path, given); });
+                     }));
+    order.option("--place", arguments->place, BURIN_TEXT("Help", "Position, from 0: the first is milled first"))
+        .required();
+    for (const CommandParser& one : {erase, again, order})
         one.option(
             "--pass",
             [arguments](const std::string& id) {

@@ -6,7 +6,7 @@
 #include "app/surroundings.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
-#include "core/job/computed_pass.h"
+#include "core/job/pass_preview.h"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +15,9 @@ namespace burin {
 
 namespace {
 
-/// What was left out and why; lines that follow others, empty where nothing was.
-std::string textOfOmissions(const ComputedPass& pass) {
+/// What was left out and why; lines that follow others, empty where nothing was. @param pass computed or a preview
+template <class Pass>
+std::string textOfOmissions(const Pass& pass) {
     std::string text;
     const auto add = [&text](double length, TextId why) {
         if (length > 0.0) text += "\n" + worded(why, {formatFixed(length, 1)});
@@ -24,6 +25,13 @@ std::string textOfOmissions(const ComputedPass& pass) {
     add(pass.leftOut, BURIN_TEXT("Command", "%1 mm were skipped: too much stock is in the way of the tool. Rough it "
                                             "first, or use a longer tool."));
     add(pass.inTheWay, BURIN_TEXT("Command", "%1 mm were skipped: fixtures or keep-out volumes are in the way."));
+    if (pass.unreachedHoles > 0)
+        text += "\n" + worded(pass.unreachedHoles,
+                              BURIN_TEXT("Command", "%1 hole is not drilled to its bottom: the part, or the length of "
+                                                    "the drill, prevents it."),
+                              BURIN_TEXT("Command", "%1 holes are not drilled to their bottoms: the part, or the "
+                                                    "length of the drill, prevents it."),
+                              {});
     return text;
 }
 
@@ -62,6 +70,7 @@ struct KeptPass {
                 {"length_mm", pass.length},
                 {"left_out_mm", pass.leftOut},
                 {"in_the_way_mm", pass.inTheWay},
+                {"unreached_holes", pass.unreachedHoles},
                 {"strokes", pass.moves.strokes.size()}};
     }
     std::string text() const {
@@ -96,6 +105,25 @@ Result<KeptPass> keepPass(Project& project, const MillingContext& milling, Store
     return KeptPass{std::move(path), *source, std::move(*pass)};
 }
 
+/// Tells what a pass would come to, roughly, and keeps nothing.
+int tellPreview(const Project& project, const MillingContext& milling, const StoredPath& path,
+                const PassRequest& request, std::optional<std::int64_t> instead, CommandContext& context) {
+    context.stage(BURIN_TEXT("Command", "Computing the preview"));
+    Result<std::vector<PathMatter>> before = pathsBeforePass(project, path, milling.tool.id, request, instead);
+    if (!before) return context.fail(before.error());
+    const Result<PassBasis> basis = passBasis(milling, std::move(*before), request.allowance, context.progress());
+    if (!basis) return context.fail(basis.error());
+    const Result<PassPreview> preview = previewPass(*basis, milling, request, context.progress());
+    if (!preview) return context.fail(preview.error());
+    context.answer({{"estimated_length_mm", preview->length},
+                    {"estimated_time_s", preview->duration},
+                    {"planned_share", 1.0 / preview->every}},
+                   worded(BURIN_TEXT("Command", "about %1 m, %2 min at the feed of tool and material, without links"),
+                          {formatFixed(1e-3 * preview->length, 1), formatFixed(preview->duration / 60.0, 1)}) +
+                       textOfOmissions(*preview));
+    return 0;
+}
+
 /// Errors: nameUnknown.
 Result<void> checkPassOf(const StoredPath& path, std::optional<std::int64_t> pass) {
     if (!pass ||
@@ -128,6 +156,7 @@ int addPassTo(ProjectChange& project, StoredPath path, const PassArguments& argu
     if (!milling) return context.fail(milling.error());
     const Result<PassRequest> request = requestOf(arguments, *project, *milling->partModel, context);
     if (!request) return context.fail(request.error());
+    if (arguments.preview) return tellPreview(*project, *milling, path, *request, arguments.instead, context);
     const Result<KeptPass> kept = keepPass(*project, *milling, std::move(path), *request, arguments.instead, context);
     if (!kept) return context.fail(kept.error());
     return saveAndAnswer(project, kept->path, context, kept->json(), kept->text());

@@ -18,19 +18,15 @@ namespace {
 /// Room in the order of a path's sources for one that has no id yet: none of a project has this one.
 constexpr std::int64_t yetToCome = std::numeric_limits<std::int64_t>::min();
 
-double lengthOf(const PlannedPass& planned) {
-    double length = 0.0;
-    for (const TipLine& line : planned.strokes)
-        for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
-    return length;
-}
-
 /// Why a pass has nothing to do, in the words of a detail.
 const char* whyEmpty(const PlannedPass& planned, const PassRequest& request) {
     if (planned.inTheWay > 0.0) return "fixtures or keep-out volumes are in the way: move them";
     if (planned.leftOut > 0.0) return "too much stock is in the way of the tool: rough it first, or use a longer tool";
     if (request.kind == PassKind::pencil && !request.restOnly)
         return "the part has no concave edge for this tool there";
+    if (planned.unreachedHoles > 0) return "the part, or the length of the drill, keeps it from the bottom of the hole";
+    if (request.kind == PassKind::drill && request.places.empty())
+        return "the part has no upright hole there that fits this drill and is not drilled yet";
     return "no stock is left there";
 }
 
@@ -42,37 +38,53 @@ Result<std::vector<PathMatter>> pathsBeforePass(const Project& project, StoredPa
     return pathsBefore(project, path, {{yetToCome}, toolId, request.allowance, 0.0});
 }
 
-Result<ComputedPass> computePass(const MillingContext& milling, std::vector<PathMatter> before,
-                                 const PassRequest& request, Progress& progress) {
-    if (Result<void> valid = validate(request); !valid) return std::move(valid).error();
-    StandingStock standing;
+Result<PassBasis> passBasis(const MillingContext& milling, std::vector<PathMatter> before, double allowance,
+                            Progress& progress) {
+    PassBasis basis;
+    basis.allowance = allowance;
     {
-        const ProgressPart part(progress, 0.0, 0.4);
+        const ProgressPart part(progress, 0.0, 0.7);
         const auto look = [&](RunVolume& stock) -> Result<void> {
-            standing = seenFromAbove(stock);
+            basis.standing = seenFromAbove(stock);
             return {};
         };
         if (Result<void> seen = lendStockBehind(milling, std::move(before), look, progress); !seen)
             return std::move(seen).error();
     }
-    Result<std::unique_ptr<const ClearanceField>> field = [&] {
-        const ProgressPart part(progress, 0.4, 0.6);
-        return clearanceField(milling, request.allowance, progress);
-    }();
+    const ProgressPart part(progress, 0.7, 1.0);
+    Result<std::unique_ptr<const ClearanceField>> field = clearanceField(milling, allowance, progress);
     if (!field) return std::move(field).error();
-    const ProgressPart part(progress, 0.6, 1.0);
+    basis.field = std::move(*field);
+    return basis;
+}
+
+Result<PlannedPass> planOn(const PassBasis& basis, const MillingContext& milling, const PassRequest& request,
+                           double coarseness, Progress& progress) {
     const Tool tool = plannedTool(milling);
     const double stated = milling.tool.maximumDepthOfCut; // what force bends and breaks is for feeds: a row is narrow
     const std::vector<ObstacleSolid> obstacles = solidsOf(milling.surroundings());
     const PassGround ground{milling.part,
-                            **field,
+                            *basis.field,
                             tool,
                             milling.setup.stock,
                             obstacles,
-                            std::move(standing),
+                            basis.standing,
                             tool.maximumDepthOfCut,
-                            stated > 0.0 ? stated : tool.cutter.fluteLength};
-    const Result<PlannedPass> planned = planPass(request, ground, progress);
+                            stated > 0.0 ? stated : tool.cutter.fluteLength,
+                            coarseness};
+    return planPass(request, ground, progress);
+}
+
+Result<ComputedPass> computePass(const MillingContext& milling, std::vector<PathMatter> before,
+                                 const PassRequest& request, Progress& progress) {
+    if (Result<void> valid = validate(request); !valid) return std::move(valid).error();
+    const Result<PassBasis> basis = [&] {
+        const ProgressPart part(progress, 0.0, 0.6);
+        return passBasis(milling, std::move(before), request.allowance, progress);
+    }();
+    if (!basis) return basis.error();
+    const ProgressPart part(progress, 0.6, 1.0);
+    const Result<PlannedPass> planned = planOn(*basis, milling, request, 1.0, progress);
     if (!planned) return planned.error();
     if (planned->strokes.empty())
         return Error{ErrorCode::pathEmpty, rowOf(request.kind).title.text, "", whyEmpty(*planned, request)};
@@ -81,7 +93,8 @@ Result<ComputedPass> computePass(const MillingContext& milling, std::vector<Path
     info.toolId = milling.tool.id;
     info.allowance = request.allowance;
     info.request = toJson(request);
-    return ComputedPass{movesOf(*planned, std::move(info)), lengthOf(*planned), planned->leftOut, planned->inTheWay};
+    return ComputedPass{movesOf(*planned, std::move(info)), lengthOf(*planned), planned->leftOut, planned->inTheWay,
+                        planned->unreachedHoles};
 }
 
 StoredPath withPass(StoredPath path, const std::string& passName, std::int64_t source,
@@ -96,6 +109,17 @@ StoredPath withPass(StoredPath path, const std::string& passName, std::int64_t s
     }
     path.sources.push_back({source});
     return path;
+}
+
+Result<std::vector<PathSource>> movedSource(std::vector<PathSource> sources, PathSource moved, std::size_t position) {
+    const auto found = std::ranges::find(sources, moved);
+    if (found == sources.end()) return Error{ErrorCode::nameUnknown, "pass", std::to_string(moved.id), {}};
+    if (position >= sources.size())
+        return Error{ErrorCode::argumentInvalid, "--place", std::to_string(position),
+                     "0 to " + std::to_string(sources.size() - 1)};
+    sources.erase(found);
+    sources.insert(sources.begin() + static_cast<std::ptrdiff_t>(position), moved);
+    return sources;
 }
 
 Result<std::vector<PassLine>> linesOfTake(const Project& project, std::int64_t take, Progress& progress) {

@@ -4,10 +4,12 @@
 
 #include "core/document/project.h"
 #include "core/job/milled_stock.h"
+#include "core/passes/pass_request.h"
 #include "core/path/engagement_record.h"
 #include "core/path/path_source.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -52,20 +54,64 @@ private:
     std::vector<std::pair<double, double>> met_; // rad and mm
 };
 
+/// What the passes of a path were asked for, by their ids. Errors: those of Project::generated.
+Result<std::map<std::int64_t, PassRequest>> requestsOf(const Project& project) {
+    const Result<std::vector<GeneratedInfo>> all = project.generated();
+    if (!all) return all.error();
+    std::map<std::int64_t, PassRequest> requests;
+    for (const GeneratedInfo& pass : *all)
+        if (const Result<PassRequest> request = passRequestFromJson(pass.request, pass.name))
+            requests.emplace(pass.id, *request);
+    return requests;
+}
+
+bool comesToThePart(PassKind kind) noexcept {
+    return kind != PassKind::drill && kind != PassKind::engrave;
+}
+
+/// Adds what each pass leaves, when it and all before it has been milled.
+void addStockLeft(std::vector<PassFigures>& figures, const FigureMatter& matter, const std::vector<PathPoint>& points,
+                  const MillingContext& milling, const Progress& progress) {
+    if (milling.part.bounds().empty()) return;
+    StockLeftMeter meter(milling.part, milling.setup.stock);
+    for (const MilledPath& each : matter.before) {
+        const std::vector<PathPoint>& way = each.evaluated->path.points;
+        if (!way.empty()) meter.sweep(way, 1, way.size() - 1, each.tool);
+    }
+    std::size_t swept = 1;
+    for (PassFigures& each : figures) {
+        std::size_t last = 0;
+        for (std::size_t i = 1; i < points.size(); ++i)
+            if (points[i].source == each.pass) last = i;
+        if (last >= swept) meter.sweep(points, swept, last, milling.tool);
+        swept = std::max(swept, last + 1);
+        const auto request = matter.requests.find(each.pass);
+        if (request == matter.requests.end() || !comesToThePart(request->second.kind) || progress.cancelled()) continue;
+        each.left = meter.leftBy(request->second, milling.tool, progress);
+    }
+}
+
 } // namespace
 
-Result<std::vector<PassFigures>> passFigures(const Project& project, const MillingContext& milling,
+Result<FigureMatter> figureMatter(const Project& project, const EvaluatedPath& evaluated) {
+    FigureMatter matter;
+    for (const std::shared_ptr<const EvaluatedPath>& each : evaluated.after) {
+        Result<Tool> tool = toolFor(project, each->path.toolId);
+        if (!tool) return std::move(tool).error();
+        matter.before.push_back({each, std::move(*tool)});
+    }
+    Result<std::map<std::int64_t, PassRequest>> requests = requestsOf(project);
+    if (!requests) return std::move(requests).error();
+    matter.requests = std::move(*requests);
+    return matter;
+}
+
+Result<std::vector<PassFigures>> passFigures(const FigureMatter& matter, const MillingContext& milling,
                                              const StoredPath& path, const EvaluatedPath& evaluated,
                                              Progress& progress) {
     std::vector<PathSource> passes = path.sources;
     std::erase_if(passes, [](const PathSource& source) { return !source.isGenerated(); });
     if (passes.empty()) return std::vector<PassFigures>{};
-    std::vector<MilledPath> before;
-    for (const std::shared_ptr<const EvaluatedPath>& each : evaluated.after) {
-        Result<Tool> tool = toolFor(project, each->path.toolId);
-        if (!tool) return std::move(tool).error();
-        before.push_back({each, std::move(*tool)});
-    }
     std::vector<MetStretch> record;
     const auto cut = [&](RunVolume& stock) -> Result<void> {
         Result<std::vector<MetStretch>> met =
@@ -74,7 +120,7 @@ Result<std::vector<PassFigures>> passFigures(const Project& project, const Milli
         record = std::move(*met);
         return {};
     };
-    if (Result<void> lent = milling.stock->lend(before, cut, progress); !lent) return std::move(lent).error();
+    if (Result<void> lent = milling.stock->lend(matter.before, cut, progress); !lent) return std::move(lent).error();
     std::vector<PassFigures> figures;
     for (const PathSource& pass : passes) {
         Sum sum;
@@ -83,6 +129,8 @@ Result<std::vector<PassFigures>> passFigures(const Project& project, const Milli
                 sum.add(stretch, point.feed);
         figures.push_back(sum.figures(pass.id));
     }
+    addStockLeft(figures, matter, evaluated.path.points, milling, progress);
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "path", "", ""};
     return figures;
 }
 

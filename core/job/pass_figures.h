@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/job/milled_stock.h"
 #include "core/job/milling_context.h"
+#include "core/job/stock_left.h"
+#include "core/passes/pass_request.h"
 #include "core/path/evaluate.h"
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <vector>
 
 namespace burin {
@@ -23,12 +28,21 @@ struct PassFigures {
     /// rad, of the cutter's circumference that meets stock: what it stays within for 95 % of the length that cuts, and
     /// at most. As right as Engagement::arc.
     double engagement95 = 0.0, engagementMost = 0.0;
+    std::optional<StockLeft> left{}; ///< behind it and all before it; nothing for holes and engraved lines
 };
 
-/// Of each pass of a path, in its order; none where it has none.
-/// @param evaluated the path as it is milled in the job. Cost: cuts the path once. Cancellable.
-/// Errors: those of toolFor, MilledStock::lend and recordEngagement.
-Result<std::vector<PassFigures>> passFigures(const Project& project, const MillingContext& milling,
+/// What measuring passes takes from the project.
+struct FigureMatter {
+    std::vector<MilledPath> before;               ///< what is milled before the path, in order
+    std::map<std::int64_t, PassRequest> requests; ///< what passes were asked for, by id
+};
+/// @param evaluated the path as it is milled in the job. Errors: those of toolFor and Project::generated.
+Result<FigureMatter> figureMatter(const Project& project, const EvaluatedPath& evaluated);
+
+/// Of each pass of a path, in its order; none where it has none. Any thread.
+/// @param evaluated the path as it is milled in the job. Cost: cuts the path once, and sweeps all paths before it past
+/// the part. Cancellable. Errors: those of MilledStock::lend and recordEngagement.
+Result<std::vector<PassFigures>> passFigures(const FigureMatter& matter, const MillingContext& milling,
                                              const StoredPath& path, const EvaluatedPath& evaluated,
                                              Progress& progress);
 

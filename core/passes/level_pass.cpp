@@ -3,6 +3,7 @@
 #include "core/passes/level_pass.h"
 
 #include "core/base/numbers.h"
+#include "core/passes/holding_tabs.h"
 #include "core/passes/level_order.h"
 #include "core/passes/tip_raster.h"
 
@@ -20,6 +21,8 @@ constexpr double longestGap = 1.0;      // diameters of a loop without stock tha
 constexpr double seedHalfWidth = 0.01;  // mm
 constexpr double loopTolerance = 0.01;  // mm between a loop's chords and its arcs
 constexpr int mostLoops = 100'000;      // of one level, one within the other
+constexpr double sharpTurn = 20.0;      // degrees: a cutter reaches into a flatter corner well enough
+constexpr double atCorner = 0.05;       // mm between what a dogbone reaches and the corner of the area
 constexpr double levelFaceShare = 0.25; // of the cutter's square: smaller level faces get no level of their own
 
 class LevelPlanner {
@@ -28,12 +31,13 @@ public:
         : request_(request)
         , ground_(ground)
         , progress_(progress)
-        , heights_(ground.stock, ground.tool.cutter)
+        , heights_(ground.stock, ground.tool.cutter, ground.coarseness)
         , stepOver_(request.stepOver > 0.0 ? request.stepOver : usualRoughStep * ground.tool.cutter.diameter)
         // Above all of the part the field's error is no reason to stay away from it.
         , keep_(request.allowance + (request.kind == PassKind::face ? -1.0 : 1.0) * ground.field.errorBound())
         , top_(request.top.value_or(ground.stock.high.z))
-        , bottom_(bottomOf(request, ground)) {
+        , bottom_(bottomOf(request, ground))
+        , tabs_(request, ground.tool.cutter.diameter, bottom_, heights_.raster()) {
         heights_.lowerTo(ground.standing);
     }
 
@@ -46,6 +50,7 @@ public:
                          "below the top of what is to be taken away, " + formatShortest(top_) + " mm"};
         const TipRaster raster = rasterOf();
         const std::vector<double> levels = levelsOf(raster);
+        if (request_.kind == PassKind::profile && request_.tabs > 0) tabs_.place(nearStock(roomOn(raster, bottom_)));
         for (std::size_t i = 0; i < levels.size(); ++i) {
             progress_.report(0.3 + 0.7 * static_cast<double>(i) / static_cast<double>(levels.size()));
             millLevel(raster, levels[i], false);
@@ -138,14 +143,50 @@ private:
         return rectangle(centre - half, centre + half);
     }
 
+    bool isNearStock(const PlanRing& ring) const {
+        const double reach = ground_.tool.cutter.diameter + beyondStock;
+        const glm::dvec2 low = glm::dvec2(ground_.stock.low) - reach, high = glm::dvec2(ground_.stock.high) + reach;
+        return std::ranges::any_of(ring, [&](const glm::dvec2& place) {
+            return place.x > low.x && place.y > low.y && place.x < high.x && place.y < high.y;
+        });
+    }
+
+    PlanRegion nearStock(PlanRegion room) const {
+        std::erase_if(room.rings, [&](const PlanRing& ring) { return !isNearStock(ring); });
+        return room;
+    }
+
+    /// With a way into each inner corner of the area and back, until the cutter's edge is there: what has a square
+    /// corner fits in then. Where the part is in the way the corner stays round. @param ring the room to its left
+    PlanRing withDogbones(const PlanRing& ring, double level) const {
+        const double radius = ground_.tool.cutter.radius() + request_.allowance;
+        PlanRing bones;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const glm::dvec2& here = ring[i];
+            bones.push_back(here);
+            const glm::dvec2 in = here - ring[(i + ring.size() - 1) % ring.size()];
+            const glm::dvec2 out = ring[(i + 1) % ring.size()] - here;
+            const double turn = std::atan2(in.x * out.y - in.y * out.x, glm::dot(in, out));
+            if (!(turn > glm::radians(sharpTurn))) continue; // to the left: the corner lies to the right
+            const double away = radius / std::cos(0.5 * turn);
+            const glm::dvec2 back = glm::normalize(glm::normalize(in) - glm::normalize(out));
+            const glm::dvec2 reached = here + (away - radius) * back;
+            if (isCornerOfArea(here + away * back) && ground_.field.at({reached, level}).clearance >= keep_)
+                bones.insert(bones.end(), {reached, here});
+        }
+        return bones;
+    }
+
+    bool isCornerOfArea(const glm::dvec2& place) const {
+        return std::ranges::any_of(request_.area.rings, [&](const PlanRing& ring) {
+            return std::ranges::any_of(
+                ring, [&](const glm::dvec2& corner) { return glm::distance(corner, place) < atCorner; });
+        });
+    }
+
     /// Stretches of loops that take something away, by how many steps they are from the room's border.
     /// @param stairs stock is left next to the part alone: no loop farther away than the first that takes nothing
     std::vector<LevelRun> runsIn(const PlanRegion& room, double level, bool stairs) {
-        const double reach = ground_.tool.cutter.diameter + beyondStock;
-        const PlanBounds stock{glm::dvec2(ground_.stock.low) - reach, glm::dvec2(ground_.stock.high) + reach};
-        const auto isNearStock = [&](const glm::dvec2& place) {
-            return place.x > stock.low.x && place.y > stock.low.y && place.x < stock.high.x && place.y < stock.high.y;
-        };
         std::vector<LevelRun> runs;
         const int most = request_.kind == PassKind::profile ? 1 : mostLoops;
         for (int step = 0; step < most && !progress_.cancelled(); ++step) {
@@ -155,8 +196,9 @@ private:
             for (PlanPiece& piece : piecesOf(step == 0 ? room : grown(room, -step * stepOver_, loopTolerance))) {
                 piece.holes.push_back(std::move(piece.border)); // both have the room on their left
                 for (PlanRing& ring : piece.holes) {
-                    if (!std::ranges::any_of(ring, isNearStock)) continue;
+                    if (!isNearStock(ring)) continue;
                     near = true;
+                    if (request_.dogbones && step == 0) ring = withDogbones(ring, level);
                     addRuns({std::move(ring), step}, level, runs);
                 }
             }
@@ -170,15 +212,15 @@ private:
         LevelOrder order(std::move(runs), stepOver_);
         bool open = false;
         while (std::optional<LevelRun> run = order.next(tip_ ? std::optional(glm::dvec2(*tip_)) : std::nullopt)) {
-            const glm::dvec3 first(run->places.front(), level);
+            const TipLine tips = tabs_.over(*run, level);
+            const glm::dvec3& first = tips.front();
             if (!open || !mayGo(*tip_, first))
                 planned_.strokes.emplace_back();
             else
                 heights_.cut(*tip_, first);
             open = true;
             glm::dvec3 before = first;
-            for (const glm::dvec2& place : run->places) {
-                const glm::dvec3 tip(place, level);
+            for (const glm::dvec3& tip : tips) {
                 heights_.cut(before, tip);
                 planned_.strokes.back().push_back(tip);
                 before = tip;
@@ -232,6 +274,7 @@ private:
     Progress& progress_;
     WorkpieceHeights heights_;
     double stepOver_, keep_, top_, bottom_;
+    HoldingTabs tabs_;
     PlannedPass planned_;
     std::optional<glm::dvec3> tip_;
 };

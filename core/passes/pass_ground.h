@@ -9,6 +9,7 @@
 #include "core/setup/obstacle.h"
 #include "core/tool/tool.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct PassGround {
     StandingStock standing;                   ///< what has been left of the stock; none: the whole box stands
     double levelDepth = 0.0;                  ///< mm: the deepest level that tool, spindle and material bear
     double rowDepth = 0.0; ///< mm: the deepest cut of a row beside the one before it, as the tool states it
+    /// Rows, rasters and places are so many times as far apart as a pass has them: of a preview. 1: the pass itself.
+    double coarseness = 1.0;
 };
 
 /// Tips of one stretch of a pass, mm.
@@ -35,7 +38,8 @@ struct PlannedPass {
     /// mm of ways that were left out: so much stock stands there that shank or holder would touch it, or that the cut
     /// would be deeper than the tool bears. Roughing has to come first, or a longer tool.
     double leftOut = 0.0;
-    double inTheWay = 0.0; ///< mm of ways that were left out because of fixtures and keep-out volumes
+    double inTheWay = 0.0;          ///< mm of ways that were left out because of fixtures and keep-out volumes
+    std::size_t unreachedHoles = 0; ///< of `drill`: the part, or the length of the drill, keeps it from their bottom
 };
 
 } // namespace burin

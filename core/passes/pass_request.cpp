@@ -10,7 +10,7 @@
 
 namespace burin {
 
-const std::array<PassKindRow, 13> passKinds{{
+const std::array<PassKindRow, 14> passKinds{{
     {PassKind::levels, "levels", BURIN_TEXT("Pass", "Levels"),
      BURIN_TEXT("Pass", "Roughing: clears the stock level by level, in loops along the part")},
     {PassKind::pocket, "pocket", BURIN_TEXT("Pass", "Pocket"),
@@ -37,6 +37,8 @@ const std::array<PassKindRow, 13> passKinds{{
      BURIN_TEXT("Pass", "Finishing only where stock is left: rows on flat faces, contours on steep ones")},
     {PassKind::engrave, "engrave", BURIN_TEXT("Pass", "Engraving"),
      BURIN_TEXT("Pass", "Cuts along lines at a given depth below the top of the stock")},
+    {PassKind::drill, "drill", BURIN_TEXT("Pass", "Drilling"),
+     BURIN_TEXT("Pass", "Drills the upright holes of the part that fit the drill, or at given places")},
 }};
 
 namespace {
@@ -82,6 +84,25 @@ Result<void> checkLines(const PassRequest& request) {
     return {};
 }
 
+Result<void> checkPlaces(const PassRequest& request) {
+    for (const glm::dvec2& place : request.places)
+        if (!isInPlan(place))
+            return Error{ErrorCode::argumentInvalid, "places_mm",
+                         formatShortest(place.x) + ", " + formatShortest(place.y), "places within 1e5 mm"};
+    return {};
+}
+
+Result<void> checkTabs(const PassRequest& request) {
+    if (request.tabs == 0) return {};
+    if (request.tabs < 0 || request.tabs > mostTabs)
+        return Error{ErrorCode::argumentInvalid, "tabs", std::to_string(request.tabs),
+                     "0 to " + std::to_string(mostTabs)};
+    for (const auto& [key, value] :
+         {std::pair{"tab_width_mm", request.tabWidth}, std::pair{"tab_height_mm", request.tabHeight}})
+        if (!(value > 0.0)) return Error{ErrorCode::argumentInvalid, key, formatShortest(value), "above 0"};
+    return {};
+}
+
 } // namespace
 
 const PassKindRow& rowOf(PassKind kind) noexcept {
@@ -116,7 +137,9 @@ Result<void> validate(const PassRequest& request) {
           within("steepest_rad", request.steepest, request.flattest, anySlope),
           within("top_mm", request.top.value_or(0.0), -farthestInPlan, farthestInPlan),
           within("bottom_mm", request.bottom.value_or(0.0), -farthestInPlan, farthestInPlan),
-          length("depth_mm", request.depth, thinnest), checkArea(request), checkLines(request)})
+          length("depth_mm", request.depth, thinnest), length("tab_width_mm", request.tabWidth, thinnest),
+          length("tab_height_mm", request.tabHeight, thinnest), checkArea(request), checkLines(request),
+          checkPlaces(request), checkTabs(request)})
         if (!checked) return checked;
     if (request.top && request.bottom && *request.bottom >= *request.top)
         return Error{ErrorCode::argumentInvalid, "bottom_mm", formatShortest(*request.bottom),

@@ -30,6 +30,7 @@ enum class PassKind : std::uint8_t {
     pencil,    ///< along concave edges of the part
     rest,      ///< rows and contours where stock is left
     engrave,   ///< along lines, at a depth
+    drill,     ///< straight down in round holes of the part, or at places
 };
 
 /// What a request without them means, of the tool's diameter.
@@ -42,13 +43,19 @@ struct PassKindRow {
     TextId title, toolTip;
 };
 /// All kinds, in the order of the enumeration.
-extern const std::array<PassKindRow, 13> passKinds;
+extern const std::array<PassKindRow, 14> passKinds;
 const PassKindRow& rowOf(PassKind kind) noexcept;
 /// Errors: nameUnknown (detail: those that there are).
 Result<PassKind> passKindWithId(std::string_view id);
 
 /// A line that leads a pass or is engraved, mm, setup frame.
 using PassLine = std::vector<glm::dvec3>;
+
+/// How much deeper than the bottom of a hole a drill goes with its full diameter, mm; the part holds it up before.
+inline constexpr double drilledThrough = 0.2;
+
+/// Of PassRequest::tabs.
+inline constexpr int mostTabs = 100;
 
 /// Of PassRequest::steepest, more than a right angle: no limit.
 inline constexpr double anySlope = 1.6; // rad
@@ -59,7 +66,7 @@ struct PassRequest {
     double allowance = 0.0; ///< left on the part
     double stepOver = 0.0; ///< between rows or loops, between heights of `waterline`; 0: by scallop, or the kind's rule
     double scallop = 0.0;  ///< height of the ridges between rows of a tool with a rounded end; 0: not asked for
-    double levelDepth = 0.0;    ///< between levels; 0: what tool, spindle and material bear
+    double levelDepth = 0.0;    ///< between levels; 0: what tool, spindle and material bear; of `drill` of one peck
     double stairs = 0.0;        ///< of `levels`: what they leave on slopes, at most; 0: a tenth of the diameter
     double direction = 0.0;     ///< of parallel rows, anticlockwise from X
     double flattest = 0.0;      ///< slope of the part, from level: rows and waterlines stay where it is no less …
@@ -72,7 +79,12 @@ struct PassRequest {
     bool areaOnPart = false; ///< of rows and waterlines: the area is of what the tool touches, not of its tip
     PlanRegion area;         ///< where the tip may be; of pocket and profile: what the cutter makes. Empty: everywhere
     std::vector<PassLine> lines;
-    double depth = 0.0; ///< of `engrave`, below the top
+    double depth = 0.0;               ///< of `engrave` and `drill`, below the top; `drill`: 0 by the part's hole
+    std::vector<glm::dvec2> places{}; ///< of `drill`; none: every hole of the part that fits the drill
+    int tabs = 0;                     ///< of `profile`: bridges that are left round each outline
+    double tabWidth = 0.0;            ///< of each, along the outline
+    double tabHeight = 0.0;           ///< of each, above the lowest level
+    bool dogbones = false; ///< of `pocket` and `profile`: into inner corners of the area, as far as the cutter's edge
 
     bool limitsSlope() const noexcept { return flattest > 0.0 || steepest < anySlope; }
     /// Whether the part is as steep as is asked for. @param away unit, the way out of the part where the tool touches

@@ -17,11 +17,12 @@ struct NumberKey {
     double PassRequest::*member;
 };
 constexpr NumberKey numberKeys[] = {
-    {"allowance_mm", &PassRequest::allowance}, {"step_over_mm", &PassRequest::stepOver},
-    {"scallop_mm", &PassRequest::scallop},     {"level_depth_mm", &PassRequest::levelDepth},
-    {"stairs_mm", &PassRequest::stairs},       {"direction_rad", &PassRequest::direction},
-    {"flattest_rad", &PassRequest::flattest},  {"steepest_rad", &PassRequest::steepest},
-    {"depth_mm", &PassRequest::depth},
+    {"allowance_mm", &PassRequest::allowance},  {"step_over_mm", &PassRequest::stepOver},
+    {"scallop_mm", &PassRequest::scallop},      {"level_depth_mm", &PassRequest::levelDepth},
+    {"stairs_mm", &PassRequest::stairs},        {"direction_rad", &PassRequest::direction},
+    {"flattest_rad", &PassRequest::flattest},   {"steepest_rad", &PassRequest::steepest},
+    {"depth_mm", &PassRequest::depth},          {"tab_width_mm", &PassRequest::tabWidth},
+    {"tab_height_mm", &PassRequest::tabHeight},
 };
 struct SwitchKey {
     const char* key;
@@ -30,7 +31,8 @@ struct SwitchKey {
 constexpr SwitchKey switchKeys[] = {{"one_way", &PassRequest::oneWay},
                                     {"inside", &PassRequest::inside},
                                     {"rest_only", &PassRequest::restOnly},
-                                    {"area_on_part", &PassRequest::areaOnPart}};
+                                    {"area_on_part", &PassRequest::areaOnPart},
+                                    {"dogbones", &PassRequest::dogbones}};
 struct HeightKey {
     const char* key;
     std::optional<double> PassRequest::*member;
@@ -60,6 +62,11 @@ std::string toJson(const PassRequest& request) {
         for (const glm::dvec3& place : line) places.insert(places.end(), {place.x, place.y, place.z});
         text["lines"].push_back({{"places_mm", std::move(places)}});
     }
+    for (const glm::dvec2& place : request.places) {
+        text["places_mm"].push_back(place.x);
+        text["places_mm"].push_back(place.y);
+    }
+    if (request.tabs != 0) text["tabs"] = request.tabs;
     return text.dump();
 }
 
@@ -84,6 +91,11 @@ Result<PassRequest> passRequestFromJson(std::string_view text, const std::string
             PassLine& places = request.lines.emplace_back();
             for (std::size_t i = 0; i + 2 < flat.size(); i += 3) places.emplace_back(flat[i], flat[i + 1], flat[i + 2]);
         });
+    if (file->has("places_mm")) {
+        const std::vector<double> flat = file->numbers("places_mm", coordinates, 2);
+        for (std::size_t i = 0; i + 1 < flat.size(); i += 2) request.places.emplace_back(flat[i], flat[i + 1]);
+    }
+    if (file->has("tabs")) request.tabs = file->integer("tabs", 0, mostTabs);
     if (Result<void> read = file->finish(); !read) return std::move(read).error();
     if (!kind) return kind.error();
     request.kind = *kind;

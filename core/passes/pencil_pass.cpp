@@ -45,16 +45,29 @@ double lengthOf(const TipLine& line) {
     return length;
 }
 
+/// With lines that lead it: only edges that the tool's width beside them holds.
+PassRequest ledBy(PassRequest request, double width) {
+    if (request.lines.empty()) return request;
+    PlanRegion beside;
+    for (const PassLine& line : request.lines)
+        beside = joined(beside, brushed(std::vector<glm::dvec2>(line.begin(), line.end()), width));
+    request.area = request.area.empty() ? beside : without(beside, without(beside, request.area));
+    if (request.area.empty()) request.area = rectangle(glm::dvec2(0.0), glm::dvec2(1e-3)); // they never meet
+    return request;
+}
+
 } // namespace
 
-Result<PlannedPass> planPencil(const PassRequest& request, const PassGround& ground, Progress& progress) {
+Result<PlannedPass> planPencil(const PassRequest& asked, const PassGround& ground, Progress& progress) {
+    const PassRequest request = ledBy(asked, ground.tool.cutter.diameter);
     if (ground.part.bounds().empty())
         return Error{ErrorCode::argumentInvalid, "pass", std::string(rowOf(request.kind).id),
                      "a part with edges to follow; there is none"};
     const SurfaceTrace trace(request, ground);
     const PlanBounds bounds = trace.bounds();
     const double largest = std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
-    const double raster = std::max(std::min(coarsestRaster, ground.tool.cutter.radius() / 6.0), largest / mostSquares);
+    const double finest = std::min(coarsestRaster, ground.tool.cutter.radius() / 6.0);
+    const double raster = std::max(ground.coarseness * finest, largest / mostSquares);
     std::vector<TipLine> creases = creaseLines(trace, raster, progress);
     std::erase_if(creases, [&](const TipLine& line) { return lengthOf(line) < shortest * raster; });
     std::vector<std::vector<TipLine>> stretches(creases.size());

@@ -3,6 +3,7 @@
 #include "core/passes/plan_pass.h"
 
 #include "core/geometry/upright.h"
+#include "core/passes/drill_pass.h"
 #include "core/passes/keep_clear.h"
 #include "core/passes/level_pass.h"
 #include "core/passes/milling_plan.h"
@@ -12,9 +13,24 @@
 
 namespace burin {
 
+namespace {
+
+/// Errors: notSupported.
+Result<void> checkTool(PassKind kind, const Tool& tool) {
+    const bool drills = tool.cutter.type == CutterType::drill;
+    if (kind != PassKind::drill && !drills) return checkPlannable(tool);
+    if (kind == PassKind::drill && drills) return {};
+    return Error{ErrorCode::notSupported,
+                 "this pass with this kind of tool",
+                 drills ? "a tool that cuts sideways and is nowhere wider below than above" : "a drill",
+                 {}};
+}
+
+} // namespace
+
 Result<PlannedPass> planPass(const PassRequest& request, const PassGround& ground, Progress& progress) {
     if (Result<void> valid = validate(request); !valid) return std::move(valid).error();
-    if (Result<void> plannable = checkPlannable(ground.tool); !plannable) return std::move(plannable).error();
+    if (Result<void> suited = checkTool(request.kind, ground.tool); !suited) return suited.error();
     Result<PlannedPass> planned = [&] {
         switch (request.kind) {
         case PassKind::levels:
@@ -30,6 +46,8 @@ Result<PlannedPass> planPass(const PassRequest& request, const PassGround& groun
             return planRest(request, ground, progress);
         case PassKind::engrave:
             return planEngraving(request, ground, progress);
+        case PassKind::drill:
+            return planDrilling(request, ground, progress);
         case PassKind::parallel:
         case PassKind::radial:
         case PassKind::spiral:
@@ -43,6 +61,13 @@ Result<PlannedPass> planPass(const PassRequest& request, const PassGround& groun
     if (planned && progress.cancelled()) return Error{ErrorCode::cancelled, "pass", "", ""};
     if (planned) std::erase_if(planned->strokes, [](const TipLine& line) { return line.size() < 2; });
     return planned;
+}
+
+double lengthOf(const PlannedPass& planned) noexcept {
+    double length = 0.0;
+    for (const TipLine& line : planned.strokes)
+        for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
+    return length;
 }
 
 GeneratedMoves movesOf(const PlannedPass& planned, GeneratedInfo info) {

@@ -22,10 +22,10 @@ constexpr double leastShare = 0.3;      // of the way of the tip: where it rolls
 /// Rows at even distances on a surface of tips.
 class ScallopRows {
 public:
-    ScallopRows(const SurfaceTrace& trace, double stepOver, bool ball, Progress& progress)
+    ScallopRows(const SurfaceTrace& trace, double stepOver, double coarseness, bool ball, Progress& progress)
         : trace_(trace), step_(stepOver), ball_(ball), progress_(progress), bounds_(trace.bounds()) {
         const glm::dvec2 size = bounds_.high - bounds_.low;
-        edge_ = std::max(std::clamp(0.5 * stepOver, 0.1, 0.3), std::max(size.x, size.y) / mostSquares);
+        edge_ = std::max(std::clamp(0.5 * stepOver, 0.1, 0.3 * coarseness), std::max(size.x, size.y) / mostSquares);
         surface_.columns = static_cast<int>(std::ceil(size.x / edge_)) + 1;
         surface_.rows = static_cast<int>(std::ceil(size.y / edge_)) + 1;
     }
@@ -178,8 +178,9 @@ private:
 
 } // namespace
 
-std::vector<PlanRow> scallopRows(const SurfaceTrace& trace, double stepOver, bool ball, Progress& progress) {
-    return ScallopRows(trace, stepOver, ball, progress).rows();
+std::vector<PlanRow> scallopRows(const SurfaceTrace& trace, double stepOver, double coarseness, bool ball,
+                                 Progress& progress) {
+    return ScallopRows(trace, stepOver, coarseness, ball, progress).rows();
 }
 
 } // namespace burin

@@ -29,7 +29,7 @@ public:
                          "a part to lay rows on; there is none"};
         const Result<double> stepOver = stepOverOf(request_, ground_.tool.cutter);
         if (!stepOver) return stepOver.error();
-        stepOver_ = *stepOver;
+        stepOver_ = *stepOver * ground_.coarseness;
         const std::vector<PlanRow> rows = rowsOnPart();
         const ProgressPart part(progress_, 0.5, 1.0);
         std::vector<std::vector<TipLine>> stretches(rows.size());
@@ -52,7 +52,7 @@ private:
         if (request_.kind != PassKind::scallop) return rowsOf(request_, trace_.bounds(), stepOver_);
         const ProgressPart part(progress_, 0.0, 0.5);
         const bool ball = ground_.tool.cutter.cornerRadius >= ground_.tool.cutter.radius();
-        return scallopRows(trace_, stepOver_, ball, progress_);
+        return scallopRows(trace_, stepOver_, ground_.coarseness, ball, progress_);
     }
 
     /// Joins a row to the ones before it, there and back.

@@ -17,8 +17,10 @@ std::vector<PlanRow> rowsOf(const PassRequest& request, const PlanBounds& bounds
 
 /// Rows of scallop: each as far from the one before as asked, measured on the part, from the border of the area
 /// inwards. What is steeper than 75 degrees is left to a waterline. Cancelled, rows are missing.
-/// @param stepOver mm, > 0 @param ball the tool ends in one: ridges are as high on curved faces as on a plane
-std::vector<PlanRow> scallopRows(const SurfaceTrace& trace, double stepOver, bool ball, Progress& progress);
+/// @param stepOver mm, > 0 @param coarseness of the raster, see PassGround @param ball the tool ends in one: ridges are
+/// as high on curved faces as on a plane
+std::vector<PlanRow> scallopRows(const SurfaceTrace& trace, double stepOver, double coarseness, bool ball,
+                                 Progress& progress);
 
 /// The step between rows of a request: its own, or that of a scallop by a ball or the rounding of an edge, or a
 /// fifteenth of the diameter. Errors: argumentInvalid (a scallop of a tool with a sharp edge, or higher than its

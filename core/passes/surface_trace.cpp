@@ -48,7 +48,7 @@ SurfaceTrace::SurfaceTrace(const PassRequest& request, const PassGround& ground)
     : request_(request)
     , ground_(ground)
     , pieces_(pieces(ground.tool.cutter))
-    , heights_(ground.stock, ground.tool.cutter)
+    , heights_(ground.stock, ground.tool.cutter, ground.coarseness)
     , bottom_(request.bottom.value_or(ground.part.bounds().empty() ? ground.stock.low.z : ground.part.bounds().low.z)) {
     heights_.lowerTo(ground.standing);
 }
@@ -107,7 +107,8 @@ std::vector<TipLine> SurfaceTrace::along(const PlanRow& row, double& leftOut) co
     const auto add = [&](const SurfacePlace& place) { stretches.add(place); };
     for (std::size_t i = 1; i < row.size(); ++i) {
         const glm::dvec2 &from = row[i - 1], &to = row[i];
-        const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / coarsest)));
+        const int steps =
+            std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / (coarsest * ground_.coarseness))));
         for (int k = 0; k < steps; ++k) {
             if (!stretches.last()) add(at(from, probe));
             const SurfacePlace first = *stretches.last();
@@ -125,7 +126,8 @@ void SurfaceTrace::between(const SurfacePlace& first, const SurfacePlace& last, 
     const glm::dvec2 from(first.tip), to(last.tip);
     if (glm::distance(from, to) < 2.0 * closest || (!first.onPart && !last.onPart)) return;
     const SurfacePlace middle = at(0.5 * (from + to), probe);
-    if (std::abs(middle.tip.z - 0.5 * (first.tip.z + last.tip.z)) <= chordError) return;
+    const double chord = chordError * ground_.coarseness * ground_.coarseness;
+    if (std::abs(middle.tip.z - 0.5 * (first.tip.z + last.tip.z)) <= chord) return;
     between(first, middle, probe, add);
     add(middle);
     between(middle, last, probe, add);

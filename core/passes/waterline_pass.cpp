@@ -82,7 +82,7 @@ public:
         , ground_(ground)
         , progress_(progress)
         , pieces_(pieces(ground.tool.cutter))
-        , heights_(ground.stock, ground.tool.cutter) {
+        , heights_(ground.stock, ground.tool.cutter, ground.coarseness) {
         heights_.lowerTo(ground.standing);
     }
 
@@ -93,15 +93,15 @@ public:
                          "a part to go along; there is none"};
         const Result<double> step = stepOverOf(request_, ground_.tool.cutter);
         if (!step) return step.error();
-        step_ = *step;
+        step_ = *step * ground_.coarseness;
         const double top = std::min(request_.top.value_or(part.high.z), part.high.z);
         const double bottom = request_.bottom.value_or(part.low.z);
         if (!(bottom < top)) return PlannedPass{};
         const int count = std::max(1, static_cast<int>(std::ceil((top - bottom) / step_ - 1e-9)));
         const double reach = ground_.tool.cutter.radius() + request_.allowance + beside;
         const TipRaster raster(ground_.field, {glm::dvec2(part.low) - reach, glm::dvec2(part.high) + reach},
-                               std::min(coarsestRaster, ground_.tool.cutter.radius() / 4.0), request_.allowance,
-                               part.high.z + request_.allowance + 1.0, bottom, progress_);
+                               ground_.coarseness * std::min(coarsestRaster, ground_.tool.cutter.radius() / 4.0),
+                               request_.allowance, part.high.z + request_.allowance + 1.0, bottom, progress_);
         std::vector<std::vector<LevelRun>> levels(static_cast<std::size_t>(count));
         std::vector<double> leftOut(levels.size(), 0.0);
         ParallelProgress done(progress_, levels.size());

@@ -50,10 +50,11 @@ double trembleMargin(const Cutter& cutter) noexcept {
     return std::min(0.1, cutter.radius() / 30.0);
 }
 
-WorkpieceHeights::WorkpieceHeights(const Box& stock, const Cutter& cutter)
+WorkpieceHeights::WorkpieceHeights(const Box& stock, const Cutter& cutter, double coarseness)
     : stock_(stock), cutter_(cutter), flutes_(flutePieces(cutter)) {
     const glm::dvec3 size = stock.size();
-    cell_ = std::max(std::min(largestRaster, cutter.radius() / 6.0), std::sqrt(size.x * size.y / mostCells));
+    cell_ =
+        std::max(coarseness * std::min(largestRaster, cutter.radius() / 6.0), std::sqrt(size.x * size.y / mostCells));
     columns_ = std::max(1, static_cast<int>(std::ceil(size.x / cell_)));
     rows_ = std::max(1, static_cast<int>(std::ceil(size.y / cell_)));
     heights_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), stock.high.z);

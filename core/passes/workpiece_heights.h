@@ -46,8 +46,8 @@ public:
     static constexpr double nothing = -1e300; ///< height where there is no stock
 
     /// A box of stock, not empty. The raster is a sixth of the cutter's radius wide, at most 0.5 mm; wider where the
-    /// stock is so large that it would take more than four million cells.
-    WorkpieceHeights(const Box& stock, const Cutter& cutter);
+    /// stock is so large that it would take more than four million cells. @param coarseness times that width, >= 1
+    WorkpieceHeights(const Box& stock, const Cutter& cutter, double coarseness = 1.0);
 
     /// Nothing stands higher than this any more.
     void lowerTo(const StandingStock& standing) noexcept;

@@ -98,7 +98,7 @@ void beginAtBottom(PathStroke& stroke) {
 
 EntryPlanner::EntryPlanner(const Link& edit, const LinkRoom& room, const PartGuard& guard, const PathContext& context,
                            ShankWatch* watch)
-    : on_(edit.entry == Link::Entry::ramp)
+    : on_(edit.entry == Link::Entry::ramp && context.tool.cutter.type != CutterType::drill)
     , mayPlunge_(context.tool.centreCutting)
     , slope_(std::tan(edit.rampAngle > 0.0                 ? edit.rampAngle
                       : context.conditions.rampAngle > 0.0 ? context.conditions.rampAngle

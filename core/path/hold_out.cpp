@@ -32,6 +32,11 @@ double requiredBetween(const HoldOut& edit, double allowance) {
     return allowance + std::min(0.25 * edit.clearance, 0.001);
 }
 
+/// What strokes of a tool keep from the part, mm: a drill fits its hole, whose facets lie inside it.
+double heldAllowance(const PathStroke& stroke, const Tool& tool) noexcept {
+    return stroke.allowance - (tool.cutter.type == CutterType::drill ? drillFit : 0.0);
+}
+
 /// Held points one after the other.
 struct Chain {
     std::vector<Held> points;
@@ -250,7 +255,7 @@ Result<Deviation> apply(const HoldOut& edit, PathUnderEdit& state, const PathCon
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "path", "", ""};
         thinned.include(thinnedDeviation(points, kept));
         keepOnly(points, kept);
-        const Holder holder(*guard, edit, state.strokes[s].allowance);
+        const Holder holder(*guard, edit, heldAllowance(state.strokes[s], context.tool));
         strokes[s].resize(points.size());
         parallelFor(std::size_t{0}, points.size(), [&](std::size_t i) {
             strokes[s][i] = {points[i], points[i].pose.tip};
@@ -260,7 +265,7 @@ Result<Deviation> apply(const HoldOut& edit, PathUnderEdit& state, const PathCon
     std::vector<Piece> pieces = piecesOf(strokes);
     parallelFor(std::size_t{0}, pieces.size(), [&](std::size_t i) {
         Piece& piece = pieces[i];
-        const Holder holder(*guard, edit, state.strokes[piece.stroke].allowance);
+        const Holder holder(*guard, edit, heldAllowance(state.strokes[piece.stroke], context.tool));
         if (!progress.cancelled()) hold(piece, strokes[piece.stroke], holder);
     });
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "path", "", ""};
@@ -269,11 +274,11 @@ Result<Deviation> apply(const HoldOut& edit, PathUnderEdit& state, const PathCon
     std::vector<PathStroke> held;
     for (std::size_t s = 0; s < runs.size(); ++s) {
         state.lengthBefore += lengthOf(state.strokes[s]);
-        const Holder holder(*guard, edit, state.strokes[s].allowance);
+        const Holder holder(*guard, edit, heldAllowance(state.strokes[s], context.tool));
         settleBreaks(runs[s], [&](const auto& from, const auto& to, const auto& along) {
             return holder.follow(from, to, along);
         });
-        state.strokes[s].required = requiredBetween(edit, state.strokes[s].allowance);
+        state.strokes[s].required = requiredBetween(edit, heldAllowance(state.strokes[s], context.tool));
         std::ranges::move(breaker.strokesOf(state.strokes[s], runs[s]), std::back_inserter(held));
     }
     state.strokes = std::move(held);

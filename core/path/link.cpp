@@ -4,6 +4,7 @@
 
 #include "core/base/parallel.h"
 #include "core/path/back_steps.h"
+#include "core/path/drilled_holes.h"
 #include "core/path/entry_planner.h"
 #include "core/path/linker.h"
 
@@ -104,6 +105,7 @@ Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContex
     const bool watched = context.lendStock && (goesDeep(task) || (state.rampsIn && entersStock(task)));
     const Result<void> strung = watched ? linkWatched(task, state, progress) : linkAll(task, nullptr, state, progress);
     if (!strung) return strung.error();
+    if (context.tool.cutter.type == CutterType::drill) plungeAndReturn(state.points, edit.approach);
     state.strokes.clear();
     state.linked = true;
     return task.deviation;

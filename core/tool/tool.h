@@ -102,6 +102,9 @@ RevolvedPiece flutes(const Cutter& cutter);
 /// that knows no tools.
 std::vector<RevolvedPiece> pieces(const Cutter& cutter);
 
+/// How much a drill may enter the part at the wall of its own hole, mm: facets lie inside the hole by the mesh's chord.
+inline constexpr double drillFit = 0.012;
+
 enum class ToolSection : std::uint8_t { flutes, shank, holder };
 /// Where a place in `pieces` belongs.
 ToolSection sectionOf(const Cutter& cutter, std::size_t piece);

@@ -41,7 +41,13 @@ private slots:
         for (const QJsonValue& pass : shown["passes"].toArray()) {
             QVERIFY(pass["length_mm"].toDouble() > 1000.0);
             QVERIFY(pass["time_s"].toDouble() > 10.0);
+            QVERIFY(pass["left_over"].toObject()["reachable_mm2"].toDouble() > 100.0);
         }
+        const QJsonObject left = shown["passes"].toArray().last().toObject()["left_over"].toObject();
+        // Contours 1.2 mm apart are 1.87 mm apart on a slope of 40 degrees: a ball of 6 mm leaves so much between them.
+        const double ridge = std::hypot(0.6 / std::sin(glm::radians(40.0)), 3.0) - 3.0;
+        QVERIFY2(left["most_mm"].toDouble() < ridge + 0.002, QJsonDocument(left).toJson().constData());
+        QVERIFY(left["within_99_percent_mm"].toDouble() > 0.03);
         const ProgramRun post = run({"post", in("p.burin"), "-o", in("p.ngc")});
         QVERIFY2(post.status == 0, post.messages.constData());
         const QJsonObject told = post.json();
@@ -208,6 +214,16 @@ private slots:
                      .status,
                  0);
         QCOMPARE(passesOf().size(), 2);
+        // The order that they are milled in is the user's.
+        const auto firstId = [&] { return passesOf().at(0).toObject()["id"].toInt(); };
+        QCOMPARE(firstId(), -1);
+        QCOMPARE(run({"path", in("e.burin"), "order", "1", "--pass", "-2", "--place", "0"}).status, 0);
+        QCOMPARE(firstId(), -2);
+        const ProgramRun beyond = runBurin({"path", in("e.burin"), "order", "1", "--pass", "-2", "--place", "2"});
+        QVERIFY(beyond.status != 0 && beyond.messages.contains("0 to 1"));
+        QVERIFY(runBurin({"path", in("e.burin"), "order", "1", "--pass", "-9", "--place", "0"}).status != 0);
+        QCOMPARE(run({"path", in("e.burin"), "order", "1", "--pass", "-2", "--place", "1"}).status, 0);
+        QCOMPARE(firstId(), -1);
         const ProgramRun unknown = runBurin({"path", in("e.burin"), "delete", "1", "--pass", "-9"});
         QVERIFY(unknown.status != 0 && unknown.messages.contains("-9"));
         QCOMPARE(run({"path", in("e.burin"), "delete", "1", "--pass", "-1"}).status, 0);

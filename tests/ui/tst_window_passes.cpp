@@ -1,12 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // Computed passes: by mouse and keys.
+#include "core/base/units.h"
 #include "core/setup/setup.h"
+#include "tests/stl_text.h"
 #include "tests/ui/window_steps.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QFile>
+#include <QLabel>
+#include <QSpinBox>
 #include <QtTest>
 
 using namespace burin;
@@ -43,6 +48,40 @@ bool press(QWidget& in, const char* name) {
     if (!button || !button->isEnabled()) return false;
     QTest::mouseClick(button, Qt::LeftButton);
     return true;
+}
+
+/// A plate of 40 x 30 x 8 mm with a round hole of 6 mm through its middle.
+QString writePlateWithHole(const WindowDriver& driver) {
+    constexpr int count = 96;
+    TriangleMesh plate;
+    const auto add = [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+        const auto first = static_cast<std::uint32_t>(plate.vertices.size());
+        plate.vertices.insert(plate.vertices.end(), {a, b, c});
+        plate.triangles.push_back({first, first + 1, first + 2});
+    };
+    const auto on = [](int i, double z) {
+        const double angle = 2.0 * pi * (i % count) / count;
+        return glm::dvec3(3.0 * std::cos(angle), 3.0 * std::sin(angle), z);
+    };
+    const auto border = [&](int i, double z) { // where a ray from the middle leaves the plate
+        const glm::dvec3 out = on(i, 0.0);
+        const double far = std::min(20.0 / std::max(std::abs(out.x), 1e-9), 15.0 / std::max(std::abs(out.y), 1e-9));
+        return glm::dvec3(far * out.x, far * out.y, z);
+    };
+    for (int i = 0; i < count; ++i) {
+        add(on(i, 8.0), border(i, 8.0), border(i + 1, 8.0));
+        add(on(i, 8.0), border(i + 1, 8.0), on(i + 1, 8.0));
+        add(on(i, 0.0), border(i + 1, 0.0), border(i, 0.0));
+        add(on(i, 0.0), on(i + 1, 0.0), border(i + 1, 0.0));
+        add(border(i, 0.0), border(i + 1, 0.0), border(i + 1, 8.0));
+        add(border(i, 0.0), border(i + 1, 8.0), border(i, 8.0));
+        add(on(i, 0.0), on(i, 8.0), on(i + 1, 8.0));
+        add(on(i, 0.0), on(i + 1, 8.0), on(i + 1, 0.0));
+    }
+    const QString file = driver.folder().filePath("plate.stl");
+    QFile text(file);
+    if (text.open(QIODevice::WriteOnly)) text.write(stlText(plate));
+    return file;
 }
 
 bool hasTool(WindowDriver& driver, const std::string& id) {
@@ -121,6 +160,21 @@ private slots:
                                  30000);
         QCOMPARE(workbenchOf(driver).path.passes().front().allowance, 0.5);
 
+        // Measured on request; the order is the user's.
+        QVERIFY(driver.clickOn("measurePassesButton"));
+        QTRY_VERIFY_WITH_TIMEOUT(driver.window().findChild<QLabel*>("passMeasured1") != nullptr, 30000);
+        QVERIFY(driver.window().findChild<QLabel*>("passMeasured0")->text().contains("in air"));
+        QVERIFY(driver.window().findChild<QLabel*>("passMeasured1")->text().contains("Stock left"));
+        QTest::qWait(300);
+        driver.shoot("passes-4c-measured");
+        const std::int64_t second = workbenchOf(driver).path.passes().back().id;
+        QVERIFY(driver.clickOn("passUpButton1"));
+        QTRY_COMPARE(workbenchOf(driver).path.passes().front().id, second);
+        QTRY_VERIFY_WITH_TIMEOUT(evaluatedIn(driver) != nullptr, 30000);
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_VERIFY(workbenchOf(driver).path.passes().back().id == second);
+        QTRY_VERIFY_WITH_TIMEOUT(evaluatedIn(driver) != nullptr, 30000);
+
         QVERIFY(driver.clickOn("passRemoveButton0"));
         QTRY_COMPARE(workbenchOf(driver).path.passes().size(), std::size_t(1));
         driver.key(Qt::Key_Z, Qt::ControlModifier);
@@ -174,6 +228,79 @@ private slots:
         QVERIFY(request);
         QCOMPARE(request->scallop, 0.1);
         QCOMPARE(request->stepOver, 0.0);
+    }
+
+    /// A plate with a hole of 6 mm: the drill is offered nothing but drilling, which finds the hole; what will be is
+    /// drawn and told before it is computed.
+    void aHoleIsDrilled() {
+        WindowDriver driver;
+        drop(driver.window(), writePlateWithHole(driver));
+        Workbench& workbench = workbenchOf(driver);
+        QTRY_VERIFY_WITH_TIMEOUT(workbench.model.model() != nullptr, 30000);
+        QVERIFY(driver.step(JobStep::stock) && driver.settle() && driver.clickOn("embedButton"));
+        QTRY_VERIFY_WITH_TIMEOUT(workbench.workpiece.ready(), 30000);
+        QVERIFY(hasTool(driver, "drill-6"));
+        QVERIFY(driver.step(JobStep::path));
+        driver.whenDialogStands([&](QWidget& dialog) {
+            QCOMPARE(dialog.findChild<QComboBox*>("passKind")->count(), 1);
+            QVERIFY(dialog.findChild<QLabel*>("passHoles")->text().contains("1 × 6.00"));
+            QTRY_VERIFY_WITH_TIMEOUT(dialog.findChild<QLabel*>("passPreview")->text().contains("about"), 30000);
+            QCOMPARE(workbench.passPreview.preview()->strokes.size(), std::size_t(1));
+            QTest::qWait(500);
+            driver.shoot("passes-7-drilling");
+            QVERIFY(enter(dialog, "passPeck", "2"));
+            QTRY_VERIFY(workbench.passPreview.preview()->strokes.size() > 3);
+            QVERIFY(press(dialog, "computePassButton"));
+        });
+        QVERIFY(driver.clickOn("newPassButton"));
+        QTRY_VERIFY_WITH_TIMEOUT(evaluatedIn(driver) != nullptr, 30000);
+        QVERIFY(workbench.passPreview.preview() == nullptr); // it is there itself now
+        QTest::qWait(500);
+        driver.shoot("passes-8-drilled");
+        QVERIFY(postProgram(driver));
+        QVERIFY(workbench.program.program()->report.findings.empty());
+        QVERIFY(workbench.program.program()->report.gougeMax < 0.01);
+    }
+
+    /// Another kind and another figure are previewed at once; tabs ask for their size.
+    void whatIsAskedForIsPreviewed() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 1.0));
+        QVERIFY(hasTool(driver, "flat-6"));
+        QVERIFY(driver.step(JobStep::path));
+        driver.whenDialogStands([&](QWidget& dialog) {
+            auto* preview = dialog.findChild<QLabel*>("passPreview");
+            const auto length = [&] {
+                const PassPreview* shown = workbenchOf(driver).passPreview.preview();
+                return shown != nullptr && !workbenchOf(driver).passPreview.busy() ? shown->length : 0.0;
+            };
+            QVERIFY(choose(dialog, "passKind", 2));
+            QTRY_VERIFY_WITH_TIMEOUT(preview->text().contains("about"), 30000);
+            QVERIFY(!dialog.findChild<QWidget*>("passTabWidth")->isVisible());
+            auto* tabs = dialog.findChild<QSpinBox*>("passTabs");
+            tabs->setFocus();
+            QTest::keyClick(tabs, Qt::Key_Up);
+            QTest::keyClick(tabs, Qt::Key_Up);
+            QVERIFY(dialog.findChild<QWidget*>("passTabWidth")->isVisible());
+            QTest::qWait(500);
+            driver.shoot("passes-9-tabs");
+            QVERIFY(choose(dialog, "passKind", 0));
+            QTest::qWait(200);
+            QTRY_VERIFY(length() > 0.0);
+            const double before = length();
+            QVERIFY(enter(dialog, "passStepOver", "1.2")); // half of what was proposed
+            QTest::qWait(200);
+            QTRY_VERIFY2(length() > 1.5 * before && length() < 2.5 * before, qPrintable(QString::number(length())));
+            QTest::qWait(300);
+            driver.shoot("passes-10-preview");
+            QVERIFY(choose(dialog, "passKind", 1)); // a pocket without an area
+            QTRY_VERIFY(preview->text().isEmpty());
+            QVERIFY(workbenchOf(driver).passPreview.preview() == nullptr);
+            QVERIFY(press(dialog, "cancelPassButton"));
+        });
+        QVERIFY(driver.clickOn("newPassButton"));
+        QVERIFY(workbenchOf(driver).passPreview.preview() == nullptr);
+        QVERIFY(workbenchOf(driver).path.stored() == nullptr);
     }
 
     /// A request that can't be is told where it can be mended; a drawing that is none, too.

@@ -78,6 +78,7 @@ enum class ActionId : std::size_t {
     rateControl,
     newPath,
     newPass,
+    measurePasses,
     brushArea,
     lassoArea,
     faceArea,

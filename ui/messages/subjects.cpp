@@ -64,6 +64,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "arc"),
     // what this version can't do
     BURIN_TEXT("Subject", "the virtual operator with this kind of tool"),
+    BURIN_TEXT("Subject", "this pass with this kind of tool"),
     BURIN_TEXT("Subject", "tilted tool axis"),
     BURIN_TEXT("Subject", "axes other than X, Y and Z"),
     BURIN_TEXT("Subject", "a program with a tool change"),

@@ -18,6 +18,7 @@
 #include "ui/panels/texts.h"
 #include "ui/panels/value_row.h"
 
+#include <QLabel>
 #include <QMenu>
 
 #include <algorithm>
@@ -56,7 +57,7 @@ private:
 
     PathPanel* panel_;
     QVBoxLayout* column_;
-    QPushButton *new_, *update_, *pass_, *add_;
+    QPushButton *new_, *update_, *pass_, *measure_, *add_;
     QToolButton* eye_;
     ChoiceBox* tool_;
     Notice* notice_;
@@ -93,6 +94,10 @@ PathPanel::Fields::Fields(PathPanel* panel)
     passList_ = new QVBoxLayout;
     passList_->setSpacing(4);
     inner->addLayout(passList_);
+    measure_ = makeButton(PathPanel::tr("Measure the passes"), QStringLiteral("information"),
+                          QStringLiteral("measurePassesButton"), panel_);
+    connect(measure_, &QPushButton::clicked, panel_, &PathPanel::measureRequested);
+    inner->addWidget(measure_);
     sides_->setToolTip(
         PathPanel::tr("With a spindle that rotates clockwise; conventional cuts are pink in the view. Other moves cut "
                       "on both sides, or from above. Reverse changes the direction of strokes"));
@@ -183,6 +188,10 @@ void PathPanel::Fields::refreshButtons() {
                  state.passPossible ? QString()
                                     : PathPanel::tr("Wait until the workpiece is ready and no pass is being computed."),
                  PathPanel::tr("Compute roughing, finishing, a pocket, a profile or engraving with the loaded tool"));
+    measure_->setVisible(!state.passes.empty());
+    enableUnless(measure_,
+                 state.measurePossible ? QString() : PathPanel::tr("Wait until the path is up to date and measured."),
+                 PathPanel::tr("Length, time, share of air and engagement of each pass, and the stock that it leaves"));
     setEnabledKeepingFocus(eye_, state.exists);
 }
 
@@ -201,6 +210,12 @@ void PathPanel::Fields::refreshPasses() {
         name->setObjectName(QStringLiteral("passRow%1").arg(i));
         name->setValue(pass.figures);
         line->addWidget(name, 1);
+        if (i > 0) {
+            auto* up = makeIconButton(QStringLiteral("previous"), PathPanel::tr("Mill this pass before the one above"),
+                                      QStringLiteral("passUpButton%1").arg(i), row);
+            connect(up, &QToolButton::clicked, panel_, [this, id = pass.id] { emit panel_->passMovedUp(id); });
+            line->addWidget(up);
+        }
         auto* change = makeIconButton(QStringLiteral("edit"), PathPanel::tr("Change this pass and compute it again"),
                                       QStringLiteral("passChangeButton%1").arg(i), row);
         connect(change, &QToolButton::clicked, panel_, [this, id = pass.id] { emit panel_->passChangeRequested(id); });
@@ -211,6 +226,13 @@ void PathPanel::Fields::refreshPasses() {
         line->addWidget(remove);
         passList_->addWidget(row);
         passRows_.push_back(row);
+        if (pass.measured.isEmpty()) continue;
+        auto* measured = new QLabel(pass.measured, content_);
+        measured->setObjectName(QStringLiteral("passMeasured%1").arg(i));
+        measured->setWordWrap(true);
+        measured->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        passList_->addWidget(measured);
+        passRows_.push_back(measured);
     }
 }
 
@@ -247,6 +269,14 @@ void PathPanel::Fields::tell() {
         notice_->tell(Notice::Kind::warning,
                       PathPanel::tr("%1 of the pass were skipped: fixtures or keep-out volumes are in the way.")
                           .arg(lengthText(state.passInTheWay, unit)));
+    else if (state.unreachedHoles > 0)
+        notice_->tell(Notice::Kind::warning,
+                      state.unreachedHoles == 1
+                          ? PathPanel::tr("One hole is not drilled to its bottom: the part, or the length of the "
+                                          "drill, prevents it.")
+                          : PathPanel::tr("%1 holes are not drilled to their bottoms: the part, or the length of the "
+                                          "drill, prevents it.")
+                                .arg(countText(state.unreachedHoles)));
     else if (const QString omitted = omissionNotice(state.reports, state.zero, unit); !omitted.isEmpty())
         notice_->tell(Notice::Kind::warning, omitted);
     else

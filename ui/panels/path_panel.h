@@ -25,8 +25,10 @@ signals:
     void toolChosen(const std::string& id); ///< one that milled
     void newPathRequested();
     void passRequested();
+    void measureRequested();
     void passRemoved(std::int64_t id);
     void passChangeRequested(std::int64_t id);
+    void passMovedUp(std::int64_t id);
     void editChanged(std::size_t index, const burin::Edit& edit); ///< switched or a parameter changed
     void editAdded(const burin::Edit& edit);
     void editRemoved(std::size_t index);

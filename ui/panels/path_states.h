@@ -24,6 +24,7 @@ enum class DragChoice { level, x, y, z, surface };
 struct PassRow {
     std::int64_t id = 0;
     QString name, figures;
+    QString measured{}; ///< what it does to the stock, several lines; empty: not measured
     friend bool operator==(const PassRow&, const PassRow&) = default;
 };
 
@@ -36,6 +37,8 @@ struct PathState {
     Tool tool;                                    ///< in force
     std::vector<PassRow> passes;                  ///< of the path, in its order
     double passLeftOut = 0.0, passInTheWay = 0.0; ///< mm of the newest pass, see PlannedPass
+    std::size_t unreachedHoles = 0;               ///< of the newest pass
+    bool measurePossible = false;                 ///< the passes can be measured now
     bool passPossible = false;                    ///< one can be computed now
     bool hasTakes = false;                        ///< of the tool in force
     bool someWithoutPath = false;                 ///< of those that milled

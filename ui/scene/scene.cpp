@@ -51,6 +51,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , outlines_(*marks_)
     , strokePlans_(*marks_)
     , area_(*marks_)
+    , passPreview_(*marks_)
     , force_(*marks_)
     , cube_(window, 3) {
     window.SetNumberOfLayers(4);
@@ -91,6 +92,7 @@ void Scene::setPalette(const Palette& palette) {
     outlines_.setColours(palette.rapidPath, palette.pathHalo);
     strokePlans_.setColours(palette.chosenPath, palette.pathHalo);
     area_.setColours(palette.chosenPath, palette.pathHalo);
+    passPreview_.setColours(palette.rapidPath, palette.pathHalo);
     force_.setPalette(palette);
     cube_.setPalette(palette);
 }
@@ -245,6 +247,7 @@ void Scene::setLineWidths(double ratio) {
     outlines_.setLineWidth(pathLine * ratio);
     strokePlans_.setLineWidth(pathLine * ratio);
     area_.setLineWidth(pathLine * ratio);
+    passPreview_.setLineWidth(thinLine * ratio);
     obstacles_.setLineWidth(ratio);
     guides_.setLineWidth(thinLine * ratio);
     tool_.setLineWidth(edgeLine * ratio);
@@ -279,8 +282,8 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     films_->SetDraw(guides_.visible() || obstacles_.filmsVisible() || tool_.filmsVisible() ||
                     workpiece_.filmsVisible());
     marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible() || moveMark_.visible() ||
-                    outlines_.visible() || strokePlans_.visible() || area_.visible() || touch_.visible() ||
-                    touchedVoxels_.visible() || zero_.visible() || section_.plane().has_value());
+                    outlines_.visible() || strokePlans_.visible() || area_.visible() || passPreview_.visible() ||
+                    touch_.visible() || touchedVoxels_.visible() || zero_.visible() || section_.plane().has_value());
 
     aimCamera(*solids_, drawnBounds(), view);
     const DepthCue cue = depthCue(*solids_);

@@ -85,6 +85,7 @@ public:
     MarkedLines& outlines() noexcept { return outlines_; }
     MarkedLines& strokePlans() noexcept { return strokePlans_; }
     MarkedLines& area() noexcept { return area_; }
+    MarkedLines& passPreview() noexcept { return passPreview_; }
     ViewCube& cube() noexcept { return cube_; }
     const WorkpieceActors& workpiece() const noexcept { return workpiece_; }
 
@@ -130,7 +131,7 @@ private:
     TouchMark touch_;
     ZeroMark zero_;
     TouchedVoxelsActor touchedVoxels_;
-    MarkedLines moveMark_, outlines_, strokePlans_, area_;
+    MarkedLines moveMark_, outlines_, strokePlans_, area_, passPreview_;
     ForceArrow force_;
     ViewCube cube_;
 

@@ -278,6 +278,11 @@ void Viewport::setArea(const PlaceChains& lines) {
     impl_->refresh();
 }
 
+void Viewport::setPassPreview(const PlaceChains& lines) {
+    impl_->scene.passPreview().set(lines);
+    impl_->refresh();
+}
+
 void Viewport::setTouchedVoxels(const std::vector<TouchedVoxels>& areas) {
     impl_->scene.touchedVoxels().set(areas);
     impl_->refresh();

@@ -131,6 +131,8 @@ public:
     void setStrokePlans(const PlaceChains& lines);
     /// The area of the next pass, as lines on the part.
     void setArea(const PlaceChains& lines);
+    /// Strokes of a pass that is not computed yet.
+    void setPassPreview(const PlaceChains& lines);
 
     /// A view straight along an axis is parallel, whatever else is chosen, until it is turned.
     void setStandardView(StandardView view);

@@ -52,7 +52,8 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
              levelAbove,  levelBelow,  line,       clutch,         recentre,   alignHand, finerHand,
              coarserHand, rateControl, line,       showMe,         stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions,
-            {newPath, newPass, brushArea, lassoArea, faceArea, clearArea, evaluatePath, line, drawStretch, drawEdit});
+            {newPath, newPass, measurePasses, brushArea, lassoArea, faceArea, clearArea, evaluatePath, line,
+             drawStretch, drawEdit});
     addMenu(bar, tr("P&rogram"), "programMenu", actions,
             {post, exportProgram, overrideCheck, restart, line, findInProgram, programDock, line, machines});
     addMenu(bar, tr("&Help"), "helpMenu", actions, {welcome, keyList, about});

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/path_presenters.h"
 
+#include "core/cad/part_holes.h"
 #include "core/job/cut_depth.h"
 #include "core/machine/machine_library.h"
 #include "core/path/hand_stretch.h"
@@ -14,10 +15,13 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <cmath>
 
 namespace burin {
 
 namespace {
+
+constexpr int panelMargin = 24; // pixels between the dialog and the window's edge
 
 double cuttingLength(const Path& path) {
     double length = 0.0;
@@ -57,6 +61,40 @@ PassRow rowOf(const GeneratedInfo& pass, LengthUnit unit) {
     return row;
 }
 
+/// How many there are of each diameter.
+QString holesText(const std::vector<UprightHole>& holes, LengthUnit unit) {
+    QStringList sizes;
+    for (const HoleSize& size : sizesOf(holes))
+        sizes << QStringLiteral("%1 × %2").arg(size.count).arg(lengthText(size.diameter, unit));
+    return sizes.join(QStringLiteral(", "));
+}
+
+/// What a pass would come to; empty while there is nothing to say.
+QString previewText(const PassPreviewer& previewer, LengthUnit unit) {
+    if (previewer.problem()) return Messages::sentence(*previewer.problem());
+    const PassPreview* preview = previewer.preview();
+    if (preview == nullptr) return {};
+    if (preview->strokes.empty()) return PathPresenter::tr("Preview: nothing is left to do there.");
+    QString text = PathPresenter::tr("Preview: about %1 of cutting, %2 without links.")
+                       .arg(wayText(preview->length, unit), durationText(preview->duration));
+    if (preview->every > 1.5)
+        text += QLatin1Char(' ') + PathPresenter::tr("One row in %1 is drawn.").arg(std::lround(preview->every));
+    return text;
+}
+
+/// What a pass does to the stock, and leaves.
+QString measuredText(const PassFigures& pass, LengthUnit unit) {
+    QString text = PathPresenter::tr("%1 in %2, %3 % in air; engagement within %4° for 95 % of the cut, at most %5°.")
+                       .arg(wayText(pass.length, unit), durationText(pass.duration),
+                            QString::number(100.0 * pass.airShare, 'f', 0),
+                            QString::number(glm::degrees(pass.engagement95), 'f', 0),
+                            QString::number(glm::degrees(pass.engagementMost), 'f', 0));
+    if (pass.left && pass.left->reachable > 0.0)
+        text += QLatin1Char(' ') + PathPresenter::tr("Stock left on 99 % of the reachable part: at most %1 (most: %2).")
+                                       .arg(lengthText(pass.left->within99, unit), lengthText(pass.left->most, unit));
+    return text;
+}
+
 QStringList toolNames(const Workbench& workbench, const std::vector<std::string>& ids) {
     QStringList names;
     for (const std::string& id : ids) names.append(toolName(workbench.tool.tools(), id));
@@ -85,14 +123,18 @@ QString programName(const Workbench& workbench) {
 }
 
 PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePresenter& scene, QObject* parent)
-    : Presenter(workbench, {&workbench.path, &workbench.passes, &workbench.mill, &workbench.workpiece, &workbench.tool},
+    : Presenter(workbench,
+                {&workbench.path, &workbench.passes, &workbench.passMeasurer, &workbench.mill, &workbench.workpiece,
+                 &workbench.tool},
                 parent)
     , panel_(panel)
     , scene_(scene) {
     yieldWhileHidden(panel);
     connect(&panel, &PathPanel::toolChosen, &workbench.tool, &ToolController::choose);
     connect(&panel, &PathPanel::newPathRequested, &workbench.path, &PathController::makeNew);
+    connect(&panel, &PathPanel::measureRequested, &workbench.passMeasurer, &PassMeasurer::measure);
     connect(&panel, &PathPanel::passRemoved, &workbench.path, &PathController::removePass);
+    connect(&panel, &PathPanel::passMovedUp, &workbench.path, &PathController::movePassUp);
     connect(&panel, &PathPanel::passRequested, this, &PathPresenter::askPass);
     connect(&panel, &PathPanel::passChangeRequested, this, &PathPresenter::askChange);
     connect(&panel, &PathPanel::editChanged, &workbench.path, &PathController::changeEdit);
@@ -111,6 +153,7 @@ void PathPresenter::connectActions(const Actions& actions) {
     PathController& path = workbench_.path;
     connect(actions[ActionId::newPath], &QAction::triggered, &path, [&path] { path.makeNew(); });
     connect(actions[ActionId::newPass], &QAction::triggered, this, &PathPresenter::askPass);
+    connect(actions[ActionId::measurePasses], &QAction::triggered, &workbench_.passMeasurer, &PassMeasurer::measure);
     connect(actions[ActionId::evaluatePath], &QAction::triggered, &path, [&path] { path.evaluate(); });
     connect(actions[ActionId::drawStretch], &QAction::triggered, this,
             [this] { scene_.setDrawing(!scene_.drawing()); });
@@ -144,7 +187,7 @@ std::optional<WantedPass> PathPresenter::asked(const WantedPass& last, const Pla
     const MillingContext& milling = *workbench_.workpiece.milling();
     const double diameter = milling.tool.cutter.diameter;
     const Box part = milling.partModel->box();
-    const bool free = milling.partModel->bodies.empty();
+    const bool free = milling.partModel->bodies.empty(), drills = milling.tool.cutter.type == CutterType::drill;
     const PassDefaults defaults{usualRoughStep * diameter,
                                 usualFineStep * diameter,
                                 plannedTool(milling).maximumDepthOfCut,
@@ -153,10 +196,20 @@ std::optional<WantedPass> PathPresenter::asked(const WantedPass& last, const Pla
                                 free ? milling.setup.stock.low.z : part.low.z,
                                 free ? milling.setup.stock.low.z : part.high.z};
     PassDialog dialog({toolName(workbench_.tool.current()), workbench_.mill.takes(), last, defaults, painted,
-                       QString::fromStdString(project.parent_path().string()), unit()},
+                       QString::fromStdString(project.parent_path().string()), drills,
+                       drills ? holesText(uprightHoles(*milling.partModel), unit()) : QString(), unit()},
                       panel_.window());
-    if (dialog.exec() != QDialog::Accepted) return {};
-    return dialog.wanted();
+    PassPreviewer& previewer = workbench_.passPreview;
+    connect(&dialog, &PassDialog::previewWanted, &previewer, &PassPreviewer::show);
+    connect(&dialog, &PassDialog::previewUnwanted, &previewer, &PassPreviewer::clear);
+    connect(&previewer, &PassPreviewer::changed, &dialog, [&] { dialog.showPreview(previewText(previewer, unit())); });
+    // Beside the part, which the preview lies on.
+    dialog.adjustSize();
+    const QRect window = panel_.window()->geometry();
+    dialog.move(window.right() - dialog.width() - panelMargin, window.top() + panelMargin);
+    const bool accepted = dialog.exec() == QDialog::Accepted;
+    previewer.end();
+    return accepted ? std::optional(dialog.wanted()) : std::nullopt;
 }
 
 void PathPresenter::setUnit(LengthUnit unit) {
@@ -171,6 +224,7 @@ void PathPresenter::present() {
     if (const ComputedPass* newest = workbench_.passes.newest()) {
         state.passLeftOut = newest->leftOut;
         state.passInTheWay = newest->inTheWay;
+        state.unreachedHoles = newest->unreachedHoles;
     }
     state.passPossible = workbench_.passes.possible();
     for (const std::string& tool : path.toolsThatMilled())
@@ -179,7 +233,13 @@ void PathPresenter::present() {
     state.someWithoutPath = !path.toolsWithoutPath().empty();
     state.exists = path.stored() != nullptr;
     if (path.stored()) state.path = *path.stored();
-    for (const GeneratedInfo& pass : path.passes()) state.passes.push_back(rowOf(pass, unit()));
+    const std::vector<PassFigures> measured = workbench_.passMeasurer.figures();
+    for (const GeneratedInfo& pass : path.passes()) {
+        state.passes.push_back(rowOf(pass, unit()));
+        const auto figures = std::ranges::find(measured, pass.id, &PassFigures::pass);
+        if (figures != measured.end()) state.passes.back().measured = measuredText(*figures, unit());
+    }
+    state.measurePossible = workbench_.passMeasurer.possible();
     state.takes = workbench_.mill.takes();
     if (workbench_.workpiece.milling()) state.zero = workbench_.workpiece.milling()->setup.workOffset;
     if (path.evaluated()) {

@@ -98,6 +98,10 @@ PathScenePresenter::PathScenePresenter(Workbench& workbench, Viewport& viewport,
     : Presenter(workbench, {&workbench.path, &workbench.mill}, parent)
     , viewport_(viewport)
     , hand_([&viewport](const glm::dvec3& place) { return viewport.project(place); }) {
+    connect(&workbench.passPreview, &PassPreviewer::changed, this, [this] {
+        const PassPreview* preview = workbench_.passPreview.preview();
+        viewport_.setPassPreview(preview != nullptr ? preview->strokes : PlaceChains{});
+    });
     connect(&hand_, &PathHand::chosen, this, [this](const PathPlace& place, bool extend) {
         extend ? workbench_.path.selectTo(momentOf(place)) : workbench_.path.select(momentOf(place));
     });

@@ -321,6 +321,19 @@ void PathController::removePass(std::int64_t id) {
             [this, own = path->id](const std::vector<PathSource>& sources) { applySources(own, sources); }));
 }
 
+void PathController::movePassUp(std::int64_t id) {
+    const StoredPath* path = stored();
+    if (path == nullptr) return;
+    const auto found = std::ranges::find(path->sources, PathSource{id});
+    if (found == path->sources.end() || found == path->sources.begin()) return;
+    Result<std::vector<PathSource>> moved =
+        movedSource(path->sources, *found, static_cast<std::size_t>(found - path->sources.begin()) - 1);
+    if (!moved) return;
+    desk_.undo.push(new ValueCommand<std::vector<PathSource>>(
+        tr("order of passes"), -1, path->sources, std::move(*moved),
+        [this, own = path->id](const std::vector<PathSource>& sources) { applySources(own, sources); }));
+}
+
 void PathController::applySources(std::int64_t id, const std::vector<PathSource>& sources) {
     const auto path = std::ranges::find(paths_, id, &StoredPath::id);
     if (path == paths_.end()) return;

@@ -60,6 +60,8 @@ public:
     std::vector<GeneratedInfo> passes() const;
     void removePass(
         std::int64_t id); ///< of the path in force; the path goes with its last source. An entry of the undo stack
+    /// Mills a pass of the path in force before the source that is milled before it now. An entry of the undo stack.
+    void movePassUp(std::int64_t id);
     void changeEdit(std::size_t index, const Edit& edit); ///< an entry of the undo stack; evaluates it
     /// Entries of the undo stack; each evaluates the path. A new edit comes as late as the order of edits allows.
     /// @return its place

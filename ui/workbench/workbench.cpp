@@ -37,6 +37,8 @@ Workbench::Workbench(QObject* parent)
     , path(desk_, workpiece, tool, this)
     , area(desk_, this)
     , passes(desk_, workpiece, path, tool, this)
+    , passPreview(desk_, workpiece, path, tool, this)
+    , passMeasurer(desk_, workpiece, path, this)
     , program(desk_, workpiece, path, target, this)
     , setups(desk_, {document, setup, workpiece, program, target}, this)
     , sheet(desk_, this) {
@@ -51,8 +53,9 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document,     &model,  &setup, &material, &tool, &target, &workpiece, &styluses, &session, &mill,
-            &surroundings, &guides, &hand,  &showMe,   &path, &area,   &passes,    &program,  &setups,  &sheet};
+    return {&document, &model,   &setup,  &material,     &tool,    &target, &workpiece,
+            &styluses, &session, &mill,   &surroundings, &guides,  &hand,   &showMe,
+            &path,     &area,    &passes, &passMeasurer, &program, &setups, &sheet};
 }
 
 void Workbench::wire() {
@@ -120,6 +123,8 @@ void Workbench::load(const ProjectContents& contents) {
     mill.setStrokes({});
     area.load({});
     passes.forget();
+    passPreview.end();
+    passMeasurer.forget();
     path.load(contents.paths, contents.takes, contents.generated);
     lockSetup();
     program.load(contents.programs, contents.programDraft, contents.keptProgram);

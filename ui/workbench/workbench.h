@@ -8,7 +8,8 @@
 #include "ui/workbench/material_controller.h"
 #include "ui/workbench/mill_controller.h"
 #include "ui/workbench/model_controller.h"
-#include "ui/workbench/pass_controller.h"
+#include "ui/workbench/pass_measurer.h"
+#include "ui/workbench/pass_previewer.h"
 #include "ui/workbench/path_controller.h"
 #include "ui/workbench/program_controller.h"
 #include "ui/workbench/setup_controller.h"
@@ -55,6 +56,8 @@ public:
     PathController path;
     AreaController area;
     PassController passes;
+    PassPreviewer passPreview;
+    PassMeasurer passMeasurer;
     ProgramController program;
     SetupsController setups;
     SheetController sheet;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
+#include "core/passes/drill_pass.h"
 #include "core/passes/plan_pass.h"
 #include "core/passes/tip_drop.h"
 #include "tests/core/passes/plan_stage.h"
@@ -151,13 +152,6 @@ private:
         return std::make_unique<ToolField>(std::move(*ToolField::build(part, request, progress)));
     }
 };
-
-double lengthOf(const PlannedPass& pass) {
-    double length = 0.0;
-    for (const TipLine& line : pass.strokes)
-        for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
-    return length;
-}
 
 /// Visits the ways of a pass, places 0.1 mm apart at most.
 void follow(const PlannedPass& pass, const std::function<void(const glm::dvec3&)>& visit) {
@@ -609,9 +603,9 @@ private slots:
         const auto bumps = [](double x, double y) { return 8.0 + 3.0 * std::sin(0.4 * x) * std::cos(0.3 * y); };
         const Ground ground(blockUnder(bumps, 20.0, 80), endMill(6.0, 3.0), {{-20.0, -20.0, 0.0}, {20.0, 20.0, 12.0}},
                             1.0);
-        for (int round = 0; round < 24; ++round) {
+        for (int round = 0; round < 26; ++round) { // all kinds but the last, which is a drill's
             PassRequest request;
-            request.kind = passKinds[static_cast<std::size_t>(round) % passKinds.size()].kind;
+            request.kind = passKinds[static_cast<std::size_t>(round) % (passKinds.size() - 1)].kind;
             request.allowance = share(random) < 0.5 ? 0.0 : share(random);
             request.stepOver = 0.5 + 2.0 * share(random);
             request.direction = 6.0 * share(random);
@@ -635,6 +629,134 @@ private slots:
             QVERIFY2(deepest <= (rough ? 0.03 : 0.005),
                      qPrintable(QString("%1: %2 mm").arg(rowOf(request.kind).id.data()).arg(deepest)));
         }
+    }
+
+    /// Wherever and however deep: a drill ends on the part, with all of it above.
+    void drillingNeverGouges() {
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> share(0.0, 1.0);
+        const auto bumps = [](double x, double y) { return 8.0 + 3.0 * std::sin(0.4 * x) * std::cos(0.3 * y); };
+        Tool drill = endMill(3.0, 0.0);
+        drill.cutter.type = CutterType::drill;
+        drill.cutter.taperAngle = glm::radians(70.0);
+        const Ground ground(blockUnder(bumps, 20.0, 80), drill, {{-20.0, -20.0, 0.0}, {20.0, 20.0, 12.0}}, 1.0);
+        PassRequest request;
+        request.kind = PassKind::drill;
+        request.depth = 9.0;
+        for (int i = 0; i < 50; ++i)
+            request.places.emplace_back(40.0 * share(random) - 20.0, 40.0 * share(random) - 20.0);
+        const Result<PlannedPass> pass = ground.plan(request);
+        QVERIFY(pass && pass->strokes.size() > 30);
+        const std::vector<RevolvedPiece> tool = pieces(ground.tool.cutter);
+        for (const TipLine& stroke : pass->strokes) {
+            const double clearance = ground.part.clearance(tool, {stroke.back(), {0.0, 0.0, 1.0}}, 2.0).clearance;
+            QVERIFY2(clearance > -drillFit, qPrintable(QString::number(clearance)));
+            QVERIFY(clearance < drillFit + 1e-4 || std::abs(stroke.back().z - 3.0) < 1e-9); // on the part, or 9 mm deep
+        }
+    }
+
+    /// A frame cut out of a plate: at each of four tabs the bridge that the cutter leaves is as wide and high as asked,
+    /// by a plain raster of the outline; without tabs nothing stays.
+    void tabsHoldWhatIsCutOut() {
+        const double radius = 2.0;
+        const Ground ground({}, endMill(2.0 * radius, 0.0), {{-30.0, -25.0, 0.0}, {30.0, 25.0, 6.0}}, 0.0);
+        PassRequest request;
+        request.kind = PassKind::profile;
+        request.area.rings = {{{-20.0, -15.0}, {20.0, -15.0}, {20.0, 15.0}, {-20.0, 15.0}}};
+        request.bottom = 0.0;
+        request.levelDepth = 2.0;
+        request.tabs = 4;
+        request.tabWidth = 5.0;
+        request.tabHeight = 1.5;
+        const Result<PlannedPass> pass = ground.plan(request);
+        QVERIFY(pass);
+        // How high material stands along the middle of the groove, 0.05 mm apart.
+        std::vector<std::pair<glm::dvec2, double>> groove;
+        for (double way = -20.0; way < 20.0; way += 0.05) {
+            groove.push_back({{way, -15.0 - radius}, 6.0});
+            groove.push_back({{-way, 15.0 + radius}, 6.0});
+        }
+        for (double way = -15.0; way < 15.0; way += 0.05) {
+            groove.push_back({{20.0 + radius, way}, 6.0});
+            groove.push_back({{-20.0 - radius, -way}, 6.0});
+        }
+        follow(*pass, [&](const glm::dvec3& tip) {
+            for (auto& [place, height] : groove)
+                if (glm::distance(place, glm::dvec2(tip)) < radius) height = std::min(height, tip.z);
+        });
+        std::vector<glm::dvec2> held;
+        for (const auto& [place, height] : groove)
+            if (height >= 1.5 - 1e-9) held.push_back(place);
+        std::vector<std::pair<glm::dvec2, glm::dvec2>> bridges; // a corner is never within one
+        for (const glm::dvec2& place : held) {
+            const auto same = std::ranges::find_if(bridges, [&](const auto& one) {
+                return glm::distance(one.second, place) < 0.2 || glm::distance(one.first, place) < 0.2;
+            });
+            if (same == bridges.end())
+                bridges.push_back({place, place});
+            else if (glm::distance(same->first, place) > glm::distance(same->first, same->second))
+                same->second = place;
+        }
+        QCOMPARE(bridges.size(), std::size_t(4));
+        for (const auto& [from, to] : bridges) {
+            const double width = glm::distance(from, to);
+            QVERIFY2(width >= 4.9 && width < 7.5, qPrintable(QString::number(width)));
+        }
+        request.tabs = 0;
+        const Result<PlannedPass> plain = ground.plan(request);
+        QVERIFY(plain);
+        double highest = 0.0;
+        follow(*plain, [&](const glm::dvec3& tip) { highest = std::max(highest, tip.z); });
+        QVERIFY(std::abs(highest - 4.0) < 1e-9); // levels at 4, 2, 0
+        request.tabs = 3;
+        request.tabWidth = 0.0;
+        QVERIFY(!ground.plan(request));
+    }
+
+    /// The cutter's edge comes to each square corner of a pocket: what has square corners fits in.
+    void dogbonesReachTheCorners() {
+        const double radius = 3.0;
+        const Ground ground({}, endMill(2.0 * radius, 0.0), {{-30.0, -25.0, 0.0}, {30.0, 25.0, 6.0}}, 0.0);
+        PassRequest request;
+        request.kind = PassKind::pocket;
+        request.area.rings = {{{-20.0, -15.0}, {20.0, -15.0}, {20.0, 15.0}, {-20.0, 15.0}}};
+        request.bottom = 3.0;
+        const auto farthestCorner = [&] {
+            const Result<PlannedPass> pass = ground.plan(request);
+            double farthest = 0.0;
+            for (const glm::dvec2& corner : request.area.rings.front()) {
+                double nearest = 1e9;
+                if (pass)
+                    follow(*pass, [&](const glm::dvec3& tip) {
+                        nearest = std::min(nearest, glm::distance(glm::dvec2(tip), corner));
+                    });
+                farthest = std::max(farthest, nearest);
+            }
+            return farthest;
+        };
+        QVERIFY(std::abs(farthestCorner() - radius * std::sqrt(2.0)) < 0.02);
+        request.dogbones = true;
+        QVERIFY2(std::abs(farthestCorner() - radius) < 0.02, qPrintable(QString::number(farthestCorner())));
+        request.kind = PassKind::profile;
+        request.inside = true;
+        QVERIFY2(std::abs(farthestCorner() - radius) < 0.02, qPrintable(QString::number(farthestCorner())));
+    }
+
+    /// Of two grooves the one beside the stroke.
+    void pencilIsLedByAStroke() {
+        const auto grooves = [](double x, double) { return 3.0 + 0.6 * std::abs(std::abs(x) - 8.0); };
+        const Ground ground(blockUnder(grooves, 15.0, 60), endMill(6.0, 3.0), {{-15.0, -15.0, 0.0}, {15.0, 15.0, 12.0}},
+                            0.0);
+        PassRequest request;
+        request.kind = PassKind::pencil;
+        const Result<PlannedPass> both = ground.plan(request);
+        request.lines = {{{6.0, -10.0, 9.0}, {7.0, 10.0, 9.0}}};
+        const Result<PlannedPass> one = ground.plan(request);
+        QVERIFY(both && one);
+        QVERIFY(lengthOf(*both) > 1.9 * 28.0);
+        follow(*one, [](const glm::dvec3& tip) { QVERIFY(std::abs(tip.x - 8.0) < 0.003); });
+        QVERIFY2(lengthOf(*one) > 20.0 && lengthOf(*one) < 0.6 * lengthOf(*both),
+                 qPrintable(QString::number(lengthOf(*one))));
     }
 
     /// A clamp on the stock: the cutter, a cylinder, keeps its margin from the box, and all else is milled as before.
@@ -685,6 +807,11 @@ private slots:
         request.steepest = 0.7;
         request.area = {{{{0.1, 0.2}, {1.0 / 3.0, 4.0}, {-5.0, 6.0}}}};
         request.lines = {{{0.0, 0.1, 0.2}, {1.0 / 7.0, 2.0, 3.0}}};
+        request.places = {{1.0 / 3.0, -2.0}, {0.1, 5.0}};
+        request.tabs = 3;
+        request.tabWidth = 4.2;
+        request.tabHeight = 0.7;
+        request.dogbones = true;
         const Result<PassRequest> back = passRequestFromJson(toJson(request), "text");
         QVERIFY(back && *back == request);
     }
@@ -699,6 +826,10 @@ private slots:
         QVERIFY(refused(R"({"pass": "engrave", "lines": [{"places_mm": [0, 0, 0, 1, 0, 0]}]})"));
         QVERIFY(refused(R"({"pass": "levels", "top_mm": 1, "bottom_mm": 2})"));
         QVERIFY(refused(R"({"pass": "levels", "area": [{"corners_mm": [0, 0, 1]}]})"));
+        QVERIFY(refused(R"({"pass": "profile", "tabs": 2})"));
+        QVERIFY(refused(R"({"pass": "profile", "tabs": 1e9, "tab_width_mm": 1, "tab_height_mm": 1})"));
+        QVERIFY(refused(R"({"pass": "drill", "places_mm": [1]})"));
+        QVERIFY(refused(R"({"pass": "drill", "places_mm": [1, 1e300]})"));
         QVERIFY(!refused(R"({"pass": "levels"})"));
     }
 

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/upright_holes.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// [{"centre_mm": [x, y], "diameter_mm", "top_mm", "bottom_mm"}], setup frame
+nlohmann::json jsonOf(const std::vector<UprightHole>& holes);
+/// How many there are of each diameter, for people: one line; empty without any.
+std::string textOf(const std::vector<UprightHole>& holes);
+
+} // namespace burin

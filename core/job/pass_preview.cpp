@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/pass_preview.h"
+
+#include "core/passes/plan_pass.h"
+#include "core/passes/surface_pass.h"
+
+#include <algorithm>
+
+namespace burin {
+
+namespace {
+
+constexpr double rows = 20.0;     // that a preview shows across the part
+constexpr double coarsest = 16.0; // so that what is drawn still lies on the part
+constexpr double ofLevels = 3.0;  // loops stay as many as they are
+constexpr double ofPencil = 2.0;  // coarser, edges would be missed
+
+/// @return 1: as the pass itself
+double coarsenessOf(const PassRequest& request, const MillingContext& milling) {
+    switch (request.kind) {
+    case PassKind::levels:
+    case PassKind::pocket:
+    case PassKind::profile:
+    case PassKind::face:
+        return ofLevels;
+    case PassKind::pencil:
+        return ofPencil;
+    case PassKind::drill:
+    case PassKind::engrave:
+        return 1.0;
+    default:
+        break;
+    }
+    const Result<double> step = stepOverOf(request, milling.tool.cutter);
+    if (!step) return 1.0; // planning tells why
+    const Box part = milling.partModel->box();
+    glm::dvec3 size = part.empty() ? milling.setup.stock.size() : part.size();
+    if (!request.area.empty()) size = glm::dvec3(boundsOf(request.area).high - boundsOf(request.area).low, size.z);
+    const double across = request.kind == PassKind::waterline ? size.z : std::max(size.x, size.y);
+    return std::clamp(across / (rows * *step), 1.0, coarsest);
+}
+
+bool isOfRows(PassKind kind) noexcept {
+    return kind >= PassKind::parallel && kind <= PassKind::scallop ? true : kind == PassKind::rest;
+}
+
+} // namespace
+
+Result<PassPreview> previewPass(const PassBasis& basis, const MillingContext& milling, const PassRequest& request,
+                                Progress& progress) {
+    const double coarseness = coarsenessOf(request, milling);
+    Result<PlannedPass> planned = planOn(basis, milling, request, coarseness, progress);
+    if (!planned) return std::move(planned).error();
+    PassPreview preview;
+    preview.every = isOfRows(request.kind) ? coarseness : 1.0;
+    preview.length = preview.every * lengthOf(*planned);
+    const CuttingConditions& conditions = milling.conditions;
+    const double feed = request.kind == PassKind::drill ? conditions.plungeFeed : conditions.feed; // mm/min
+    preview.duration = feed > 0.0 ? 60.0 * preview.length / feed : 0.0;
+    preview.leftOut = planned->leftOut;
+    preview.inTheWay = planned->inTheWay;
+    preview.unreachedHoles = planned->unreachedHoles;
+    preview.strokes = std::move(planned->strokes);
+    return preview;
+}
+
+} // namespace burin
