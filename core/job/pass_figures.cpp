@@ -76,14 +76,14 @@ void addStockLeft(std::vector<PassFigures>& figures, const FigureMatter& matter,
     StockLeftMeter meter(milling.part, milling.setup.stock);
     for (const MilledPath& each : matter.before) {
         const std::vector<PathPoint>& way = each.evaluated->path.points;
-        if (!way.empty()) meter.sweep(way, 1, way.size() - 1, each.tool);
+        if (!way.empty()) meter.sweep(way, 1, way.size() - 1, each.tool, progress);
     }
     std::size_t swept = 1;
     for (PassFigures& each : figures) {
         std::size_t last = 0;
         for (std::size_t i = 1; i < points.size(); ++i)
             if (points[i].source == each.pass) last = i;
-        if (last >= swept) meter.sweep(points, swept, last, milling.tool);
+        if (last >= swept) meter.sweep(points, swept, last, milling.tool, progress);
         swept = std::max(swept, last + 1);
         const auto request = matter.requests.find(each.pass);
         if (request == matter.requests.end() || !comesToThePart(request->second.kind) || progress.cancelled()) continue;

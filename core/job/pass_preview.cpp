@@ -42,7 +42,7 @@ double coarsenessOf(const PassRequest& request, const MillingContext& milling) {
 }
 
 bool isOfRows(PassKind kind) noexcept {
-    return kind >= PassKind::parallel && kind <= PassKind::scallop ? true : kind == PassKind::rest;
+    return (kind >= PassKind::parallel && kind <= PassKind::scallop) || kind == PassKind::rest;
 }
 
 } // namespace
@@ -58,8 +58,8 @@ Result<PassPreview> previewPass(const PassBasis& basis, const MillingContext& mi
     const CuttingConditions& conditions = milling.conditions;
     const double feed = request.kind == PassKind::drill ? conditions.plungeFeed : conditions.feed; // mm/min
     preview.duration = feed > 0.0 ? 60.0 * preview.length / feed : 0.0;
-    preview.leftOut = planned->leftOut;
-    preview.inTheWay = planned->inTheWay;
+    preview.leftOut = preview.every * planned->leftOut;
+    preview.inTheWay = preview.every * planned->inTheWay;
     preview.unreachedHoles = planned->unreachedHoles;
     preview.strokes = std::move(planned->strokes);
     return preview;

@@ -12,7 +12,7 @@ struct PassPreview {
     double every = 1.0;
     double length = 0.0;                  ///< mm, of the whole pass, estimated
     double duration = 0.0;                ///< s, of the same at the feed of tool and material, without links
-    double leftOut = 0.0, inTheWay = 0.0; ///< mm of the strokes, see PlannedPass
+    double leftOut = 0.0, inTheWay = 0.0; ///< mm of the whole pass, estimated, see PlannedPass
     std::size_t unreachedHoles = 0;
 };
 

@@ -105,11 +105,12 @@ void StockLeftMeter::sweepTo(const glm::dvec3& tip, std::span<const RevolvedPiec
         }
 }
 
-void StockLeftMeter::sweep(std::span<const PathPoint> points, std::size_t from, std::size_t to, const Tool& tool) {
+void StockLeftMeter::sweep(std::span<const PathPoint> points, std::size_t from, std::size_t to, const Tool& tool,
+                           const Progress& progress) {
     const std::vector<RevolvedPiece> flutes = flutePieces(tool.cutter);
     double widest = 0.0;
     for (const RevolvedPiece& piece : flutes) widest = std::max(widest, piece.widestRadius());
-    for (std::size_t i = from; i <= to && i < points.size(); ++i) {
+    for (std::size_t i = from; i <= to && i < points.size() && !progress.cancelled(); ++i) {
         const PathPoint& point = points[i];
         if (point.kind == MoveKind::rapid) continue;
         const glm::dvec3 start = points[i - 1].pose.tip, end = point.pose.tip;
@@ -128,7 +129,8 @@ void StockLeftMeter::sweep(std::span<const PathPoint> points, std::size_t from, 
 
 StockLeft StockLeftMeter::leftBy(const PassRequest& request, const Tool& tool, const Progress& progress) const {
     const std::vector<RevolvedPiece> flutes = flutePieces(tool.cutter), whole = pieces(tool.cutter);
-    const double lowest = request.bottom.value_or(part_.bounds().low.z) - touching;
+    const Box part = part_.bounds();
+    const double lowest = request.bottom.value_or(request.kind == PassKind::face ? part.high.z : part.low.z) - touching;
     std::vector<char> counts(places_.size(), 0);
     parallelFor(std::size_t{0}, places_.size(), [&](std::size_t i) {
         const Place& place = places_[i];

@@ -30,8 +30,9 @@ public:
     StockLeftMeter(const MeshDistance& part, const Box& stock);
 
     /// The flutes go along a path. @param from index of the first point that they go to, > 0 @param to of the last
-    /// Rapids count for nothing. Cost: the length of the moves.
-    void sweep(std::span<const PathPoint> points, std::size_t from, std::size_t to, const Tool& tool);
+    /// Rapids count for nothing. Cost: the length of the moves. Cancelled, it has swept a part of them.
+    void sweep(std::span<const PathPoint> points, std::size_t from, std::size_t to, const Tool& tool,
+               const Progress& progress);
 
     /// Of all that was swept until now, where a pass was asked for. @param tool of the pass
     StockLeft leftBy(const PassRequest& request, const Tool& tool, const Progress& progress) const;

@@ -22,6 +22,7 @@ constexpr double seedHalfWidth = 0.01;  // mm
 constexpr double loopTolerance = 0.01;  // mm between a loop's chords and its arcs
 constexpr int mostLoops = 100'000;      // of one level, one within the other
 constexpr double sharpTurn = 20.0;      // degrees: a cutter reaches into a flatter corner well enough
+constexpr double mostAway = 2.0;        // radii from the middle of a cutter to a corner: 60 degrees between its sides
 constexpr double atCorner = 0.05;       // mm between what a dogbone reaches and the corner of the area
 constexpr double levelFaceShare = 0.25; // of the cutter's square: smaller level faces get no level of their own
 
@@ -157,7 +158,8 @@ private:
     }
 
     /// With a way into each inner corner of the area and back, until the cutter's edge is there: what has a square
-    /// corner fits in then. Where the part is in the way the corner stays round. @param ring the room to its left
+    /// corner fits in then. Where the part is in the way, and in corners of less than 60 degrees, whose sides it would
+    /// cut away, it stays round. @param ring the room to its left
     PlanRing withDogbones(const PlanRing& ring, double level) const {
         const double radius = ground_.tool.cutter.radius() + request_.allowance;
         PlanRing bones;
@@ -169,6 +171,7 @@ private:
             const double turn = std::atan2(in.x * out.y - in.y * out.x, glm::dot(in, out));
             if (!(turn > glm::radians(sharpTurn))) continue; // to the left: the corner lies to the right
             const double away = radius / std::cos(0.5 * turn);
+            if (away > mostAway * radius + tolerance) continue;
             const glm::dvec2 back = glm::normalize(glm::normalize(in) - glm::normalize(out));
             const glm::dvec2 reached = here + (away - radius) * back;
             if (isCornerOfArea(here + away * back) && ground_.field.at({reached, level}).clearance >= keep_)

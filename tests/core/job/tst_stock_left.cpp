@@ -65,14 +65,14 @@ private slots:
             way.push_back(cutTo({35.0, y + apart, 5.0}));
             way.push_back(cutTo({-5.0, y + apart, 5.0}));
         }
-        meter.sweep(way, 1, way.size() - 1, ball(radius));
+        meter.sweep(way, 1, way.size() - 1, ball(radius), progress);
         const StockLeft left = meter.leftBy(request, ball(radius), progress);
         const auto at = [&](double share) { return std::hypot(0.5 * share * apart, radius) - radius; };
         QVERIFY2(std::abs(left.most - at(1.0)) < 0.001, qPrintable(QString::number(left.most)));
         QVERIFY2(std::abs(left.within99 - at(0.99)) < 0.001, qPrintable(QString::number(left.within99)));
         way.back().kind = MoveKind::rapid;
         StockLeftMeter other(part, {{0.0, 0.0, 0.0}, {30.0, 20.0, 8.0}});
-        other.sweep(way, way.size() - 1, way.size() - 1, ball(radius));
+        other.sweep(way, way.size() - 1, way.size() - 1, ball(radius), progress);
         QCOMPARE(other.leftBy(request, ball(radius), progress).most, 3.0); // a rapid takes nothing
     }
 
@@ -95,6 +95,10 @@ private slots:
         QVERIFY2(near(level, 17.0 * 20.0 + 10.0 * 20.0), qPrintable(QString::number(level)));
         floor.bottom = 10.0;
         QVERIFY(near(meter.leftBy(floor, ball(radius), progress).reachable, 10.0 * 20.0));
+        floor.bottom.reset();
+        floor.kind = PassKind::face; // the part's top alone
+        QVERIFY(near(meter.leftBy(floor, ball(radius), progress).reachable, 10.0 * 20.0));
+        floor.kind = PassKind::parallel;
         floor.bottom = 5.0;
         floor.area = rectangle({2.0, 2.0}, {12.0, 12.0});
         QVERIFY(near(meter.leftBy(floor, ball(radius), progress).reachable, 10.0 * 10.0));

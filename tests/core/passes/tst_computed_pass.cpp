@@ -742,6 +742,26 @@ private slots:
         QVERIFY2(std::abs(farthestCorner() - radius) < 0.02, qPrintable(QString::number(farthestCorner())));
     }
 
+    /// In an acute corner a dogbone would cut its sides away: it stays round.
+    void acuteCornersStayRound() {
+        const Ground ground({}, endMill(6.0, 0.0), {{-30.0, -25.0, 0.0}, {30.0, 25.0, 6.0}}, 0.0);
+        PassRequest request;
+        request.kind = PassKind::pocket;
+        request.area.rings = {{{-25.0, -8.0}, {25.0, 0.0}, {-25.0, 8.0}}};
+        request.bottom = 3.0;
+        const Result<PlannedPass> round = ground.plan(request);
+        request.dogbones = true;
+        const Result<PlannedPass> bones = ground.plan(request);
+        QVERIFY(round && bones);
+        const auto farthest = [](const PlannedPass& pass) {
+            double x = -1e9;
+            follow(pass, [&](const glm::dvec3& tip) { x = std::max(x, tip.x); });
+            return x;
+        };
+        QCOMPARE(farthest(*bones), farthest(*round));       // of 18 degrees
+        QVERIFY(lengthOf(*bones) > lengthOf(*round) + 1.0); // the others have theirs
+    }
+
     /// Of two grooves the one beside the stroke.
     void pencilIsLedByAStroke() {
         const auto grooves = [](double x, double) { return 3.0 + 0.6 * std::abs(std::abs(x) - 8.0); };
