@@ -640,10 +640,6 @@
         <translation>Durchgang &amp;berechnen…</translation>
     </message>
     <message>
-        <source>Compute roughing, finishing, a pocket, a profile or engraving with the loaded tool.</source>
-        <translation>Schruppen, Schlichten, eine Tasche, eine Kontur oder eine Gravur mit dem geladenen Werkzeug berechnen.</translation>
-    </message>
-    <message>
         <source>Paint the area of the next pass on the part; Shift erases.</source>
         <translation>Den Bereich des nächsten Durchgangs auf das Teil malen; Umschalt radiert.</translation>
     </message>
@@ -682,6 +678,10 @@
     <message>
         <source>Length, time, share of air and engagement of each pass, and the stock that it leaves.</source>
         <translation>Länge, Zeit, Luftanteil und Eingriff jedes Durchgangs und das Material, das er übrig lässt.</translation>
+    </message>
+    <message>
+        <source>Compute roughing, finishing, a pocket, a profile, drilling or engraving with the loaded tool.</source>
+        <translation>Schruppen, Schlichten, eine Tasche, eine Kontur, Bohren oder Gravieren mit dem geladenen Werkzeug berechnen.</translation>
     </message>
 </context>
 <context>
@@ -1762,14 +1762,6 @@
         <translation>eine Bahn mit einem berechneten Durchgang</translation>
     </message>
     <message>
-        <source>%1 hole is not drilled to its bottom: the part, or the length of the drill, prevents it.</source>
-        <translation>%1 Bohrung wird nicht bis zum Grund gebohrt: Das Teil oder die Länge des Bohrers lässt es nicht zu.</translation>
-    </message>
-    <message>
-        <source>%1 holes are not drilled to their bottoms: the part, or the length of the drill, prevents it.</source>
-        <translation>%1 Bohrungen werden nicht bis zum Grund gebohrt: Das Teil oder die Länge des Bohrers lässt es nicht zu.</translation>
-    </message>
-    <message>
         <source>Computing the preview</source>
         <translation>Vorschau wird berechnet</translation>
     </message>
@@ -1784,6 +1776,14 @@
     <message>
         <source>; stock left on 99 % of the reachable part: at most %1 mm (most: %2 mm)</source>
         <translation>; auf 99 % des erreichbaren Teils bleibt höchstens %1 mm Material (größter Wert: %2 mm)</translation>
+    </message>
+    <message>
+        <source>%1 hole is not drilled to full depth: the part is in the way, or the drill is too short.</source>
+        <translation>%1 Bohrung wird nicht auf volle Tiefe gebohrt: Das Teil ist im Weg, oder der Bohrer ist zu kurz.</translation>
+    </message>
+    <message>
+        <source>%1 holes are not drilled to full depth: the part is in the way, or the drill is too short.</source>
+        <translation>%1 Bohrungen werden nicht auf volle Tiefe gebohrt: Das Teil ist im Weg, oder der Bohrer ist zu kurz.</translation>
     </message>
 </context>
 <context>
@@ -3241,10 +3241,6 @@
         <translation>sein Anfang</translation>
     </message>
     <message>
-        <source>the part, or the length of the drill, keeps it from the bottom of the hole</source>
-        <translation>das Teil oder die Länge des Bohrers hält ihn vom Grund der Bohrung ab</translation>
-    </message>
-    <message>
         <source>the part has no upright hole there that fits this drill and is not drilled yet</source>
         <translation>das Teil hat dort keine senkrechte Bohrung, die zu diesem Bohrer passt und noch nicht gebohrt ist</translation>
     </message>
@@ -3255,6 +3251,10 @@
     <message>
         <source>a drill of at most %1 mm for that hole</source>
         <translation>ein Bohrer von höchstens %1 mm für diese Bohrung</translation>
+    </message>
+    <message>
+        <source>the part is in the way of the drill, or the drill is too short</source>
+        <translation>das Teil ist dem Bohrer im Weg, oder der Bohrer ist zu kurz</translation>
     </message>
 </context>
 <context>
@@ -11221,10 +11221,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Durchgang berechnen…</translation>
     </message>
     <message>
-        <source>Compute roughing, finishing, a pocket, a profile or engraving with the loaded tool</source>
-        <translation>Schruppen, Schlichten, eine Tasche, eine Kontur oder eine Gravur mit dem geladenen Werkzeug berechnen</translation>
-    </message>
-    <message>
         <source>Record a take first, or compute a pass.</source>
         <translation>Zeichnen Sie zuerst etwas auf, oder berechnen Sie einen Durchgang.</translation>
     </message>
@@ -11253,14 +11249,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>%1 des Durchgangs wurden ausgelassen: Spannmittel oder Sperrräume sind im Weg.</translation>
     </message>
     <message>
-        <source>One hole is not drilled to its bottom: the part, or the length of the drill, prevents it.</source>
-        <translation>Eine Bohrung wird nicht bis zum Grund gebohrt: Das Teil oder die Länge des Bohrers lässt es nicht zu.</translation>
-    </message>
-    <message>
-        <source>%1 holes are not drilled to their bottoms: the part, or the length of the drill, prevents it.</source>
-        <translation>%1 Bohrungen werden nicht bis zum Grund gebohrt: Das Teil oder die Länge des Bohrers lässt es nicht zu.</translation>
-    </message>
-    <message>
         <source>Measure the passes</source>
         <translation>Durchgänge messen</translation>
     </message>
@@ -11275,6 +11263,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Mill this pass before the one above</source>
         <translation>Diesen Durchgang vor dem darüber fräsen</translation>
+    </message>
+    <message>
+        <source>Compute roughing, finishing, a pocket, a profile, drilling or engraving with the loaded tool</source>
+        <translation>Schruppen, Schlichten, eine Tasche, eine Kontur, Bohren oder Gravieren mit dem geladenen Werkzeug berechnen</translation>
+    </message>
+    <message>
+        <source>One hole is not drilled to full depth: the part is in the way, or the drill is too short.</source>
+        <translation>Eine Bohrung wird nicht auf volle Tiefe gebohrt: Das Teil ist im Weg, oder der Bohrer ist zu kurz.</translation>
+    </message>
+    <message>
+        <source>%1 holes are not drilled to full depth: the part is in the way, or the drill is too short.</source>
+        <translation>%1 Bohrungen werden nicht auf volle Tiefe gebohrt: Das Teil ist im Weg, oder der Bohrer ist zu kurz.</translation>
     </message>
 </context>
 <context>

@@ -27,10 +27,10 @@ std::string textOfOmissions(const Pass& pass) {
     add(pass.inTheWay, BURIN_TEXT("Command", "%1 mm were skipped: fixtures or keep-out volumes are in the way."));
     if (pass.unreachedHoles > 0)
         text += "\n" + worded(pass.unreachedHoles,
-                              BURIN_TEXT("Command", "%1 hole is not drilled to its bottom: the part, or the length of "
-                                                    "the drill, prevents it."),
-                              BURIN_TEXT("Command", "%1 holes are not drilled to their bottoms: the part, or the "
-                                                    "length of the drill, prevents it."),
+                              BURIN_TEXT("Command", "%1 hole is not drilled to full depth: the part is in the way, or "
+                                                    "the drill is too short."),
+                              BURIN_TEXT("Command", "%1 holes are not drilled to full depth: the part is in the way, "
+                                                    "or the drill is too short."),
                               {});
     return text;
 }

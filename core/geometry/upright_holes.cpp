@@ -3,11 +3,12 @@
 #include "core/geometry/upright_holes.h"
 
 #include "core/base/units.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -24,35 +25,28 @@ constexpr double largestGap = 41.0 * pi / 180.0; // rad between neighbours round
 constexpr double sameAxis = 0.01;                // mm
 constexpr double least = 1e-9;                   // mm² of a triangle that has a normal
 
-struct PlaceHash {
-    std::size_t operator()(const glm::dvec3& place) const noexcept {
-        std::uint64_t hash = 0;
-        for (int axis = 0; axis < 3; ++axis)
-            hash = (hash ^ std::bit_cast<std::uint64_t>(place[axis] + 0.0)) * 0x9e3779b97f4a7c15ULL; // -0 is 0
-        return static_cast<std::size_t>(hash ^ (hash >> 32));
-    }
-};
-
 /// A triangle of an upright wall.
 struct WallFacet {
-    const Triangle* triangle = nullptr;
-    glm::dvec2 normal{0.0}; ///< unit, out of the solid
-    std::array<std::uint32_t, 3> corners{};
+    Triangle triangle{};
+    glm::dvec2 normal{0.0};                 ///< unit, out of the solid
+    std::array<std::uint32_t, 3> corners{}; ///< the same numbers where they are the same places
 };
 
 std::vector<WallFacet> wallFacets(std::span<const Triangle> triangles) {
-    std::vector<WallFacet> facets;
-    std::unordered_map<glm::dvec3, std::uint32_t, PlaceHash> numbers;
+    TriangleMesh walls;
     for (const Triangle& triangle : triangles) {
         const glm::dvec3 normal = areaNormal(triangle);
         const double length = glm::length(normal);
         if (!(length > least) || std::abs(normal.z) > uprightWithin * length) continue;
-        WallFacet& facet = facets.emplace_back();
-        facet.triangle = &triangle;
-        facet.normal = glm::normalize(glm::dvec2(normal));
-        for (std::size_t i = 0; i < 3; ++i)
-            facet.corners[i] =
-                numbers.try_emplace(triangle[i], static_cast<std::uint32_t>(numbers.size())).first->second;
+        const auto first = static_cast<std::uint32_t>(walls.vertices.size());
+        walls.vertices.insert(walls.vertices.end(), triangle.begin(), triangle.end());
+        walls.triangles.push_back({first, first + 1, first + 2});
+    }
+    walls = weldIdenticalVertices(walls);
+    std::vector<WallFacet> facets;
+    for (const auto& corners : walls.triangles) {
+        const Triangle triangle{walls.vertices[corners[0]], walls.vertices[corners[1]], walls.vertices[corners[2]]};
+        facets.push_back({triangle, glm::normalize(glm::dvec2(areaNormal(triangle))), corners});
     }
     return facets;
 }
@@ -121,7 +115,7 @@ double largestGapOf(const std::vector<glm::dvec2>& places, const glm::dvec2& cen
 std::optional<UprightHole> holeOf(const std::vector<WallFacet>& facets, const std::vector<std::size_t>& wall) {
     std::vector<glm::dvec2> places;
     for (const std::size_t i : wall)
-        for (const glm::dvec3& corner : *facets[i].triangle) places.emplace_back(corner);
+        for (const glm::dvec3& corner : facets[i].triangle) places.emplace_back(corner);
     const std::optional<glm::dvec3> circle = circleThrough(places);
     if (!circle) return {};
     UprightHole hole{glm::dvec2(*circle), circle->z, circle->z, -std::numeric_limits<double>::infinity(),
@@ -130,10 +124,10 @@ std::optional<UprightHole> holeOf(const std::vector<WallFacet>& facets, const st
         if (std::abs(glm::distance(place, hole.centre) - hole.radius) > roundWithin) return {};
     if (largestGapOf(places, hole.centre) > largestGap) return {};
     for (const std::size_t i : wall) {
-        const double inwards = glm::dot(hole.centre - glm::dvec2((*facets[i].triangle)[0]), facets[i].normal);
+        const double inwards = glm::dot(hole.centre - glm::dvec2(facets[i].triangle[0]), facets[i].normal);
         if (inwards <= 0.0) return {}; // a stud
         hole.clearRadius = std::min(hole.clearRadius, inwards);
-        for (const glm::dvec3& corner : *facets[i].triangle) {
+        for (const glm::dvec3& corner : facets[i].triangle) {
             hole.top = std::max(hole.top, corner.z);
             hole.bottom = std::min(hole.bottom, corner.z);
         }
@@ -156,7 +150,10 @@ std::vector<UprightHole> uprightHoles(std::span<const Triangle> triangles) {
         return a.centre.x != b.centre.x ? a.centre.x < b.centre.x : a.centre.y < b.centre.y;
     });
     for (const UprightHole& hole : found) {
-        const auto same = std::ranges::find_if(holes, [&](const UprightHole& one) { return isSame(one, hole); });
+        // Those of one axis lie side by side, as they are sorted.
+        auto same = holes.end();
+        for (auto one = holes.end(); one != holes.begin() && hole.centre.x - std::prev(one)->centre.x < sameAxis; --one)
+            if (isSame(*std::prev(one), hole)) same = std::prev(one);
         if (same == holes.end()) {
             holes.push_back(hole);
             continue;

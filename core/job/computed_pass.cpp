@@ -24,7 +24,7 @@ const char* whyEmpty(const PlannedPass& planned, const PassRequest& request) {
     if (planned.leftOut > 0.0) return "too much stock is in the way of the tool: rough it first, or use a longer tool";
     if (request.kind == PassKind::pencil && !request.restOnly)
         return "the part has no concave edge for this tool there";
-    if (planned.unreachedHoles > 0) return "the part, or the length of the drill, keeps it from the bottom of the hole";
+    if (planned.unreachedHoles > 0) return "the part is in the way of the drill, or the drill is too short";
     if (request.kind == PassKind::drill && request.places.empty())
         return "the part has no upright hole there that fits this drill and is not drilled yet";
     return "no stock is left there";
@@ -115,7 +115,7 @@ Result<std::vector<PathSource>> movedSource(std::vector<PathSource> sources, Pat
     const auto found = std::ranges::find(sources, moved);
     if (found == sources.end()) return Error{ErrorCode::nameUnknown, "pass", std::to_string(moved.id), {}};
     if (position >= sources.size())
-        return Error{ErrorCode::argumentInvalid, "--place", std::to_string(position),
+        return Error{ErrorCode::argumentInvalid, "position", std::to_string(position),
                      "0 to " + std::to_string(sources.size() - 1)};
     sources.erase(found);
     sources.insert(sources.begin() + static_cast<std::ptrdiff_t>(position), moved);

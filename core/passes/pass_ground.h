@@ -32,6 +32,13 @@ struct PassGround {
 /// Tips of one stretch of a pass, mm.
 using TipLine = std::vector<glm::dvec3>;
 
+/// mm
+inline double lengthOf(const TipLine& line) noexcept {
+    double length = 0.0;
+    for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
+    return length;
+}
+
 /// What a planner made.
 struct PlannedPass {
     std::vector<TipLine> strokes;

@@ -85,6 +85,8 @@ Result<void> checkLines(const PassRequest& request) {
 }
 
 Result<void> checkPlaces(const PassRequest& request) {
+    if (!request.places.empty() && request.kind != PassKind::drill)
+        return Error{ErrorCode::argumentInvalid, "places_mm", std::string(rowOf(request.kind).id), "drill"};
     for (const glm::dvec2& place : request.places)
         if (!isInPlan(place))
             return Error{ErrorCode::argumentInvalid, "places_mm",
@@ -92,8 +94,13 @@ Result<void> checkPlaces(const PassRequest& request) {
     return {};
 }
 
-Result<void> checkTabs(const PassRequest& request) {
+/// Tabs and dogbones: a pass that does not make them must not seem to.
+Result<void> checkOutline(const PassRequest& request) {
+    const std::string id(rowOf(request.kind).id);
+    if (request.dogbones && request.kind != PassKind::pocket && request.kind != PassKind::profile)
+        return Error{ErrorCode::argumentInvalid, "dogbones", id, "pocket, profile"};
     if (request.tabs == 0) return {};
+    if (request.kind != PassKind::profile) return Error{ErrorCode::argumentInvalid, "tabs", id, "profile"};
     if (request.tabs < 0 || request.tabs > mostTabs)
         return Error{ErrorCode::argumentInvalid, "tabs", std::to_string(request.tabs),
                      "0 to " + std::to_string(mostTabs)};
@@ -139,7 +146,7 @@ Result<void> validate(const PassRequest& request) {
           within("bottom_mm", request.bottom.value_or(0.0), -farthestInPlan, farthestInPlan),
           length("depth_mm", request.depth, thinnest), length("tab_width_mm", request.tabWidth, thinnest),
           length("tab_height_mm", request.tabHeight, thinnest), checkArea(request), checkLines(request),
-          checkPlaces(request), checkTabs(request)})
+          checkPlaces(request), checkOutline(request)})
         if (!checked) return checked;
     if (request.top && request.bottom && *request.bottom >= *request.top)
         return Error{ErrorCode::argumentInvalid, "bottom_mm", formatShortest(*request.bottom),

@@ -39,12 +39,6 @@ std::vector<TipLine> inOrder(std::vector<TipLine> lines) {
     return ordered;
 }
 
-double lengthOf(const TipLine& line) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
-    return length;
-}
-
 /// With lines that lead it: only edges that the tool's width beside them holds.
 PassRequest ledBy(PassRequest request, double width) {
     if (request.lines.empty()) return request;

@@ -65,8 +65,7 @@ Result<PlannedPass> planPass(const PassRequest& request, const PassGround& groun
 
 double lengthOf(const PlannedPass& planned) noexcept {
     double length = 0.0;
-    for (const TipLine& line : planned.strokes)
-        for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
+    for (const TipLine& line : planned.strokes) length += lengthOf(line);
     return length;
 }
 

@@ -168,8 +168,8 @@ constexpr std::array rows{
     Row{ActionId::newPath, "newPathAction", QT_TRANSLATE_NOOP("Actions", "&New path"),
         QT_TRANSLATE_NOOP("Actions", "Make a path from the takes, with the standard edits."), "Ctrl+P"},
     Row{ActionId::newPass, "newPassAction", QT_TRANSLATE_NOOP("Actions", "&Compute a pass…"),
-        QT_TRANSLATE_NOOP("Actions",
-                          "Compute roughing, finishing, a pocket, a profile or engraving with the loaded tool."),
+        QT_TRANSLATE_NOOP(
+            "Actions", "Compute roughing, finishing, a pocket, a profile, drilling or engraving with the loaded tool."),
         "Ctrl+Shift+P"},
     Row{ActionId::measurePasses, "measurePassesAction", QT_TRANSLATE_NOOP("Actions", "&Measure the passes"),
         QT_TRANSLATE_NOOP("Actions",

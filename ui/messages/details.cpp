@@ -338,7 +338,7 @@ constexpr std::array details{
     BURIN_TEXT("Detail", "%1 recordings and passes"),
     BURIN_TEXT("Detail", "too much stock is in the way of the tool: rough it first, or use a longer tool"),
     BURIN_TEXT("Detail", "no stock is left there"),
-    BURIN_TEXT("Detail", "the part, or the length of the drill, keeps it from the bottom of the hole"),
+    BURIN_TEXT("Detail", "the part is in the way of the drill, or the drill is too short"),
     BURIN_TEXT("Detail", "the part has no upright hole there that fits this drill and is not drilled yet"),
     BURIN_TEXT("Detail", "a round upright hole of the part, or a depth"),
     BURIN_TEXT("Detail", "a drill of at most %1 mm for that hole"),

@@ -184,10 +184,11 @@ void PathPanel::Fields::refreshButtons() {
                                  : PathPanel::tr("The path is up to date."),
                  PathPanel::tr("Apply the edits again"));
     enableUnless(add_, busy, PathPanel::tr("Adds an edit, at the position that the order of edits allows"));
-    enableUnless(pass_,
-                 state.passPossible ? QString()
-                                    : PathPanel::tr("Wait until the workpiece is ready and no pass is being computed."),
-                 PathPanel::tr("Compute roughing, finishing, a pocket, a profile or engraving with the loaded tool"));
+    enableUnless(
+        pass_,
+        state.passPossible ? QString()
+                           : PathPanel::tr("Wait until the workpiece is ready and no pass is being computed."),
+        PathPanel::tr("Compute roughing, finishing, a pocket, a profile, drilling or engraving with the loaded tool"));
     measure_->setVisible(!state.passes.empty());
     enableUnless(measure_,
                  state.measurePossible ? QString() : PathPanel::tr("Wait until the path is up to date and measured."),
@@ -270,13 +271,14 @@ void PathPanel::Fields::tell() {
                       PathPanel::tr("%1 of the pass were skipped: fixtures or keep-out volumes are in the way.")
                           .arg(lengthText(state.passInTheWay, unit)));
     else if (state.unreachedHoles > 0)
-        notice_->tell(Notice::Kind::warning,
-                      state.unreachedHoles == 1
-                          ? PathPanel::tr("One hole is not drilled to its bottom: the part, or the length of the "
-                                          "drill, prevents it.")
-                          : PathPanel::tr("%1 holes are not drilled to their bottoms: the part, or the length of the "
-                                          "drill, prevents it.")
-                                .arg(countText(state.unreachedHoles)));
+        notice_->tell(
+            Notice::Kind::warning,
+            state.unreachedHoles == 1
+                ? PathPanel::tr(
+                      "One hole is not drilled to full depth: the part is in the way, or the drill is too short.")
+                : PathPanel::tr(
+                      "%1 holes are not drilled to full depth: the part is in the way, or the drill is too short.")
+                      .arg(countText(state.unreachedHoles)));
     else if (const QString omitted = omissionNotice(state.reports, state.zero, unit); !omitted.isEmpty())
         notice_->tell(Notice::Kind::warning, omitted);
     else

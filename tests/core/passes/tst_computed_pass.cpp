@@ -827,13 +827,21 @@ private slots:
         request.steepest = 0.7;
         request.area = {{{{0.1, 0.2}, {1.0 / 3.0, 4.0}, {-5.0, 6.0}}}};
         request.lines = {{{0.0, 0.1, 0.2}, {1.0 / 7.0, 2.0, 3.0}}};
-        request.places = {{1.0 / 3.0, -2.0}, {0.1, 5.0}};
+        const auto comesBack = [](const PassRequest& sent) {
+            const Result<PassRequest> back = passRequestFromJson(toJson(sent), "text");
+            return back && *back == sent;
+        };
+        QVERIFY(comesBack(request));
+        request.kind = PassKind::profile;
         request.tabs = 3;
         request.tabWidth = 4.2;
         request.tabHeight = 0.7;
         request.dogbones = true;
-        const Result<PassRequest> back = passRequestFromJson(toJson(request), "text");
-        QVERIFY(back && *back == request);
+        QVERIFY(comesBack(request));
+        PassRequest holes;
+        holes.kind = PassKind::drill;
+        holes.places = {{1.0 / 3.0, -2.0}, {0.1, 5.0}};
+        QVERIFY(comesBack(holes));
     }
 
     void wrongRequestsAreRefused() {
@@ -848,6 +856,9 @@ private slots:
         QVERIFY(refused(R"({"pass": "levels", "area": [{"corners_mm": [0, 0, 1]}]})"));
         QVERIFY(refused(R"({"pass": "profile", "tabs": 2})"));
         QVERIFY(refused(R"({"pass": "profile", "tabs": 1e9, "tab_width_mm": 1, "tab_height_mm": 1})"));
+        QVERIFY(refused(R"({"pass": "pocket", "tabs": 2, "tab_width_mm": 1, "tab_height_mm": 1})"));
+        QVERIFY(refused(R"({"pass": "levels", "dogbones": true})"));
+        QVERIFY(refused(R"({"pass": "levels", "places_mm": [1, 1]})"));
         QVERIFY(refused(R"({"pass": "drill", "places_mm": [1]})"));
         QVERIFY(refused(R"({"pass": "drill", "places_mm": [1, 1e300]})"));
         QVERIFY(!refused(R"({"pass": "levels"})"));
