@@ -1766,10 +1766,6 @@
         <translation>Vorschau wird berechnet</translation>
     </message>
     <message>
-        <source>about %1 m, %2 min at the feed of tool and material, without links</source>
-        <translation>etwa %1 m, %2 min mit dem Vorschub von Werkzeug und Werkstoff, ohne Verbindungen</translation>
-    </message>
-    <message>
         <source>holes    %1</source>
         <translation>Bohrungen %1</translation>
     </message>
@@ -1784,6 +1780,10 @@
     <message>
         <source>%1 holes are not drilled to full depth: the part is in the way, or the drill is too short.</source>
         <translation>%1 Bohrungen werden nicht auf volle Tiefe gebohrt: Das Teil ist im Weg, oder der Bohrer ist zu kurz.</translation>
+    </message>
+    <message>
+        <source>about %1 mm in %2 s at the feed of tool and material, without links</source>
+        <translation>etwa %1 mm in %2 s mit dem Vorschub von Werkzeug und Werkstoff, ohne Verbindungen</translation>
     </message>
 </context>
 <context>

@@ -118,8 +118,8 @@ int tellPreview(const Project& project, const MillingContext& milling, const Sto
     context.answer({{"estimated_length_mm", preview->length},
                     {"estimated_time_s", preview->duration},
                     {"planned_share", 1.0 / preview->every}},
-                   worded(BURIN_TEXT("Command", "about %1 m, %2 min at the feed of tool and material, without links"),
-                          {formatFixed(1e-3 * preview->length, 1), formatFixed(preview->duration / 60.0, 1)}) +
+                   worded(BURIN_TEXT("Command", "about %1 mm in %2 s at the feed of tool and material, without links"),
+                          {formatFixed(preview->length, 0), formatFixed(preview->duration, 0)}) +
                        textOfOmissions(*preview));
     return 0;
 }
