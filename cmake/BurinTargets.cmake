@@ -94,6 +94,13 @@ function(burin_library name)
     add_library(burin::${name} ALIAS burin_${name})
 endfunction()
 
+# burin_moc(TARGET): its classes with signals and slots get what moc makes of them.
+function(burin_moc target)
+    get_target_property(BURIN_MOC Qt6::moc LOCATION)
+    configure_file(${CMAKE_SOURCE_DIR}/cmake/moc.in ${CMAKE_BINARY_DIR}/moc @ONLY)
+    set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOMOC_EXECUTABLE ${CMAKE_BINARY_DIR}/moc)
+endfunction()
+
 # burin_vectorised(SOURCES ...)
 # Sources with BURIN_VECTORISED functions (core/base/vectorised.h): comparisons raise no flags, so that lanes stay side
 # by side. Results are the same.
@@ -149,8 +156,9 @@ function(burin_test place name)
         set(launcher ${XVFB_RUN} -a -s "-screen 0 1600x1000x24 +extension GLX")
     endif()
     string(REPLACE "." "_" target "tst_${place}_${name}")
-    # Straight to moc: looking for what else to run it on (AUTOMOC) takes longer than it does, once a test.
-    qt_generate_moc(tst_${name}.cpp ${CMAKE_CURRENT_BINARY_DIR}/tst_${name}.moc TARGET ${target})
+    # Straight to moc: looking for what else to run it on (AUTOMOC) takes longer than it does, once a test. Without
+    # TARGET, whose include folders it would read through.
+    qt_generate_moc(tst_${name}.cpp ${CMAKE_CURRENT_BINARY_DIR}/tst_${name}.moc)
     add_executable(${target} tst_${name}.cpp ${CMAKE_CURRENT_BINARY_DIR}/tst_${name}.moc)
     target_link_libraries(${target} PRIVATE burin_options burin_warnings burin_light_build Qt6::Test ${arg_USES})
     target_include_directories(${target} PRIVATE ${CMAKE_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}) # tests/places.h, moc's
