@@ -683,6 +683,14 @@
         <source>Compute roughing, finishing, a pocket, a profile, drilling or engraving with the loaded tool.</source>
         <translation>Schruppen, Schlichten, eine Tasche, eine Kontur, Bohren oder Gravieren mit dem geladenen Werkzeug berechnen.</translation>
     </message>
+    <message>
+        <source>De&amp;vices…</source>
+        <translation>&amp;Geräte…</translation>
+    </message>
+    <message>
+        <source>Look at the styluses that are there, and test them before you mill.</source>
+        <translation>Die vorhandenen Eingabestifte ansehen und vor dem Fräsen testen.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -1784,6 +1792,34 @@
     <message>
         <source>about %1 mm in %2 s at the feed of tool and material, without links</source>
         <translation>etwa %1 mm in %2 s mit dem Vorschub von Werkzeug und Werkstoff, ohne Verbindungen</translation>
+    </message>
+    <message>
+        <source>%1 readings in %2 s: %3 Hz, usually %4 ms between two, %5 ms at most</source>
+        <translation>%1 Messwerte in %2 s: %3 Hz, meist %4 ms dazwischen, höchstens %5 ms</translation>
+    </message>
+    <message>
+        <source>moved %1 × %2 × %3 mm in steps from %4 mm, turned %5°</source>
+        <translation>bewegt um %1 × %2 × %3 mm in Schritten ab %4 mm, gedreht um %5°</translation>
+    </message>
+    <message>
+        <source>no button was pressed</source>
+        <translation>keine Taste wurde gedrückt</translation>
+    </message>
+    <message>
+        <source>buttons pressed: %1</source>
+        <translation>gedrückte Tasten: %1</translation>
+    </message>
+    <message>
+        <source>at most %1 N</source>
+        <translation>höchstens %1 N</translation>
+    </message>
+    <message>
+        <source>%1 readings were not valid</source>
+        <translation>%1 Messwerte waren ungültig</translation>
+    </message>
+    <message>
+        <source>Testing the device</source>
+        <translation>Das Gerät wird getestet</translation>
     </message>
 </context>
 <context>
@@ -3275,6 +3311,26 @@
         <source>The cap sets the position</source>
         <translation>Die Kappe gibt die Position vor</translation>
     </message>
+    <message>
+        <source>Only when it is calibrated</source>
+        <translation>Nur wenn es kalibriert ist</translation>
+    </message>
+    <message>
+        <source>It may move by itself to calibrate</source>
+        <translation>Es darf sich zum Kalibrieren selbst bewegen</translation>
+    </message>
+    <message>
+        <source>CHAI3D 3.3, table of devices</source>
+        <translation>CHAI3D 3.3, Gerätetabelle</translation>
+    </message>
+    <message>
+        <source>the device itself</source>
+        <translation>das Gerät selbst</translation>
+    </message>
+    <message>
+        <source>CHAI3D 3.3, table of devices: Premium 6DOF</source>
+        <translation>CHAI3D 3.3, Gerätetabelle: Premium 6DOF</translation>
+    </message>
 </context>
 <context>
     <name>DeviceReason</name>
@@ -3337,6 +3393,101 @@
     <message>
         <source>the computer did not respond, so its motors were switched off</source>
         <translation>der Rechner reagierte nicht, deshalb wurden die Motoren abgeschaltet</translation>
+    </message>
+    <message>
+        <source>Burin does not know its limits</source>
+        <translation>Burin kennt seine Grenzen nicht</translation>
+    </message>
+    <message>
+        <source>it is not calibrated; choose the mode in which it does so by itself</source>
+        <translation>es ist nicht kalibriert; die Betriebsart wählen, in der es das selbst tut</translation>
+    </message>
+    <message>
+        <source>another program uses it</source>
+        <translation>ein anderes Programm benutzt es</translation>
+    </message>
+    <message>
+        <source>OpenHaptics has no licence</source>
+        <translation>OpenHaptics hat keine Lizenz</translation>
+    </message>
+    <message>
+        <source>its pen has to be put into the inkwell first</source>
+        <translation>sein Stift muss erst in die Halterung gesteckt werden</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceWords</name>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>Axes sensed: %1, driven: %2; buttons: %3</source>
+        <translation>Achsen erfasst: %1, angetrieben: %2; Tasten: %3</translation>
+    </message>
+    <message>
+        <source>Maximum force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>Continuous force</source>
+        <translation>Dauerkraft</translation>
+    </message>
+    <message>
+        <source>Maximum torque</source>
+        <translation>Größtes Drehmoment</translation>
+    </message>
+    <message>
+        <source>Maximum stiffness</source>
+        <translation>Größte Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Maximum damping</source>
+        <translation>Größte Dämpfung</translation>
+    </message>
+    <message>
+        <source>Workspace radius</source>
+        <translation>Radius des Arbeitsraums</translation>
+    </message>
+    <message>
+        <source>Own rate</source>
+        <translation>Eigener Takt</translation>
+    </message>
+    <message>
+        <source>Rate: %1 Hz; between readings usually %2 ms, at most %3 ms</source>
+        <translation>Takt: %1 Hz; zwischen Messwerten meist %2 ms, höchstens %3 ms</translation>
+    </message>
+    <message>
+        <source>Position: X %1, Y %2, Z %3 mm</source>
+        <translation>Position: X %1, Y %2, Z %3 mm</translation>
+    </message>
+    <message>
+        <source>Moved so far: %1 × %2 × %3 mm, in steps from %4 mm</source>
+        <translation>Bisher bewegt: %1 × %2 × %3 mm, in Schritten ab %4 mm</translation>
+    </message>
+    <message>
+        <source>Turned so far: %1°</source>
+        <translation>Bisher gedreht: %1°</translation>
+    </message>
+    <message>
+        <source>Buttons pressed: %1</source>
+        <translation>Gedrückte Tasten: %1</translation>
+    </message>
+    <message>
+        <source>Largest force: %1 N</source>
+        <translation>Größte Kraft: %1 N</translation>
+    </message>
+    <message>
+        <source>Motors: %1 % of the heat that they bear</source>
+        <translation>Motoren: %1 % der Wärme, die sie aushalten</translation>
+    </message>
+    <message>
+        <source>Battery: %1 %</source>
+        <translation>Akku: %1 %</translation>
+    </message>
+    <message>
+        <source>Readings that were not valid: %1</source>
+        <translation>Ungültige Messwerte: %1</translation>
     </message>
 </context>
 <context>
@@ -5707,6 +5858,22 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>Position, from 0: the first is milled first</source>
         <translation>Stelle, ab 0: die erste wird zuerst gefräst</translation>
     </message>
+    <message>
+        <source>Read this device for a while and tell how it did: rate, pauses, steps, buttons</source>
+        <translation>Dieses Gerät eine Weile auslesen und berichten: Takt, Pausen, Schritte, Tasten</translation>
+    </message>
+    <message>
+        <source>One of the device&apos;s modes</source>
+        <translation>Eine der Betriebsarten des Geräts</translation>
+    </message>
+    <message>
+        <source>How long, s</source>
+        <translation>Wie lange, s</translation>
+    </message>
+    <message>
+        <source>Push up with this force, N, while its first button is held; at most a fifth of what it can do</source>
+        <translation>Mit dieser Kraft, N, nach oben drücken, solange seine erste Taste gehalten wird; höchstens ein Fünftel dessen, was es kann</translation>
+    </message>
 </context>
 <context>
     <name>ImportFormat</name>
@@ -6110,6 +6277,14 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>&quot;%1&quot; has no moves: %2.</source>
         <translation>„%1“ hat keine Bewegungen: %2.</translation>
+    </message>
+    <message>
+        <source>The devices of %1 need %2, which is in none of these folders: %3; install it.</source>
+        <translation>Die Geräte von %1 brauchen %2, in keinem dieser Ordner gefunden: %3; bitte installieren.</translation>
+    </message>
+    <message>
+        <source>The library &quot;%1&quot; can&apos;t be used (%2); install %3.</source>
+        <translation>Die Bibliothek „%1“ ist nicht verwendbar (%2); bitte %3 installieren.</translation>
     </message>
 </context>
 <context>
@@ -8217,6 +8392,92 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>not measured, or out of the tool&apos;s reach</source>
         <translation>nicht gemessen oder außer Reichweite des Werkzeugs</translation>
+    </message>
+</context>
+<context>
+    <name>burin::DeviceDialog</name>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Test force</source>
+        <translation>Testkraft</translation>
+    </message>
+    <message>
+        <source>The device pushes up with it while you hold its first button, faded in over a second; at most a fifth of what it can do. 0: its motors stay off</source>
+        <translation>Damit drückt das Gerät nach oben, solange Sie seine erste Taste halten, über eine Sekunde eingeblendet; höchstens ein Fünftel dessen, was es kann. 0: seine Motoren bleiben aus</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Testen</translation>
+    </message>
+    <message>
+        <source>Mill with it</source>
+        <translation>Damit fräsen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>gewählt</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard, always there</source>
+        <translation>Maus und Tastatur, immer da</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Befund</translation>
+    </message>
+    <message>
+        <source>Not plugged in</source>
+        <translation>Nicht angeschlossen</translation>
+    </message>
+    <message>
+        <source>library missing</source>
+        <translation>Bibliothek fehlt</translation>
+    </message>
+    <message>
+        <source>Choose a device that is plugged in.</source>
+        <translation>Ein angeschlossenes Gerät wählen.</translation>
+    </message>
+    <message>
+        <source>End milling first.</source>
+        <translation>Zuerst das Fräsen beenden.</translation>
+    </message>
+    <message>
+        <source>Stop the test</source>
+        <translation>Test beenden</translation>
+    </message>
+    <message>
+        <source>Read the device while you move it: rate, position, buttons</source>
+        <translation>Das Gerät auslesen, während Sie es bewegen: Takt, Position, Tasten</translation>
+    </message>
+    <message>
+        <source>Choose a device or the mouse.</source>
+        <translation>Ein Gerät oder die Maus wählen.</translation>
+    </message>
+    <message>
+        <source>Mill with this device from the next stroke on</source>
+        <translation>Ab dem nächsten Strich mit diesem Gerät fräsen</translation>
+    </message>
+    <message>
+        <source>Move the device through its whole workspace and press each button.</source>
+        <translation>Das Gerät durch seinen ganzen Arbeitsraum bewegen und jede Taste drücken.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::DeviceTester</name>
+    <message>
+        <source>Looking for devices</source>
+        <translation>Geräte werden gesucht</translation>
+    </message>
+    <message>
+        <source>Testing %1</source>
+        <translation>%1 wird getestet</translation>
     </message>
 </context>
 <context>

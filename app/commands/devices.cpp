@@ -4,6 +4,7 @@
 #include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/device/device_registry.h"
+#include "core/device/device_trial.h"
 #include "core/device/stylus_handle.h"
 #include "ui/messages/messages.h"
 
@@ -88,9 +89,89 @@ std::string textOf(const FoundDevice& device, const StylusDescription& stylus) {
     return text;
 }
 
+/// Drivers that have no devices because a library of their maker's is missing.
+void addDrivers(DeviceRegistry& registry, json& answer, std::string& text) {
+    for (const DriverState& driver : registry.drivers()) {
+        json entry{{"id", driver.id}, {"name", driver.name}, {"ready", !driver.missing.has_value()}};
+        if (driver.missing) {
+            const std::string sentence = Messages::sentence(*driver.missing).toStdString();
+            entry["fault"] = sentence;
+            text += "\n" + driver.id + ": " + sentence;
+        }
+        answer["drivers"].push_back(entry);
+    }
+}
+
+/// What --test asks for.
+struct TrialArguments {
+    std::string device, mode;
+    TrialSettings settings;
+};
+
+json jsonOf(const glm::dvec3& place) {
+    return {place.x, place.y, place.z};
+}
+
+json jsonOf(const TrialFigures& figures) {
+    json faults = json::array();
+    for (const Error& fault : figures.faults) faults.push_back(Messages::sentence(fault).toStdString());
+    return {{"seconds", figures.seconds},
+            {"readings", figures.readings},
+            {"readings_invalid", figures.invalid},
+            {"rate_hz", figures.rate},
+            {"pause_usual_s", figures.usualPause},
+            {"pause_longest_s", figures.longestPause},
+            {"step_finest_mm", figures.finestStep},
+            {"turn_largest_rad", figures.largestTurn},
+            {"place_least_mm", jsonOf(figures.least)},
+            {"place_most_mm", jsonOf(figures.most)},
+            {"buttons_pressed", figures.buttons},
+            {"force_largest_n", figures.largestForce},
+            {"health", jsonOf(figures.health)},
+            {"faults", faults}};
+}
+
+std::string textOf(const TrialFigures& figures) {
+    const auto rounded = [](double value, int digits) { return formatFixed(value, digits); };
+    std::string text =
+        worded(BURIN_TEXT("Command", "%1 readings in %2 s: %3 Hz, usually %4 ms between two, %5 ms at most"),
+               {std::to_string(figures.readings), rounded(figures.seconds, 2), rounded(figures.rate, 1),
+                rounded(1e3 * figures.usualPause, 2), rounded(1e3 * figures.longestPause, 2)});
+    const glm::dvec3 span = figures.most - figures.least;
+    text += "\n" + worded(BURIN_TEXT("Command", "moved %1 × %2 × %3 mm in steps from %4 mm, turned %5°"),
+                          {rounded(span.x, 1), rounded(span.y, 1), rounded(span.z, 1), rounded(figures.finestStep, 4),
+                           rounded(glm::degrees(figures.largestTurn), 0)});
+    std::string pressed;
+    for (unsigned int i = 0; i < 32; ++i)
+        if ((figures.buttons >> i & 1U) != 0) pressed += (pressed.empty() ? "" : ", ") + std::to_string(i + 1);
+    text += "\n" + (pressed.empty() ? worded(BURIN_TEXT("Command", "no button was pressed"))
+                                    : worded(BURIN_TEXT("Command", "buttons pressed: %1"), {pressed}));
+    text += "\n" + worded(BURIN_TEXT("Command", "at most %1 N"), {rounded(figures.largestForce, 2)});
+    if (figures.invalid > 0)
+        text += "\n" + worded(BURIN_TEXT("Command", "%1 readings were not valid"), {std::to_string(figures.invalid)});
+    for (const Error& fault : figures.faults) text += "\n" + Messages::sentence(fault).toStdString();
+    return text;
+}
+
+/// Reads one device for a while; status 1 where it had faults or gave no valid reading.
+int runTrial(CommandContext& context, const TrialArguments& arguments) {
+    DeviceRegistry registry;
+    const bool simulated = arguments.device == simulatedDevice;
+    const Result<FoundDevice> device =
+        simulated ? Result<FoundDevice>(FoundDevice{simulatedDevice, {}, {}}) : registry.find(arguments.device);
+    if (!device) return context.fail(device.error());
+    const Result<AnyStylus> stylus = registry.make(device->id, arguments.mode);
+    if (!stylus) return context.fail(stylus.error());
+    context.stage(BURIN_TEXT("Command", "Testing the device"));
+    const Result<TrialFigures> figures = tryDevice(StylusHandle(*stylus), arguments.settings, context.progress());
+    if (!figures) return context.fail(figures.error());
+    context.answer({{"device", device->id}, {"test", jsonOf(*figures)}}, textOf(*figures));
+    return figures->faults.empty() && figures->readings > 0 ? 0 : 1;
+}
+
 int runDevices(CommandContext& context) {
     DeviceRegistry registry;
-    json answer{{"devices", json::array()}, {"faults", json::array()}};
+    json answer{{"devices", json::array()}, {"drivers", json::array()}, {"faults", json::array()}};
     std::string text;
     const auto line = [&text](const std::string& more) { text += (text.empty() ? "" : "\n") + more; };
     for (const FoundDevice& device : registry.scan()) {
@@ -108,6 +189,7 @@ int runDevices(CommandContext& context) {
         }
         answer["devices"].push_back(entry);
     }
+    addDrivers(registry, answer, text);
     for (const Error& fault : registry.takeFaults()) {
         answer["faults"].push_back(Messages::sentence(fault).toStdString());
         context.message(Messages::sentence(fault).toStdString());
@@ -122,7 +204,24 @@ void registerDevices(CommandParser program, CommandContext& context, int& status
     const CommandParser command =
         program.command("devices", BURIN_TEXT("Help", "List the styluses that are plugged in, and their limits"));
     addJsonFlag(command, context);
-    command.run([&context, &status] { status = runDevices(context); });
+    const auto arguments = std::make_shared<TrialArguments>();
+    const Argument test = command.option(
+        "--test", arguments->device,
+        BURIN_TEXT("Help", "Read this device for a while and tell how it did: rate, pauses, steps, buttons"));
+    command.option("--mode", arguments->mode, BURIN_TEXT("Help", "One of the device's modes")).needs(test);
+    command.option("--seconds", arguments->settings.seconds, BURIN_TEXT("Help", "How long, s"))
+        .range(0.1, 3600.0)
+        .showDefault()
+        .needs(test);
+    command
+        .option("--force", arguments->settings.force,
+                BURIN_TEXT("Help", "Push up with this force, N, while its first button is held; at most a fifth of "
+                                   "what it can do"))
+        .range(0.0, 100.0)
+        .needs(test);
+    command.run([&context, &status, arguments] {
+        status = arguments->device.empty() ? runDevices(context) : runTrial(context, *arguments);
+    });
 }
 
 } // namespace burin

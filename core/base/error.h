@@ -43,14 +43,19 @@ enum class ErrorCode : std::uint16_t {
     // tools, materials, machines (resources)
     resourceInvalid, ///< subject: file; place: key; detail: what is wrong
     // devices and haptics
-    deviceNotFound,     ///< subject: device
-    deviceFault,        ///< subject: device; place: record of what led to it, if any; detail: what it reports
-    deviceUnplugged,    ///< subject: device; place: as above
-    deviceStopped,      ///< its forces are off for now; subject: device; place: as above; detail: why
-    deviceHot,          ///< its motors are hot, so that it is asked for half of its force; subject: device
-    deviceNotAllowed,   ///< subject: device; place: the file that the system keeps it under
-    deviceIncompatible, ///< subject: device; place: its protocol; detail: ours
-    traceInvalid,       ///< subject: file; place: line
+    deviceNotFound,       ///< subject: device
+    deviceFault,          ///< subject: device; place: record of what led to it, if any; detail: what it reports
+    deviceUnplugged,      ///< subject: device; place: as above
+    deviceStopped,        ///< its forces are off for now; subject: device; place: as above; detail: why
+    deviceHot,            ///< its motors are hot, so that it is asked for half of its force; subject: device
+    deviceNotAllowed,     ///< subject: device; place: the file that the system keeps it under
+    deviceIncompatible,   ///< subject: device; place: its protocol; detail: ours
+    deviceLibraryMissing, ///< subject: whose devices; place: the library and what it comes with; detail: folders that
+                          ///< were looked in
+    deviceLibraryUnfit,   ///< subject: file; place: what shows it, a function that is missing or its version; detail:
+                          ///< what
+                          ///< Burin needs
+    traceInvalid,         ///< subject: file; place: line
     // project
     projectNotBurin,    ///< subject: file
     fileFromNewerBurin, ///< subject: file; detail: its version
@@ -140,6 +145,8 @@ constexpr ErrorClass errorClass(ErrorCode code) noexcept {
     case ErrorCode::deviceStopped:
     case ErrorCode::deviceHot:
     case ErrorCode::deviceIncompatible:
+    case ErrorCode::deviceLibraryMissing:
+    case ErrorCode::deviceLibraryUnfit:
     case ErrorCode::traceInvalid:
     case ErrorCode::projectNotBurin:
     case ErrorCode::fileFromNewerBurin:

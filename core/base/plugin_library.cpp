@@ -4,6 +4,7 @@
 
 #include "core/base/file.h"
 #include "core/base/json_number.h"
+#include "core/base/resource_folder.h"
 
 #include <nlohmann/json.hpp>
 
@@ -101,6 +102,11 @@ std::string loaderFault() {
 }
 
 } // namespace
+
+fs::path userPluginDirectory(const PluginKind& kind) {
+    const fs::path plugins = userResourceDirectory({"plugin", "plugins"});
+    return plugins.empty() ? plugins : plugins / kind.folder;
+}
 
 Result<std::vector<PluginDescription>> findPlugins(const PluginKind& kind, const fs::path& folder,
                                                    std::vector<Error>* faults) {

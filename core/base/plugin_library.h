@@ -31,6 +31,10 @@ struct PluginDescription {
     std::map<std::string, std::string, std::less<>> further; ///< texts of the kind's own keys, plain names
 };
 
+/// Folder of the user's own plugins of a kind: $XDG_DATA_HOME/burin/plugins/<folder>, or below ~/.local/share where
+/// that is not set. Need not exist; empty when there is no home either.
+std::filesystem::path userPluginDirectory(const PluginKind& kind);
+
 /// Descriptions of all plugins of a kind below `folder` (default: the kind's folder in pluginDirectory()), sorted by
 /// id. With `faults` a plugin with invalid metadata is noted there and left out; without, it is the error. Errors:
 /// fileNotFound (the folder), fileNotReadable, pluginInvalid (subject: plugin.json).

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/device/device_registry.h"
 
+#include "core/base/file.h"
 #include "core/base/plugin_library.h"
 #include "core/device/simulated_stylus.h"
 
@@ -41,7 +42,25 @@ Result<Answer> guarded(const std::string& origin, const Call& call) {
     }
 }
 
+/// A plugin that was built with other headers than ours would be read wrongly.
+Result<void> checkLayout(const PluginDescription& plugin) {
+    const Result<void*> symbol = loadPlugin(devicePlugin, plugin, deviceLayoutPoint);
+    if (!symbol) return symbol.error();
+    std::uint32_t count = 0;
+    const TypeLayout* layout = reinterpret_cast<DeviceLayout>(*symbol)(&count);
+    const std::string origin = plugin.library.string();
+    if (layout == nullptr || count != deviceLayout.size()) return invalid(origin, "built with other headers of Burin");
+    for (std::size_t i = 0; i < deviceLayout.size(); ++i)
+        if (layout[i].size != deviceLayout[i].size || layout[i].alignment != deviceLayout[i].alignment)
+            return invalid(origin, std::string("built with another ") + deviceLayout[i].type + ": " +
+                                       std::to_string(layout[i].size) + " bytes in it, " +
+                                       std::to_string(deviceLayout[i].size) + " in Burin");
+    return {};
+}
+
 Result<std::unique_ptr<DeviceDriver>> createDriver(const PluginDescription& plugin, DeviceHost& host) {
+    const Result<void> fits = checkLayout(plugin);
+    if (!fits) return fits.error();
     const Result<void*> symbol = loadPlugin(devicePlugin, plugin, deviceEntryPoint);
     if (!symbol) return symbol.error();
     const auto function = reinterpret_cast<CreateDeviceDriver>(*symbol); // POSIX: dlsym gives functions as void*
@@ -58,20 +77,23 @@ StylusDevice* deviceOf(const AnyStylus& stylus) {
 } // namespace
 
 DeviceRegistry::DeviceRegistry(const std::filesystem::path& folder) {
-    entries_.push_back({simulatedDevice, simulatedDevice, std::make_unique<SimulatedDriver>()});
-    load(folder);
+    entries_.push_back({simulatedDevice, simulatedDevice, simulatedDevice, std::make_unique<SimulatedDriver>()});
+    if (folder.empty()) load(userPluginDirectory(devicePlugin));
+    load(folder.empty() ? pluginDirectory() / devicePlugin.folder : folder);
 }
 
 void DeviceRegistry::load(const std::filesystem::path& folder) {
+    if (folder.empty()) return;
     const auto plugins = findPlugins(devicePlugin, folder, &faults_);
     if (!plugins) {
         if (plugins.error().code != ErrorCode::fileNotFound) faults_.push_back(plugins.error());
         return;
     }
     for (const PluginDescription& plugin : *plugins) {
+        if (std::ranges::find(entries_, plugin.id, &Entry::id) != entries_.end()) continue; // the user's own
         auto driver = createDriver(plugin, host_);
         if (driver)
-            entries_.push_back({plugin.id, plugin.library.string(), std::move(*driver)});
+            entries_.push_back({plugin.id, plugin.name, plugin.library.string(), std::move(*driver)});
         else
             faults_.push_back(std::move(driver).error());
     }
@@ -79,7 +101,7 @@ void DeviceRegistry::load(const std::filesystem::path& folder) {
 
 void DeviceRegistry::add(std::string id, std::unique_ptr<DeviceDriver> driver) {
     const std::lock_guard turn(turn_);
-    entries_.push_back({id, id, std::move(driver)});
+    entries_.push_back({id, id, id, std::move(driver)});
 }
 
 std::vector<FoundDevice> DeviceRegistry::findWith(Entry& entry) {
@@ -125,6 +147,16 @@ Result<AnyStylus> DeviceRegistry::make(const std::string& id, const std::string&
     const Result<void> checked = checkDescription(device->description());
     if (!checked) return invalid(entry->origin, checked.error().place + ": " + checked.error().detail);
     return made;
+}
+
+std::vector<DriverState> DeviceRegistry::drivers() {
+    const std::lock_guard turn(turn_);
+    std::vector<DriverState> states;
+    for (Entry& entry : entries_) {
+        const auto ready = guarded<void>(entry.origin, [&]() { return entry.driver->ready(); });
+        states.push_back({entry.id, entry.name, ready ? std::nullopt : std::optional(ready.error())});
+    }
+    return states;
 }
 
 std::vector<Error> DeviceRegistry::takeFaults() {

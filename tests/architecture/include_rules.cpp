@@ -34,7 +34,8 @@ constexpr std::array<std::string_view, 15> pluginInterface{"core/base/error.h",
 constexpr std::array<std::string_view, 1> handedOut{"plugins/devices/open_stylus/firmware"};
 
 /// What the plugins of one kind share, and build into each of them.
-constexpr std::array<std::string_view, 1> sharedByPlugins{"plugins/devices/hid"};
+constexpr std::array<std::string_view, 3> sharedByPlugins{"plugins/devices/cap", "plugins/devices/hid",
+                                                          "plugins/devices/vendor"};
 
 /// A library of others; core/README.md says who may include it.
 struct Foreign {

@@ -69,12 +69,13 @@ private slots:
         QTest::addColumn<QString>("file");
         for (const char* file :
              {"bin/burin", "lib/burin/burin-import", "lib/burin/plugins/devices/open_stylus/plugin.json",
-              "lib/burin/plugins/devices/spacemouse/plugin.json", "share/burin/resources/samples/mouse.step",
-              "share/burin/translations/burin_de.qm", "share/applications/org.burin.Burin.desktop",
-              "share/icons/hicolor/scalable/apps/org.burin.Burin.svg", "share/mime/packages/org.burin.Burin.xml",
-              "share/metainfo/org.burin.Burin.metainfo.xml", "share/man/man1/burin.1.gz",
-              "share/bash-completion/completions/burin", "lib/udev/rules.d/70-burin-devices.rules",
-              "share/doc/burin/copyright", "share/doc/burin/changelog.gz"})
+              "lib/burin/plugins/devices/spacemouse/plugin.json", "lib/burin/plugins/devices/openhaptics/plugin.json",
+              "lib/burin/plugins/devices/force_dimension/libforce_dimension.so",
+              "share/burin/resources/samples/mouse.step", "share/burin/translations/burin_de.qm",
+              "share/applications/org.burin.Burin.desktop", "share/icons/hicolor/scalable/apps/org.burin.Burin.svg",
+              "share/mime/packages/org.burin.Burin.xml", "share/metainfo/org.burin.Burin.metainfo.xml",
+              "share/man/man1/burin.1.gz", "share/bash-completion/completions/burin",
+              "lib/udev/rules.d/70-burin-devices.rules", "share/doc/burin/copyright", "share/doc/burin/changelog.gz"})
             QTest::newRow(file) << QString::fromLatin1(file);
     }
     void allFilesAreThere() {
@@ -142,6 +143,12 @@ private slots:
         const Outcome devices = run(burin(), {QStringLiteral("devices"), QStringLiteral("--json")}, bare_);
         QVERIFY2(devices.status == 0, devices.messages.constData());
         QVERIFY2(devices.messages.isEmpty(), devices.messages.constData());
+        const QJsonArray drivers = QJsonDocument::fromJson(devices.out)["drivers"].toArray();
+        QStringList ids;
+        for (const QJsonValue& driver : drivers) ids << driver["id"].toString();
+        QCOMPARE(ids.join(' '), QString("simulated force_dimension open_stylus openhaptics spacemouse spacenav"));
+        for (const QJsonValue& driver : drivers) // no maker's library is in the bare system
+            QCOMPARE(driver["ready"].toBool(), !driver["id"].toString().contains(QRegularExpression("^(force|openh)")));
     }
 
     void itSpeaksTheUsersLanguage() {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "plugins/devices/spacemouse/cap_mapping.h"
+#include "plugins/devices/cap/cap_mapping.h"
 #include "plugins/devices/spacemouse/reports.h"
 #include "tests/fuzz/reports.h"
 
@@ -10,12 +10,12 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     using namespace burin;
     spacemouse::ReportReader reader;
-    spacemouse::CapMapping rate(spacemouse::ControlMode::rate), position(spacemouse::ControlMode::position);
+    cap::CapMapping rate(cap::ControlMode::rate), position(cap::ControlMode::position);
     fuzz::forEachReport({bytes, count}, [&](std::span<const std::uint8_t> report) {
         reader.take(report);
-        for (spacemouse::CapMapping* mapping : {&rate, &position}) {
+        for (cap::CapMapping* mapping : {&rate, &position}) {
             const Pose& pose = mapping->advance(reader.controls().axes, 0.01);
-            if (!(glm::length(pose.position) <= spacemouse::CapMapping::workspaceRadius + 1e-9)) std::abort();
+            if (!(glm::length(pose.position) <= cap::CapMapping::workspaceRadius + 1e-9)) std::abort();
         }
         if (reader.controls().batteryPercent > 100) std::abort();
     });

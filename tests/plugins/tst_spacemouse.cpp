@@ -9,6 +9,7 @@
 #include <QtTest>
 
 using namespace burin;
+using namespace burin::cap;
 using namespace burin::spacemouse;
 using test::comesTrue;
 using test::ScriptedBus;

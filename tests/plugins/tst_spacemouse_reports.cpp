@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "plugins/devices/spacemouse/cap_mapping.h"
+#include "plugins/devices/cap/cap_mapping.h"
 #include "plugins/devices/spacemouse/models.h"
 #include "plugins/devices/spacemouse/reports.h"
 #include "tests/oracles/allocation_count.h"
@@ -11,6 +11,7 @@
 #include <cmath>
 
 using namespace burin;
+using namespace burin::cap;
 using namespace burin::spacemouse;
 
 namespace {

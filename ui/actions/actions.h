@@ -94,6 +94,7 @@ enum class ActionId : std::size_t {
     machines,
     tools,
     materials,
+    devices,
     welcome,
     keyList,
     about,

@@ -150,6 +150,11 @@ QString Messages::sentence(const Error& error) {
     case ErrorCode::deviceIncompatible:
         return tr("The device \"%1\" speaks version %2 of its protocol, but this Burin needs %3; update its firmware.")
             .arg(subject, place, detail);
+    case ErrorCode::deviceLibraryMissing:
+        return tr("The devices of %1 need %2, which is in none of these folders: %3; install it.")
+            .arg(subject, place, detail);
+    case ErrorCode::deviceLibraryUnfit:
+        return tr("The library \"%1\" can't be used (%2); install %3.").arg(file, place, detail);
     case ErrorCode::traceInvalid:
         return tr("The trace \"%1\" can't be used (%2); correct it or record it again.").arg(file, place);
     case ErrorCode::projectNotBurin:

@@ -8,6 +8,7 @@
 #include "ui/panels/program_editor.h"
 #include "ui/panels/texts.h"
 #include "ui/scene/view_cube_room.h"
+#include "ui/window/device_dialog.h"
 #include "ui/window/machine_dialog.h"
 #include "ui/window/material_dialog.h"
 #include "ui/window/program_dock.h"
@@ -365,6 +366,11 @@ void MainWindow::showTools() {
 
 void MainWindow::showMaterials() {
     MaterialDialog dialog(workbench_.material, workbench_.setup.setup().stockMaterial, workbench_.setup.locked(), this);
+    dialog.exec();
+}
+
+void MainWindow::showDevices() {
+    DeviceDialog dialog(workbench_.styluses, workbench_.deviceTester, this);
     dialog.exec();
 }
 

@@ -69,6 +69,7 @@ private:
     void showMachines();
     void showTools();
     void showMaterials();
+    void showDevices();
     void tellAboutOpened();
     LeftAt leftAt() const;
     void goTo(const LeftAt& left);

@@ -59,6 +59,7 @@ void MainWindow::connectActions() {
     on(ActionId::machines, [this] { showMachines(); });
     on(ActionId::tools, [this] { showTools(); });
     on(ActionId::materials, [this] { showMaterials(); });
+    on(ActionId::devices, [this] { showDevices(); });
     on(ActionId::welcome, [this] {
         if (pages_->currentWidget() != welcome_) {
             leftFrom_ = QApplication::focusWidget();

@@ -37,7 +37,7 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
     recent_ = new QMenu(tr("Open &recent"), file);
     recent_->setObjectName(QStringLiteral("recentMenu"));
     file->insertMenu(file->actions().at(2), recent_);
-    addMenu(bar, tr("&Edit"), "editMenu", actions, {undo, redo, line, tools, materials, preferences});
+    addMenu(bar, tr("&Edit"), "editMenu", actions, {undo, redo, line, tools, materials, devices, preferences});
     addMenu(bar, tr("&View"), "viewMenu", actions,
             {fit,          line,           viewIsometric, viewTop,       viewBottom, viewFront,
              viewBack,     viewLeft,       viewRight,     parallelView,  line,       seeThrough,

@@ -30,6 +30,8 @@ public:
     /// Looks for devices from now on, on a thread of its own. @param registry whose drivers to use, made if there is
     /// none
     void start(std::shared_ptr<DeviceRegistry> registry = {});
+    /// Null before `start`.
+    const std::shared_ptr<DeviceRegistry>& registry() const noexcept { return registry_; }
     const std::vector<Choice>& choices() const noexcept { return choices_; }
     std::size_t chosen() const noexcept { return chosen_; } ///< index in `choices`
     bool mouse() const noexcept { return chosen_ == 0; }

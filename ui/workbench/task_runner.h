@@ -33,6 +33,8 @@ enum class TaskKind {
     measuring,
     program,
     device,
+    drivers,
+    deviceTest,
     exporting,
     stock,
     tool,

@@ -29,6 +29,7 @@ Workbench::Workbench(QObject* parent)
     , workpiece(desk_, this)
     , styluses(desk_, this)
     , session(desk_, this)
+    , deviceTester(desk_, styluses, session, this)
     , mill(desk_, workpiece, session, styluses, this)
     , surroundings(desk_, workpiece, mill, session, this)
     , guides(desk_, workpiece, mill, session, this)
@@ -53,9 +54,9 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document, &model,   &setup,  &material,     &tool,    &target, &workpiece,
-            &styluses, &session, &mill,   &surroundings, &guides,  &hand,   &showMe,
-            &path,     &area,    &passes, &passMeasurer, &program, &setups, &sheet};
+    return {&document, &model,        &setup,        &material,     &tool,   &target, &workpiece, &styluses,
+            &session,  &deviceTester, &mill,         &surroundings, &guides, &hand,   &showMe,    &path,
+            &area,     &passes,       &passMeasurer, &program,      &setups, &sheet};
 }
 
 void Workbench::wire() {

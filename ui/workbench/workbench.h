@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/workbench/area_controller.h"
+#include "ui/workbench/device_tester.h"
 #include "ui/workbench/document_controller.h"
 #include "ui/workbench/hand_controller.h"
 #include "ui/workbench/material_controller.h"
@@ -48,6 +49,7 @@ public:
     WorkpieceController workpiece;
     StylusController styluses; ///< outlives the session, whose stylus may be of one of its drivers
     SessionRunner session;
+    DeviceTester deviceTester;
     MillController mill;
     SurroundingsController surroundings;
     GuideController guides;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/devices/spacemouse/driver.h"
 
+#include "plugins/devices/cap/cap_driver.h"
 #include "plugins/devices/spacemouse/models.h"
 #include "plugins/devices/spacemouse/space_mouse.h"
 
@@ -30,23 +31,24 @@ public:
         std::vector<FoundDevice> found;
         const std::vector<hid::DeviceInfo> devices = hid::devicesOn(*bus_, wanted);
         for (const hid::DeviceInfo& device : devices)
-            found.push_back({hid::idOf(device, devices),
-                             nameOf(device),
-                             {{"rate", BURIN_TEXT("Device", "The cap sets the speed")},
-                              {"position", BURIN_TEXT("Device", "The cap sets the position")}}});
+            found.push_back({hid::idOf(device, devices), nameOf(device), cap::modes()});
         return found;
     }
 
     Result<AnyStylus> make(const std::string& id, const std::string& mode) override {
-        if (!mode.empty() && mode != "rate" && mode != "position")
-            return Error{ErrorCode::nameUnknown, "stylus", mode, "rate, position"};
+        if (const Result<void> known = cap::checkMode(mode); !known) return known.error();
         const std::optional<hid::DeviceInfo> device = hid::deviceWithId(*bus_, wanted, id);
         if (!device) return Error{ErrorCode::deviceNotFound, id, {}, {}};
         Result<std::unique_ptr<hid::Port>> port = bus_->open(*device);
         if (!port) return std::move(port).error();
-        return AnyStylus(std::unique_ptr<Stylus>(
-            std::make_unique<SpaceMouse>(*bus_, std::move(*port), id, nameOf(*device), buttonsOf(*device),
-                                         mode == "position" ? ControlMode::position : ControlMode::rate)));
+        cap::CapStylusSettings settings;
+        settings.name = nameOf(*device);
+        settings.buttons = buttonsOf(*device);
+        settings.rate = {62.5, "recordings of SpaceNavigator and SpaceMouse Wireless: full sets of axes a second"};
+        settings.staleAfter = SpaceMouse::staleAfter;
+        settings.mode = cap::modeOf(mode);
+        return AnyStylus(std::unique_ptr<Stylus>(std::make_unique<cap::CapStylus>(
+            std::make_unique<SpaceMouse>(*bus_, std::move(*port), id), std::move(settings))));
     }
 
 private:

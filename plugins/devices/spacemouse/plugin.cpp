@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/devices/spacemouse/driver.h"
 
-extern "C" [[gnu::visibility("default")]] burin::DeviceDriver* burinCreateDeviceDriver(burin::DeviceHost& host) {
-    return burin::spacemouse::makeDriver(burin::hid::systemBus(host)).release();
+namespace {
+
+std::unique_ptr<burin::DeviceDriver> makeDriver(burin::DeviceHost& host) {
+    return burin::spacemouse::makeDriver(burin::hid::systemBus(host));
 }
+
+} // namespace
+
+BURIN_DEVICE_PLUGIN(makeDriver)

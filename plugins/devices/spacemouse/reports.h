@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "plugins/devices/cap/controls.h"
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -11,16 +13,7 @@ namespace burin::spacemouse {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// What the reports of a 3D mouse add up to.
-struct Controls {
-    /// Raw displacement of the cap in counts, full scale 350 (some units go a little beyond): x right, y towards the
-    /// user, z down; then the rotations about them.
-    std::array<std::int16_t, 6> axes{};
-    std::uint32_t buttons = 0;          ///< bit 0: the first button
-    std::array<std::uint8_t, 6> keys{}; ///< Enterprise: numbers of pressed buttons beyond 32, 0: none
-    std::int8_t batteryPercent = -1;    ///< -1: not reported
-    bool charging = false;
-};
+using cap::Controls;
 
 /// Which part of the controls a report changed.
 enum class ReportKind : std::uint8_t { translation, rotation, motion, buttons, battery, unknown };
@@ -38,7 +31,6 @@ public:
     const Controls& controls() const noexcept { return controls_; }
     /// As at rest: nothing moved, nothing pressed. The battery stays.
     void rest() noexcept;
-    void restAxes() noexcept { controls_.axes = {}; }
 
 private:
     void takeAxes(Bytes bytes, std::size_t first, std::size_t count) noexcept;

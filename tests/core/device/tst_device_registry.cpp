@@ -182,6 +182,35 @@ private slots:
         QVERIFY(codes == expected);
     }
 
+    void aPluginOfOtherHeadersIsNotRun() {
+        QTemporaryDir folder;
+        const fs::path root = folder.path().toStdString();
+        std::string text = metadata("strange", DeviceDriver::interfaceVersion);
+        plugin(root, "strange", text.replace(text.find("libnone.so"), 10, "libstrange.so"));
+        fs::copy_file(fs::path(BURIN_BUILD_DIRECTORY) / "stand-ins/strange/libstrange.so",
+                      root / "strange/libstrange.so");
+        DeviceRegistry registry(root);
+        const std::vector<Error> faults = registry.takeFaults();
+        QCOMPARE(faults.size(), std::size_t{1});
+        QCOMPARE(faults[0].code, ErrorCode::pluginInvalid);
+        QVERIFY2(faults[0].detail.find("StylusState") != std::string::npos, faults[0].detail.c_str());
+    }
+
+    void theUsersOwnPluginsStandFirst() {
+        QTemporaryDir home;
+        qputenv("XDG_DATA_HOME", home.path().toUtf8());
+        const fs::path own = fs::path(home.path().toStdString()) / "burin/plugins/devices/mine";
+        fs::create_directories(own.parent_path());
+        fs::copy(fs::path(BURIN_BUILD_DIRECTORY) / "plugins/devices/spacenav", own);
+        DeviceRegistry registry;
+        for (const Error& fault : registry.takeFaults()) QFAIL(fault.detail.c_str());
+        std::vector<std::string> ids;
+        for (const DriverState& driver : registry.drivers()) ids.push_back(driver.id);
+        QVERIFY(ids.size() >= 2 && ids[1] == "spacenav"); // before those of the build, and once
+        QCOMPARE(std::ranges::count(ids, std::string("spacenav")), 1);
+        qunsetenv("XDG_DATA_HOME");
+    }
+
     void thePluginsOfThisBuildLoad() {
         DeviceRegistry registry(fs::path(BURIN_BUILD_DIRECTORY) / "plugins/devices");
         for (const Error& fault : registry.takeFaults()) qWarning("%s", fault.detail.c_str());

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "plugins/devices/spacemouse/cap_mapping.h"
+#include "plugins/devices/cap/cap_mapping.h"
 
 #include "core/device/deflection.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace burin::spacemouse {
+namespace burin::cap {
 namespace {
 
 glm::dquat turnBy(const glm::dvec3& turn) noexcept { // rad, axis and angle in one
@@ -45,4 +45,4 @@ const Pose& CapMapping::advance(const std::array<std::int16_t, 6>& axes, double 
     return pose_;
 }
 
-} // namespace burin::spacemouse
+} // namespace burin::cap

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "core/geometry/pose.h"
-#include "plugins/devices/spacemouse/reports.h"
 
+#include <array>
 #include <cstdint>
 
-namespace burin::spacemouse {
+namespace burin::cap {
 
 enum class ControlMode : std::uint8_t {
     rate,    ///< the cap says how fast the tool moves; let go, it stands
@@ -43,4 +43,4 @@ private:
     Pose pose_;
 };
 
-} // namespace burin::spacemouse
+} // namespace burin::cap

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/device/device_trial.h"
+
+#include "core/base/mailbox.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <thread>
+
+namespace burin {
+namespace {
+
+constexpr double forceShare = 0.2;  // of what the motors do
+constexpr double fadeSeconds = 1.0; // of the force, while the button is held
+constexpr double longest = 3600.0;  // s
+constexpr double period = 0.001;    // s, of a stylus without a clock of its own
+constexpr std::chrono::milliseconds tellEvery{100};
+constexpr std::size_t bins = 2000; // of pauses, 10 µs each
+constexpr double binSeconds = 1e-5;
+
+double now() noexcept {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// What was read so far, as the thread that reads hands it over.
+struct Gathered {
+    std::uint64_t readings = 0, invalid = 0;
+    double firstAt = 0.0, lastAt = 0.0; ///< s, of the clock
+    double longestPause = 0.0, finestStep = 0.0, largestTurn = 0.0, largestForce = 0.0;
+    glm::dvec3 least{0.0}, most{0.0}, place{0.0};
+    glm::dquat first{1.0, 0.0, 0.0, 0.0};
+    std::uint32_t buttons = 0;
+    std::array<std::uint32_t, bins> pauses{};
+};
+
+/// s: as many pauses are shorter as longer.
+double medianOf(const std::array<std::uint32_t, bins>& pauses) {
+    std::uint64_t all = 0, below = 0;
+    for (const std::uint32_t count : pauses) all += count;
+    for (std::size_t i = 0; i < bins && all > 0; ++i)
+        if (2 * (below += pauses[i]) >= all) return (static_cast<double>(i) + 0.5) * binSeconds;
+    return 0.0;
+}
+
+TrialFigures figuresOf(const Gathered& gathered) {
+    TrialFigures told;
+    told.seconds = gathered.lastAt - gathered.firstAt;
+    told.readings = gathered.readings;
+    told.invalid = gathered.invalid;
+    const auto pauses = static_cast<double>(gathered.readings + gathered.invalid) - 1.0;
+    if (told.seconds > 0.0) told.rate = pauses / told.seconds;
+    told.usualPause = medianOf(gathered.pauses);
+    told.longestPause = gathered.longestPause;
+    told.largestTurn = gathered.largestTurn;
+    told.finestStep = gathered.finestStep;
+    told.least = gathered.least;
+    told.most = gathered.most;
+    told.place = gathered.place;
+    told.buttons = gathered.buttons;
+    told.largestForce = gathered.largestForce;
+    return told;
+}
+
+/// Measures the readings of a stylus and answers them, on the thread that reads; hands over what it measured.
+class Gathering {
+public:
+    Gathering(double force, bool hasButtons) : force_(force), hasButtons_(hasButtons) {}
+
+    /// The thread that reads. @return what to render
+    Wrench take(const StylusState& state) noexcept {
+        const double at = now();
+        noteTime(at);
+        if (state.valid)
+            notePose(state);
+        else
+            ++now_.invalid;
+        Wrench wrench;
+        wrench.force.z = forceAt(at, state.valid && hasButtons_ && (state.buttons & 1U) != 0);
+        now_.largestForce = std::max(now_.largestForce, wrench.force.z);
+        news_.post(now_);
+        return wrench;
+    }
+
+    /// The owner's thread.
+    TrialFigures figures() {
+        news_.take(seen_);
+        return figuresOf(seen_);
+    }
+
+private:
+    void noteTime(double at) noexcept {
+        if (now_.firstAt == 0.0) now_.firstAt = at;
+        if (now_.lastAt > 0.0) {
+            const double pause = at - now_.lastAt;
+            now_.longestPause = std::max(now_.longestPause, pause);
+            ++now_.pauses[std::min(bins - 1, static_cast<std::size_t>(pause / binSeconds))];
+        }
+        now_.lastAt = at;
+    }
+    void notePose(const StylusState& state) noexcept {
+        const glm::dvec3 place = state.pose.position;
+        if (now_.readings++ == 0) {
+            now_.least = now_.most = place;
+            now_.first = state.pose.rotation;
+        } else if (const double step = glm::distance(place, now_.place); step > 0.0) {
+            now_.finestStep = now_.finestStep > 0.0 ? std::min(now_.finestStep, step) : step;
+        }
+        now_.place = place;
+        now_.least = glm::min(now_.least, place);
+        now_.most = glm::max(now_.most, place);
+        now_.buttons |= state.buttons;
+        const double cosine = std::min(1.0, std::abs(glm::dot(now_.first, state.pose.rotation)));
+        now_.largestTurn = std::max(now_.largestTurn, 2.0 * std::acos(cosine));
+    }
+    double forceAt(double at, bool held) noexcept {
+        if (!held) {
+            heldAt_.reset();
+            return 0.0;
+        }
+        if (!heldAt_) heldAt_ = at;
+        return force_ * std::min((at - *heldAt_) / fadeSeconds, 1.0);
+    }
+
+    const double force_;
+    const bool hasButtons_;
+    Mailbox<Gathered> news_;
+    Gathered seen_; ///< the owner's
+    Gathered now_;  ///< from here on the reading thread's
+    std::optional<double> heldAt_;
+};
+
+class TrialClient final : public StylusClient {
+public:
+    explicit TrialClient(Gathering& gathering) : gathering_(gathering) {}
+    Wrench tick(const StylusState& state) noexcept override { return gathering_.take(state); }
+
+private:
+    Gathering& gathering_;
+};
+
+/// Reads a stylus that has no clock, on a thread of its own, until it is gone.
+class Reader {
+public:
+    Reader(Stylus& stylus, Gathering& gathering)
+        : thread_([&](const std::stop_token& stop) {
+            const double start = now();
+            auto due = std::chrono::steady_clock::now();
+            while (!stop.stop_requested()) {
+                stylus.write(gathering.take(stylus.read(now() - start)));
+                due = std::max(due + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                         std::chrono::duration<double>(period)),
+                               std::chrono::steady_clock::now());
+                std::this_thread::sleep_until(due);
+            }
+            stylus.write({});
+        }) {}
+
+private:
+    std::jthread thread_;
+};
+
+Result<void> checkSettings(const StylusDescription& stylus, const TrialSettings& settings) {
+    if (!(settings.seconds > 0.0 && settings.seconds <= longest))
+        return Error{ErrorCode::argumentInvalid, "seconds", std::to_string(settings.seconds), "0 to 3600 s"};
+    const double limit = trialForceLimit(stylus);
+    if (settings.force == 0.0) return {};
+    if (limit == 0.0)
+        return Error{ErrorCode::argumentInvalid, "force", std::to_string(settings.force), "0 N, it has no motors"};
+    if (stylus.buttons == 0)
+        return Error{ErrorCode::argumentInvalid, "force", std::to_string(settings.force),
+                     "0 N, it has no button to hold"};
+    if (!(settings.force > 0.0 && settings.force <= limit))
+        return Error{ErrorCode::argumentInvalid, "force", std::to_string(settings.force),
+                     "0 to " + std::to_string(limit) + " N"};
+    return {};
+}
+
+} // namespace
+
+double trialForceLimit(const StylusDescription& stylus) noexcept {
+    if (stylus.actuated.translations < 3) return 0.0;
+    const double limit = forceShare * stylus.maximumForce.value;
+    return stylus.continuousForce.value > 0.0 ? std::min(limit, stylus.continuousForce.value) : limit;
+}
+
+Result<TrialFigures> tryDevice(const StylusHandle& stylus, const TrialSettings& settings, Progress& progress) {
+    StylusDevice& device = stylus.device();
+    const StylusDescription description = device.description();
+    if (const Result<void> checked = checkSettings(description, settings); !checked) return checked.error();
+    if (const Result<void> opened = device.open(); !opened) return opened.error();
+    const auto gathering = std::make_unique<Gathering>(settings.force, description.buttons > 0); // 24 kB
+    TrialClient client(*gathering);
+    std::vector<Error> faults;
+    const auto look = [&] {
+        TrialFigures figures = gathering->figures();
+        while (std::optional<Error> fault = device.takeFault()) faults.push_back(std::move(*fault));
+        figures.health = device.health();
+        figures.faults = faults;
+        return figures;
+    };
+    {
+        std::optional<Reader> reader;
+        if (SelfPacedStylus* paced = stylus.selfPaced()) {
+            if (const Result<void> started = paced->start(client); !started) {
+                device.close();
+                return started.error();
+            }
+        } else {
+            reader.emplace(*stylus.called(), *gathering);
+        }
+        const double start = now();
+        for (double passed = 0.0; passed < settings.seconds && !progress.cancelled(); passed = now() - start) {
+            const std::chrono::duration<double> rest(settings.seconds - passed);
+            std::this_thread::sleep_for(std::min<std::chrono::duration<double>>(rest, tellEvery));
+            progress.report((now() - start) / settings.seconds);
+            if (settings.told) settings.told(look());
+        }
+        if (SelfPacedStylus* paced = stylus.selfPaced()) paced->stop();
+    }
+    TrialFigures figures = look();
+    device.close();
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, description.name, {}, {}};
+    return figures;
+}
+
+} // namespace burin

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/device/device_fault.h"
+#include "core/device/stylus.h"
+#include "plugins/devices/cap/cap_mapping.h"
+#include "plugins/devices/cap/controls.h"
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace burin::cap {
+
+/// A device with a cap, as it is read. All calls come from one thread, the stylus'.
+class ControlSource {
+public:
+    enum class Heard : std::uint8_t { nothing, motion, other, gone };
+    virtual ~ControlSource() = default;
+    /// Looks for the device and opens it. True: it is open, also when it was before.
+    virtual bool connect() noexcept = 0;
+    /// Waits for news, a while at most. @param[out] controls all of them, where something was heard
+    virtual Heard receive(Controls& controls, int milliseconds) noexcept = 0;
+    /// Also when it is not connected.
+    virtual void disconnect() noexcept = 0;
+};
+
+/// Hands plain values from the device's thread to any other by one atomic word each: a reader may see the axes of one
+/// report and the buttons of the next, which are different reports anyway.
+class SharedControls {
+public:
+    void publish(const Controls& controls) noexcept; ///< the device's thread
+    void heardMotion() noexcept { motions_.fetch_add(1, std::memory_order_release); }
+    std::array<std::int16_t, 6> axes() const noexcept;
+    std::uint32_t buttons() const noexcept { return buttons_.load(std::memory_order_relaxed); }
+    std::uint64_t motions() const noexcept { return motions_.load(std::memory_order_acquire); }
+    int batteryPercent() const noexcept { return battery_.load(std::memory_order_relaxed); }
+    bool charging() const noexcept { return charging_.load(std::memory_order_relaxed); }
+
+private:
+    std::atomic<std::uint64_t> translation_{0}, rotation_{0}; ///< three axes of 16 bits each
+    std::atomic<std::uint64_t> motions_{0};
+    std::atomic<std::uint32_t> buttons_{0};
+    std::atomic<int> battery_{-1};
+    std::atomic<bool> charging_{false};
+};
+
+/// What a stylus over a cap says of itself, and how it takes what it hears.
+struct CapStylusSettings {
+    std::string name;
+    int buttons = 0;
+    Figure<"Hz"> rate;
+    double staleAfter = 0.0; ///< s without motion, from which on the cap is at rest; 0: it always says when it is
+    ControlMode mode = ControlMode::rate;
+};
+
+/// A cap as a stylus without motors: the loop calls it. A thread of its own reads the device, and finds it again after
+/// it was unplugged. Thread: read and write the loop's, which touch no file; open, close, takeFault the owner's; health
+/// any.
+class CapStylus final : public Stylus {
+public:
+    static constexpr double lookEvery = 0.5; ///< s
+
+    CapStylus(std::unique_ptr<ControlSource> source, CapStylusSettings settings);
+    ~CapStylus() override { close(); }
+    CapStylus(const CapStylus&) = delete;
+    CapStylus& operator=(const CapStylus&) = delete;
+
+    StylusDescription description() const override;
+    /// Errors: argumentInvalid (it is open), outOfMemory.
+    Result<void> open() override;
+    void close() noexcept override;
+    std::optional<Error> takeFault() override;
+    DeviceHealth health() const noexcept override;
+    StylusState read(double time) noexcept override;
+    void write(const Wrench& wrench) noexcept override;
+
+private:
+    void run() noexcept;
+    void receive() noexcept;
+    bool runs() const noexcept { return !stop_.load(std::memory_order_relaxed); }
+
+    std::unique_ptr<ControlSource> source_; ///< the device's thread while it runs
+    CapStylusSettings settings_;
+    SharedControls shared_;
+    FaultBox faults_;
+    std::atomic<std::uint64_t> readings_{0};
+    std::atomic<bool> connected_{true}, stop_{false};
+    std::thread thread_;
+
+    CapMapping mapping_; ///< from here on the loop's
+    std::optional<double> readAt_;
+    double movedAt_ = 0.0;
+    std::uint64_t motions_ = 0;
+};
+
+} // namespace burin::cap

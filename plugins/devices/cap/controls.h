@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace burin::cap {
+
+/// How far a cap is pushed and turned, and what is pressed.
+struct Controls {
+    /// Displacement of the cap in counts, full scale 350 (some units go a little beyond): x right, y towards the user,
+    /// z down; then the rotations about them.
+    std::array<std::int16_t, 6> axes{};
+    std::uint32_t buttons = 0;          ///< bit 0: the first button
+    std::array<std::uint8_t, 6> keys{}; ///< numbers of pressed buttons beyond 32, 0: none
+    std::int8_t batteryPercent = -1;    ///< -1: not reported
+    bool charging = false;
+};
+
+} // namespace burin::cap

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/device/device_fault.h"
+#include "core/device/stylus.h"
+#include "plugins/devices/openhaptics/hd_api.h"
+#include "plugins/devices/openhaptics/hd_scheduler.h"
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <thread>
+
+namespace burin::openhaptics {
+
+/// libHD and what of it is one in a process; outlives all styluses.
+struct HdLibrary {
+    explicit HdLibrary(const HdApi& functions) : api(functions), scheduler(api) {}
+    HdApi api;
+    HdScheduler scheduler;
+};
+
+/// A device of 3D Systems. The library's scheduler calls it: each call is one frame of the device, in which the pose is
+/// read, the client asked, and the force set, so that no time passes between them but the client's own.
+///
+/// An error of the library takes the force away (the reading is not valid) until none has come for a while; a device
+/// that was unplugged is looked for twice a second by a thread that only does that. Thread: as SelfPacedStylus says.
+class HdStylus final : public SelfPacedStylus {
+public:
+    static constexpr double calmAfter = 0.1;  ///< s without an error until readings are valid again
+    static constexpr double lookEvery = 0.5;  ///< s
+    static constexpr double stopWithin = 1.0; ///< s that the scheduler has for a last frame
+
+    /// Connects it. Errors: those of HdScheduler::connect and describeCurrent.
+    static Result<std::unique_ptr<SelfPacedStylus>> connect(std::shared_ptr<HdLibrary> library,
+                                                            const std::string& name);
+    /// @param calibrated what calibrateCurrent said
+    HdStylus(std::shared_ptr<HdLibrary> library, std::string name, HdHandle handle, StylusDescription description,
+             Result<void> calibrated);
+    ~HdStylus() override;
+    HdStylus(const HdStylus&) = delete;
+    HdStylus& operator=(const HdStylus&) = delete;
+
+    StylusDescription description() const override { return description_; }
+    /// Errors: deviceFault (its pose means nothing until the pen was in its inkwell).
+    Result<void> open() override { return calibrated_; }
+    void close() noexcept override { stop(); }
+    std::optional<Error> takeFault() override;
+    DeviceHealth health() const noexcept override;
+    /// Switches the device's forces off. Its frame that is under way, if there is one, ends with none.
+    void cutMotors() noexcept override;
+    /// Errors: argumentInvalid (it was started already), outOfMemory.
+    Result<void> start(StylusClient& client) override;
+    void stop() noexcept override;
+
+private:
+    static unsigned int called(void* self) noexcept;
+    bool frame() noexcept;
+    void finish() noexcept;
+    void tellNothing(double time) noexcept;
+    StylusState read(double time) noexcept;
+    void drive(const Wrench& wrench, unsigned int cutsBefore) noexcept;
+    void takeErrors(double time) noexcept;
+    void disconnect() noexcept;
+    void lookForIt() noexcept;
+    void lookAgain() noexcept;
+    bool stops() const noexcept { return stop_.load(std::memory_order_relaxed); }
+
+    std::shared_ptr<HdLibrary> library_;
+    const HdApi& api_;
+    std::string name_;
+    std::atomic<HdHandle> handle_;
+    StylusDescription description_;
+    Result<void> calibrated_;
+    FaultBox faults_;
+    std::atomic<std::uint64_t> readings_{0};
+    std::atomic<double> heat_{0.0};
+    std::atomic<bool> lost_{false}, stop_{false}, ended_{false};
+    std::atomic<unsigned int> cuts_{0};
+
+    StylusClient* client_ = nullptr; // from here on the scheduler's thread, while it calls
+    bool begun_ = false;
+    bool forcesOff_ = true; ///< and to be switched on by the next answer
+    double startedAt_ = 0.0, calmFrom_ = 0.0;
+    int frames_ = 0;
+
+    HdScheduled scheduled_ = 0;
+    std::thread looker_;
+};
+
+/// Brings the current device to where its pose means something, where that needs no hand. Errors: deviceFault (it
+/// does). @param name for messages
+Result<void> calibrateCurrent(const HdApi& api, const std::string& name);
+
+} // namespace burin::openhaptics

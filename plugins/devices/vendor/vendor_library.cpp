@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "plugins/devices/vendor/vendor_library.h"
+
+#include <dlfcn.h>
+#include <strings.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+
+namespace burin::vendor {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The file of a library in a folder: with its plain name, else the highest of its versions. Empty: neither is there.
+fs::path libraryIn(const fs::path& folder, const std::string& name) {
+    std::error_code fault;
+    fs::path best;
+    for (fs::directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) {
+        const std::string file = at->path().filename().string();
+        if (file == name) return at->path();
+        const bool version = file.starts_with(name + ".");
+        if (version && (best.empty() || strverscmp(best.filename().c_str(), file.c_str()) < 0)) best = at->path();
+    }
+    return best;
+}
+
+/// Where Debian and its kin, and makers' own installers, put libraries; the loader's cache is asked by the plain name.
+std::vector<fs::path> systemFolders() {
+    return {"/usr/local/lib", "/usr/lib/x86_64-linux-gnu", "/usr/lib", "/usr/lib64"};
+}
+
+void* load(const std::string& file) {
+    // GLOBAL: libHD looks for what it loads itself among the symbols that are there.
+    return dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL | RTLD_NODELETE);
+}
+
+} // namespace
+
+fs::path folderFrom(const char* variable) {
+    const char* value = std::getenv(variable); // NOLINT(concurrency-mt-unsafe): nobody changes the environment
+    return value != nullptr ? fs::path(value) : fs::path();
+}
+
+Result<VendorLibrary> VendorLibrary::open(const LibrarySearch& search) {
+    std::vector<fs::path> folders = search.folders;
+    std::erase(folders, fs::path());
+    const std::vector<fs::path> system = systemFolders();
+    folders.insert(folders.end(), system.begin(), system.end());
+    std::string looked;
+    for (const fs::path& folder : folders) {
+        looked += (looked.empty() ? "" : ", ") + folder.string();
+        const fs::path file = libraryIn(folder, search.name);
+        if (file.empty()) continue;
+        if (void* handle = load(file.string())) return VendorLibrary(handle, file.string(), search.package);
+        const char* reason = dlerror();
+        return Error{ErrorCode::deviceLibraryUnfit, file.string(), reason != nullptr ? reason : "?", search.package};
+    }
+    if (void* handle = load(search.name)) return VendorLibrary(handle, search.name, search.package);
+    return Error{ErrorCode::deviceLibraryMissing, search.maker, search.name + " (" + search.package + ")", looked};
+}
+
+void* VendorLibrary::find(const char* name) const {
+    return dlsym(handle_, name);
+}
+
+} // namespace burin::vendor

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "program_run.h"
+
+#include <QDir>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+/// A maker's device from the command line, with a library that stands in for the maker's.
+class DevicesTest : public QObject {
+    Q_OBJECT
+    QTemporaryDir folder_;
+    QString in(const QString& name) const { return folder_.filePath(name); }
+
+private slots:
+    void initTestCase() {
+        QVERIFY(QDir().mkpath(in("config")));
+        QFile file(in("config/Default Device.config"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        qputenv("GTDD_HOME", folder_.path().toUtf8());
+        qputenv("OH_SDK_BASE", BURIN_BUILD_DIRECTORY "/stand-ins/openhaptics");
+        qputenv("BURIN_STAND_IN_TOUCH", "1");
+    }
+
+    void itIsListedWithItsLimits() {
+        const ProgramRun run = runBurin({"devices", "--json"});
+        QCOMPARE(run.status, 0);
+        const QJsonArray devices = run.json()["devices"].toArray();
+        QCOMPARE(devices.size(), 2);
+        const QJsonObject touch = devices[1].toObject();
+        QCOMPARE(touch["id"].toString(), QString("openhaptics:Default Device"));
+        QCOMPARE(touch["limits"]["force_max_n"]["value"].toDouble(), 3.3);
+        QVERIFY(touch["self_paced"].toBool());
+        for (const QJsonValue& driver : run.json()["drivers"].toArray())
+            if (driver["id"] == "force_dimension") QVERIFY(driver["fault"].toString().contains("libdrd.so"));
+    }
+
+    void itIsTested() {
+        const ProgramRun run = runBurin(
+            {"devices", "--test", "openhaptics:Default Device", "--seconds", "2.5", "--force", "0.5", "--json"});
+        QVERIFY2(run.status == 0, run.messages.constData());
+        const QJsonObject test = run.json()["test"].toObject();
+        QVERIFY(test["readings"].toInt() > 1000);
+        QCOMPARE(test["buttons_pressed"].toInt(), 1);
+        QCOMPARE(test["force_largest_n"].toDouble(), 0.5);
+        QVERIFY(std::abs(test["place_most_mm"][0].toDouble() - 10.0) < 0.1);
+        QVERIFY(std::abs(test["place_least_mm"][1].toDouble() + 10.0) < 0.1);
+        const ProgramRun text = runBurin({"devices", "--test", "3D Systems: Default Device", "--seconds", "1"});
+        QVERIFY2(text.output.contains("Hz") && text.output.contains("buttons pressed: 1"), text.output.constData());
+    }
+
+    void whatItMayNotDoIsRefused() {
+        const ProgramRun much = runBurin({"devices", "--test", "3D Systems: Default Device", "--force", "1"});
+        QCOMPARE(much.status, 2);
+        QVERIFY2(much.messages.contains("0.66"), much.messages.constData());
+        QCOMPARE(runBurin({"devices", "--test", "no such device"}).status, 2);
+        QCOMPARE(runBurin({"devices", "--force", "1"}).status, 2);
+        const ProgramRun mouse = runBurin({"devices", "--test", "simulated", "--seconds", "0.5"});
+        QCOMPARE(mouse.status, 0);
+    }
+
+    void itMills() {
+        QCOMPARE(runBurin({"embed", BURIN_FIXTURES "/models/cube.brep", "-o", in("p.burin"), "--voxel", "1", "--margin",
+                           "5"})
+                     .status,
+                 0);
+        const ProgramRun run = runBurin({"mill", in("p.burin"), "--stylus", "device:3D Systems: Default Device",
+                                         "--tool", "ball-6", "--seconds", "2", "--json"});
+        QVERIFY2(run.status == 0, run.messages.constData());
+        QVERIFY2(run.output.contains("\"samples\""), run.output.constData());
+    }
+};
+
+QTEST_GUILESS_MAIN(DevicesTest)
+#include "tst_devices.moc"

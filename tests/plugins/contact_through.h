@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/haptics/operator/hostile_stylus.h"
+#include "tests/core/haptics/haptic_rig.h"
+#include "tests/core/haptics/hostile_rig.h"
+#include "tests/oracles/simulated_handle.h"
+
+#include <QString>
+
+#include <cmath>
+#include <functional>
+
+namespace burin::test {
+
+/// A device with the loop behind it: one tick of both. @param reading mm or what is no reading (not finite), buttons:
+/// where the handle is, Burin's device frame @return N that its motors do then, same frame
+using DeviceTick = std::function<glm::dvec3(const glm::dvec3& reading, std::uint32_t buttons)>;
+
+/// The haptic step as a driver calls it, with a period of its own: time in these tests is ticks.
+class StepClient final : public StylusClient {
+public:
+    explicit StepClient(HapticStep& step) : step_(step) {}
+    Wrench tick(const StylusState& state) noexcept override {
+        (void)step_.advance(state, period);
+        return step_.deviceWrench();
+    }
+
+private:
+    HapticStep& step_;
+};
+
+/// J that a device gives a hand per contact, while the hand goes into the part's floor and out again.
+inline double energyPerContact(const SimulatedGrip& grip, const SimulatedMechanism& mechanism, const DeviceTick& tick) {
+    constexpr int contacts = 10;
+    SimulatedHandle handle(grip, mechanism, {0.0, 0.0, floorHeight + 2.0});
+    for (int i = 0; i < contacts * 1000; ++i) {
+        const glm::dvec3 force = tick(handle.reading(), 0);
+        const double wish = floorHeight + 2.0 * std::cos(2.0 * pi * i * period); // one contact a second
+        handle.hold(force, {0.0, 0.0, wish}, glm::dvec3(0.0), period);
+    }
+    return handle.energy() / contacts;
+}
+
+/// Hostile readings through a device: whatever they are, forces stay finite and within the share of what its motors
+/// bear, and none follows a reading that is not one. Empty: so it was.
+inline QString hostileReadings(const StylusDescription& stylus, double share, int ticks, const DeviceTick& tick) {
+    HostileSettings settings = strayingInTheStock(20261129);
+    settings.stylus = stylus;
+    HostileStylus hostile(settings);
+    const double largest = share * stylus.maximumForce.value;
+    int pushed = 0;
+    for (int i = 0; i < ticks; ++i) {
+        const HostileStylus::Tick hand = hostile.next();
+        const bool gone = !hand.state.valid;
+        const glm::dvec3 place = gone ? glm::dvec3(NAN) : hand.state.pose.position;
+        const glm::dvec3 force = tick(place, hand.state.buttons);
+        Wrench felt;
+        felt.force = force;
+        hostile.write(felt);
+        if (!isFinite(force)) return QString("tick %1: not finite").arg(i);
+        if (glm::length(force) > largest + 1e-9) return QString("tick %1: %2 N").arg(i).arg(glm::length(force));
+        if (!isFinite(place) && glm::length(force) > 0.0) return QString("tick %1: force after no reading").arg(i);
+        pushed += glm::length(force) > 0.0 ? 1 : 0;
+    }
+    return pushed * 10 > ticks ? QString() : QString("pushed in %1 ticks only").arg(pushed);
+}
+
+} // namespace burin::test

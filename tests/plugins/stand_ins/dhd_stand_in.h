@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace burin::testing {
+
+/// One device of the library that stands in for libdrd. Its own frame: x towards the user, y right, z up.
+struct DhdDevice {
+    int type = 33; ///< omega.3
+    std::string name = "omega.3";
+    bool plugged = true, open = false, initialised = true, canInitialise = true;
+    bool wrist = false, activeWrist = false, gripper = false;
+    std::array<double, 3> place{};                                                    ///< m
+    std::array<std::array<double, 3>, 3> rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; ///< rows
+    unsigned int buttons = 0;
+    int failingReads = 0; ///< that many poses are refused
+    bool deaf = false;    ///< refuses forces
+
+    bool forcesOn = false, regulated = false, emulatesButton = false;
+    int cause = 0;                 ///< why its forces are off
+    std::array<double, 6> asked{}; ///< N, N·m
+    double maximumForce = 0.0;     ///< N
+    int watchdog = 0, gravity = 0, brakes = 0, autoInitialisations = 0, forcesSwitchedOn = 0;
+
+    /// N: what its motors do.
+    std::array<double, 3> force() const {
+        if (!forcesOn || !plugged) return {};
+        return {asked[0], asked[1], asked[2]};
+    }
+    /// As the device itself does it.
+    void cut(int why) {
+        forcesOn = false;
+        cause = why;
+    }
+};
+
+/// What stands behind the functions. Thread: all under `mutex`, but the test's own while nothing runs.
+class DhdStandIn {
+public:
+    std::recursive_mutex mutex;
+    std::vector<DhdDevice> devices;
+    std::vector<std::string> complaints;
+
+    void complain(const std::string& what) { complaints.push_back(what); }
+    /// The device of an id that is open; null, and a complaint, where there is none.
+    DhdDevice* find(char id, const char* call);
+};
+
+/// The one of the process, in the library; a test finds it there as "burinDhdStandIn", with StandIn.
+extern "C" DhdStandIn* burinDhdStandIn();
+
+} // namespace burin::testing

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace burin::testing {
+
+/// One device of the library that stands in for libHD. Its own frame: x right, y up, z towards the user.
+struct HdDevice {
+    std::array<double, 16> transform{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; ///< by columns, mm
+    int buttons = 0;
+    double heat = 0.0;
+    bool plugged = true;
+    int outputFreedoms = 3;
+    double stiffness = 0.5;            ///< N/mm
+    unsigned int calibration = 0x5000; ///< what hdCheckCalibration says
+    unsigned int afterUpdate = 0x5000; ///< what it says once it was updated
+    int calibrationStyles = 4;
+    unsigned int updatedWith = 0; ///< style of the newest update
+    bool initialised = false, forcesOn = false;
+    std::array<double, 3> force{}, torque{}; ///< N, mN·m: what the motors do
+    std::array<double, 3> setForce{};        ///< of the frame under way
+    int frames = 0;
+};
+
+/// What stands behind the functions: state for a test to set and read, and complaints about calls that the reference
+/// forbids. Thread: all fields under `mutex`, but the test's own while nothing runs.
+class HdStandIn {
+public:
+    std::recursive_mutex mutex;
+    std::map<std::string, HdDevice> devices; ///< by the name that hdInitDevice takes
+    std::vector<std::string> complaints;
+    unsigned long rate = 0;
+    int initialisations = 0;
+    bool byHand = true; ///< no thread: `step` is the scheduler's tick
+    /// A hand moves the device round a circle, 20 mm wide, once a second, and holds its first button. So it is, with a
+    /// device and without `byHand`, in a program that is started with BURIN_STAND_IN_TOUCH set.
+    bool circles = false;
+
+    virtual ~HdStandIn() = default;
+    virtual void reset();
+    /// One tick of the scheduler, where it is started.
+    virtual void step();
+    /// As if the last call had failed.
+    virtual void raise(unsigned int code);
+    bool schedulerRuns() const { return running_; }
+
+    struct Scheduled {
+        unsigned int (*callback)(void*) = nullptr;
+        void* self = nullptr;
+    };
+    HdDevice* find(unsigned int handle);
+    void complain(const std::string& what) { complaints.push_back(what); }
+    unsigned int connect(const char* name);
+    void start();
+    void stop();
+
+    std::vector<unsigned int> errors_;
+    std::map<unsigned int, std::string> handles_;
+    std::map<unsigned long, Scheduled> scheduled_;
+    unsigned int current_ = 0xffffffffU, framed_ = 0xffffffffU;
+    bool running_ = false;
+    unsigned long next_ = 1;
+};
+
+/// The one of the process, in the library; a test finds it there as "burinHdStandIn", with StandIn.
+extern "C" HdStandIn* burinHdStandIn();
+
+} // namespace burin::testing

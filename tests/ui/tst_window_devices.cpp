@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+// The device dialogue, with a Touch whose library stands in for the maker's.
+#include "tests/places.h"
+#include "tests/ui/window_steps.h"
+#include "ui/panels/row_list.h"
+
+#include <QDialog>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace burin;
+using namespace burin::testing;
+
+class TestWindowDevices : public QObject {
+    Q_OBJECT
+    QTemporaryDir home_;
+
+    static int rowOf(const RowList& list, const QString& title) {
+        for (std::size_t i = 0; i < list.rows().size(); ++i)
+            if (list.rows()[i].title.contains(title)) return static_cast<int>(i);
+        return -1;
+    }
+    static void clickRow(RowList& list, int row) {
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(row)).center());
+    }
+    static QString text(QWidget& dialog, const char* name) { return dialog.findChild<QLabel*>(name)->text(); }
+
+private slots:
+    void initTestCase() {
+        QDir().mkpath(home_.filePath("config"));
+        QFile file(home_.filePath("config/Default Device.config"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        qputenv("GTDD_HOME", home_.path().toUtf8());
+        qputenv("OH_SDK_BASE", BURIN_BUILD_DIRECTORY "/stand-ins/openhaptics");
+        qputenv("BURIN_STAND_IN_TOUCH", "1");
+    }
+
+    void aDeviceIsTestedAndChosen() {
+        WindowDriver driver;
+        StylusController& styluses = driver.window().workbench().styluses;
+        QVERIFY(driver.waitFor([&] { return styluses.choices().size() > 1; }));
+        bool done = false;
+        driver.whenDialogStands([&](QWidget& dialog) {
+            QCOMPARE(dialog.objectName(), QString("deviceDialog"));
+            auto* list = dialog.findChild<RowList*>("deviceList");
+            // What keeps the others away is said, with the folders that were looked in.
+            QTRY_VERIFY(rowOf(*list, "Force Dimension") > 0);
+            const ListRow& missing = list->rows()[static_cast<std::size_t>(rowOf(*list, "Force Dimension"))];
+            QVERIFY(missing.detail.contains("libdrd.so") && missing.detail.contains("/usr/lib"));
+            auto* test = dialog.findChild<QPushButton*>("testDeviceButton");
+            QVERIFY(!test->isEnabled()); // the mouse
+            clickRow(*list, rowOf(*list, "Default Device"));
+            QVERIFY(test->isEnabled());
+            QTest::mouseClick(test, Qt::LeftButton);
+            QTRY_VERIFY(text(dialog, "deviceLimits").contains("3.3 N"));
+            QTRY_VERIFY_WITH_TIMEOUT(text(dialog, "deviceFigures").contains("Buttons pressed: 1"), 20'000);
+            QTest::qWait(1300); // once round the circle
+            driver.shoot("devices-1-test");
+            QVERIFY(text(dialog, "deviceFigures").contains("Largest force: 0.00 N"));
+            QTest::mouseClick(test, Qt::LeftButton);
+            QTRY_COMPARE(test->text(), QString("Test"));
+            // Its motors push only with a force that was asked for, while the button is held: the hand does.
+            auto* force = dialog.findChild<QWidget*>("deviceForce");
+            force->setFocus();
+            QTest::keyClick(force, Qt::Key_A, Qt::ControlModifier);
+            QTest::keyClicks(force, "0.5");
+            QTest::keyClick(force, Qt::Key_Tab);
+            QTest::mouseClick(test, Qt::LeftButton);
+            QTRY_VERIFY_WITH_TIMEOUT(text(dialog, "deviceFigures").contains("Largest force: 0.50 N"), 20'000);
+            QTest::mouseClick(test, Qt::LeftButton);
+            QTRY_COMPARE(test->text(), QString("Test"));
+            QTest::mouseClick(dialog.findChild<QPushButton*>("useDeviceButton"), Qt::LeftButton);
+            QCOMPARE(styluses.chosenName(), QString("3D Systems: Default Device"));
+            driver.shoot("devices-2-chosen");
+            done = true;
+            QTest::mouseClick(dialog.findChild<QPushButton*>("closeDevicesButton"), Qt::LeftButton);
+        });
+        driver.key(Qt::Key_Y, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(driver.waitFor([&] { return done; }));
+        QVERIFY(driver.settle());
+    }
+
+    void aDialogueThatIsClosedEndsItsTest() {
+        WindowDriver driver;
+        StylusController& styluses = driver.window().workbench().styluses;
+        QVERIFY(driver.waitFor([&] { return styluses.choices().size() > 1; }));
+        bool done = false;
+        driver.whenDialogStands([&](QWidget& dialog) {
+            auto* list = dialog.findChild<RowList*>("deviceList");
+            clickRow(*list, rowOf(*list, "Default Device"));
+            QTest::mouseClick(dialog.findChild<QPushButton*>("testDeviceButton"), Qt::LeftButton);
+            QTRY_VERIFY(text(dialog, "deviceFigures").contains("Rate"));
+            done = true;
+            QTest::keyClick(&dialog, Qt::Key_Escape);
+        });
+        driver.key(Qt::Key_Y, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(driver.waitFor([&] { return done; }));
+        QVERIFY(driver.waitFor([&] { return driver.window().workbench().deviceTester.possible(); }));
+    }
+
+    void itIsMilledWith() {
+        WindowDriver driver;
+        Workbench& workbench = driver.window().workbench();
+        QVERIFY(driver.waitFor([&] { return workbench.styluses.choices().size() > 1; }));
+        QVERIFY(makeReady(driver, 1.0));
+        workbench.styluses.choose(1);
+        QCOMPARE(workbench.styluses.chosenName(), QString("3D Systems: Default Device"));
+        QVERIFY(driver.step(JobStep::mill));
+        driver.key(Qt::Key_M);
+        QVERIFY(driver.waitFor([&] { return workbench.session.running(); }));
+        QVERIFY(driver.waitFor([&] { return workbench.session.health().readings > 200; }));
+        QVERIFY(!workbench.deviceTester.possible()); // it is in the hand
+        driver.shoot("devices-3-milling");
+        driver.key(Qt::Key_M);
+        QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }));
+    }
+};
+
+QTEST_MAIN(TestWindowDevices)
+#include "tst_window_devices.moc"

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/device_dialog.h"
+
+#include "ui/messages/messages.h"
+#include "ui/panels/buttons.h"
+#include "ui/panels/device_words.h"
+#include "ui/panels/field_row.h"
+#include "ui/panels/notice.h"
+#include "ui/panels/quantity_field.h"
+#include "ui/panels/row_list.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace burin {
+
+namespace {
+
+constexpr QSize deviceDialogSize(860, 560);
+constexpr double mostForce = 4.0; // N: a fifth of the strongest that there is
+
+QLabel* makeText(const QString& name, QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setObjectName(name);
+    label->setWordWrap(true);
+    label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    return label;
+}
+
+} // namespace
+
+DeviceDialog::DeviceDialog(StylusController& styluses, DeviceTester& tester, QWidget* parent)
+    : QDialog(parent), styluses_(styluses), tester_(tester), row_(static_cast<int>(styluses.chosen())) {
+    setObjectName(QStringLiteral("deviceDialog"));
+    setWindowTitle(tr("Devices"));
+    layOut();
+    resize(deviceDialogSize);
+    tester_.forget();
+    connect(&styluses_, &StylusController::changed, this, &DeviceDialog::showState);
+    connect(&tester_, &DeviceTester::changed, this, &DeviceDialog::showState);
+    tester_.askDrivers();
+    showState();
+}
+
+DeviceDialog::~DeviceDialog() {
+    tester_.stop();
+}
+
+void DeviceDialog::layOut() {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 16, 16, 12);
+    column->setSpacing(8);
+    auto* halves = new QHBoxLayout;
+    halves->setSpacing(16);
+    list_ = new RowList(this);
+    list_->setObjectName(QStringLiteral("deviceList"));
+    list_->setFillsHeight(true);
+    list_->setTextsWrap(true);
+    halves->addWidget(list_, 1);
+    auto* right = new QVBoxLayout;
+    right->setSpacing(8);
+    limits_ = makeText(QStringLiteral("deviceLimits"), this);
+    figures_ = makeText(QStringLiteral("deviceFigures"), this);
+    right->addWidget(limits_);
+    right->addWidget(figures_, 1);
+    force_ = new QuantityField(Quantity::force, this);
+    force_->setObjectName(QStringLiteral("deviceForce"));
+    force_->limit(0.0, mostForce);
+    force_->showValue(pushed_);
+    right->addWidget(new FieldRow(tr("Test force"), force_,
+                                  tr("The device pushes up with it while you hold its first button, faded in over a "
+                                     "second; at most a fifth of what it can do. 0: its motors stay off"),
+                                  this));
+    halves->addLayout(right, 1);
+    column->addLayout(halves, 1);
+    notice_ = new Notice(this);
+    notice_->setObjectName(QStringLiteral("deviceNotice"));
+    column->addWidget(notice_);
+    test_ = makeButton(tr("Test"), {}, QStringLiteral("testDeviceButton"), this);
+    use_ = makePrimaryButton(tr("Mill with it"), QStringLiteral("useDeviceButton"), this);
+    auto* close = makeButton(tr("Close"), {}, QStringLiteral("closeDevicesButton"), this);
+    auto* row = new QHBoxLayout;
+    row->addWidget(test_);
+    row->addStretch(1);
+    row->addWidget(use_);
+    row->addWidget(close);
+    column->addLayout(row);
+    connect(list_, &RowList::rowChosen, this, &DeviceDialog::choose);
+    connect(force_, &QuantityField::valueEdited, this, [this](double newtons) { pushed_ = newtons; });
+    connect(test_, &QPushButton::clicked, this, &DeviceDialog::testOrStop);
+    connect(use_, &QPushButton::clicked, this, [this] { styluses_.choose(static_cast<std::size_t>(row_)); });
+    connect(close, &QPushButton::clicked, this, &QDialog::reject);
+}
+
+/// The device of the row; null: it is a driver without its library.
+const StylusController::Choice* DeviceDialog::current() const {
+    const auto& choices = styluses_.choices();
+    const auto place = static_cast<std::size_t>(row_);
+    return row_ >= 0 && place < choices.size() ? &choices[place] : nullptr;
+}
+
+void DeviceDialog::choose(int row) {
+    if (row == row_) return;
+    tester_.stop();
+    if (!tester_.testing()) tester_.forget();
+    row_ = row;
+    showState();
+}
+
+void DeviceDialog::testOrStop() {
+    if (tester_.testing()) return tester_.stop();
+    if (const StylusController::Choice* device = current()) tester_.test(*device, pushed_);
+}
+
+void DeviceDialog::showState() {
+    showRows();
+    showTest();
+}
+
+void DeviceDialog::showRows() {
+    std::vector<ListRow> rows;
+    for (std::size_t i = 0; i < styluses_.choices().size(); ++i) {
+        const StylusController::Choice& choice = styluses_.choices()[i];
+        ListRow row;
+        row.title = choice.name;
+        row.value = i == styluses_.chosen() ? tr("chosen") : QString();
+        row.detail = choice.id.empty() ? tr("Mouse and keyboard, always there")
+                     : choice.there    ? tr("Found")
+                                       : tr("Not plugged in");
+        rows.push_back(row);
+    }
+    for (const DriverState& driver : tester_.drivers()) {
+        if (!driver.missing) continue;
+        ListRow row;
+        row.title = QString::fromStdString(driver.name);
+        row.badge = tr("library missing");
+        row.detail = Messages::sentence(*driver.missing);
+        rows.push_back(row);
+    }
+    list_->setRows(rows);
+    list_->setChosen(row_);
+}
+
+void DeviceDialog::showTest() {
+    const StylusController::Choice* device = current();
+    const bool testable = device != nullptr && !device->id.empty() && device->there;
+    const QString none = testable ? QString() : tr("Choose a device that is plugged in.");
+    const QString reason = tester_.testing() || tester_.possible() ? none : tr("End milling first.");
+    test_->setText(tester_.testing() ? tr("Stop the test") : tr("Test"));
+    enableUnless(test_, tester_.testing() ? QString() : reason,
+                 tr("Read the device while you move it: rate, position, buttons"));
+    enableUnless(use_, device == nullptr ? tr("Choose a device or the mouse.") : QString(),
+                 tr("Mill with this device from the next stroke on"));
+    force_->setEnabled(!tester_.testing());
+    limits_->setText(tester_.description() ? limitLines(*tester_.description()).join(QLatin1Char('\n')) : QString());
+    figures_->setText(tester_.figures() ? trialLines(*tester_.figures()).join(QLatin1Char('\n')) : QString());
+    if (tester_.fault())
+        notice_->tell(Notice::Kind::error, Messages::sentence(*tester_.fault()));
+    else if (tester_.testing())
+        notice_->tell(Notice::Kind::information,
+                      tr("Move the device through its whole workspace and press each button."));
+    else
+        notice_->clear();
+}
+
+} // namespace burin

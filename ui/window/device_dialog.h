@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/workbench/device_tester.h"
+
+#include <QDialog>
+
+class QLabel;
+class QPushButton;
+
+namespace burin {
+
+class FieldRow;
+class Notice;
+class QuantityField;
+class RowList;
+
+/// The styluses that are there, and what keeps others away; what each can do, and how it does while the hand moves it,
+/// before any job is milled with it.
+class DeviceDialog final : public QDialog {
+    Q_OBJECT
+public:
+    /// @param styluses, tester outlive it
+    DeviceDialog(StylusController& styluses, DeviceTester& tester, QWidget* parent);
+    ~DeviceDialog() override; ///< ends a test
+
+private:
+    void layOut();
+    void showState();
+    void showRows();
+    void showTest();
+    const StylusController::Choice* current() const;
+    void choose(int row);
+    void testOrStop();
+
+    StylusController& styluses_;
+    DeviceTester& tester_;
+    RowList* list_ = nullptr;
+    QLabel *limits_ = nullptr, *figures_ = nullptr;
+    QuantityField* force_ = nullptr;
+    QPushButton *test_ = nullptr, *use_ = nullptr;
+    Notice* notice_ = nullptr;
+    int row_ = 0;
+    double pushed_ = 0.0; ///< N
+};
+
+} // namespace burin

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workbench/device_tester.h"
+
+#include <QMetaObject>
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+
+DeviceTester::DeviceTester(const Desk& desk, const StylusController& styluses, const SessionRunner& session,
+                           QObject* parent)
+    : Controller(desk, parent), styluses_(styluses), session_(session) {}
+
+void DeviceTester::askDrivers() {
+    desk_.tasks.start(
+        TaskKind::drivers, tr("Looking for devices"),
+        [registry = styluses_.registry()](Progress&) -> Result<std::vector<DriverState>> {
+            return registry ? registry->drivers() : std::vector<DriverState>{};
+        },
+        [this](Result<std::vector<DriverState>> drivers) {
+            if (!drivers) return;
+            drivers_ = std::move(*drivers);
+            emit changed();
+        });
+}
+
+void DeviceTester::test(const StylusController::Choice& device, double force) {
+    if (!possible() || device.id.empty()) return;
+    forget();
+    busy_ = true;
+    const quint64 test = ++tests_;
+    const auto tell = [this, test](auto news) {
+        QMetaObject::invokeMethod(
+            this,
+            [this, test, news = std::move(news)] {
+                if (test == tests_) hear(news);
+            },
+            Qt::QueuedConnection);
+    };
+    desk_.tasks.start(
+        TaskKind::deviceTest, tr("Testing %1").arg(device.name),
+        [registry = styluses_.registry(), device, force, tell](Progress& progress) -> Result<TrialFigures> {
+            if (!registry) return Error{ErrorCode::deviceNotFound, device.id, {}, {}};
+            const Result<AnyStylus> stylus = registry->make(device.id, device.mode);
+            if (!stylus) return stylus.error();
+            const StylusDescription description = StylusHandle(*stylus).device().description();
+            tell(description);
+            TrialSettings settings;
+            settings.seconds = longestTest;
+            settings.force = description.buttons > 0 ? std::min(force, trialForceLimit(description)) : 0.0;
+            settings.told = tell;
+            return tryDevice(StylusHandle(*stylus), settings, progress);
+        },
+        [this, test](Result<TrialFigures> figures) {
+            if (test != tests_) return;
+            busy_ = false;
+            if (figures)
+                figures_ = std::move(*figures);
+            else if (figures.error().code != ErrorCode::cancelled)
+                fault_ = figures.error();
+            emit changed();
+        });
+    emit changed();
+}
+
+void DeviceTester::hear(const StylusDescription& description) {
+    description_ = description;
+    emit changed();
+}
+
+void DeviceTester::hear(const TrialFigures& figures) {
+    if (!busy_) return;
+    figures_ = figures;
+    emit changed();
+}
+
+void DeviceTester::stop() {
+    desk_.tasks.cancel(TaskKind::deviceTest);
+}
+
+void DeviceTester::forget() {
+    description_.reset();
+    figures_.reset();
+    fault_.reset();
+}
+
+} // namespace burin

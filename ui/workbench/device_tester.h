@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/device/device_trial.h"
+#include "ui/workbench/session_runner.h"
+#include "ui/workbench/stylus_controller.h"
+
+#include <optional>
+#include <vector>
+
+namespace burin {
+
+/// Tries devices without a job: what their drivers lack, what a device says of itself, and how it does while the hand
+/// moves it.
+class DeviceTester final : public Controller {
+    Q_OBJECT
+public:
+    static constexpr double longestTest = 120.0; ///< s
+
+    DeviceTester(const Desk& desk, const StylusController& styluses, const SessionRunner& session, QObject* parent);
+
+    /// Asks the drivers, in the background; `changed` when they have answered.
+    void askDrivers();
+    const std::vector<DriverState>& drivers() const noexcept { return drivers_; }
+
+    /// Nobody mills, and no test runs.
+    bool possible() const { return !busy_ && !session_.running(); }
+    bool testing() const noexcept { return busy_; }
+    /// Connects a device and reads it until `stop`, `longestTest` at most. Nothing happens where it is not possible.
+    /// @param force N that it pushes up with while its first button is held; more than it may is cut off; 0: none
+    void test(const StylusController::Choice& device, double force);
+    void stop();
+    void forget(); ///< what was found out
+
+    /// Of the device that was tested last; nothing: none was, or it could not be connected.
+    const std::optional<StylusDescription>& description() const noexcept { return description_; }
+    const std::optional<TrialFigures>& figures() const noexcept { return figures_; }
+    const std::optional<Error>& fault() const noexcept { return fault_; } ///< why it could not be tested
+
+private:
+    void hear(const StylusDescription& description);
+    void hear(const TrialFigures& figures);
+
+    const StylusController& styluses_;
+    const SessionRunner& session_;
+    std::vector<DriverState> drivers_;
+    std::optional<StylusDescription> description_;
+    std::optional<TrialFigures> figures_;
+    std::optional<Error> fault_;
+    bool busy_ = false;
+    quint64 tests_ = 0; ///< what an earlier test still says is not heard
+};
+
+} // namespace burin
