@@ -1070,10 +1070,6 @@
         <translation>--realtime, bei einem Gerät</translation>
     </message>
     <message>
-        <source>no value, unless --stylus is a trace that does not state how much of the cutting force was felt</source>
-        <translation>kein Wert, außer wenn --stylus eine Spur ist, die nicht angibt, wie viel von der Schnittkraft zu fühlen war</translation>
-    </message>
-    <message>
         <source>operator, trace:FILE, device:NAME</source>
         <translation>operator, trace:DATEI, device:NAME</translation>
     </message>
@@ -1820,6 +1816,10 @@
     <message>
         <source>Testing the device</source>
         <translation>Das Gerät wird getestet</translation>
+    </message>
+    <message>
+        <source>no value, unless --stylus is a device or a trace that does not state how much of the cutting force was felt</source>
+        <translation>kein Wert, außer wenn --stylus ein Gerät ist oder eine Spur, die nicht angibt, wie viel der Schnittkraft zu spüren war</translation>
     </message>
 </context>
 <context>
@@ -3330,6 +3330,22 @@
     <message>
         <source>CHAI3D 3.3, table of devices: Premium 6DOF</source>
         <translation>CHAI3D 3.3, Gerätetabelle: Premium 6DOF</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s tutorial</source>
+        <translation>Haplys Anleitung</translation>
+    </message>
+    <message>
+        <source>an estimate of Burin, on the safe side</source>
+        <translation>eine Schätzung von Burin, auf der sicheren Seite</translation>
+    </message>
+    <message>
+        <source>Burin&apos;s own rate</source>
+        <translation>Burins eigener Takt</translation>
+    </message>
+    <message>
+        <source>one message of the service</source>
+        <translation>eine Nachricht des Dienstes</translation>
     </message>
 </context>
 <context>
@@ -5151,10 +5167,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Abstand der Schlichtzeilen, mm; 0: passend zum Werkzeug</translation>
     </message>
     <message>
-        <source>Share of the cutting force that was felt while the trace was recorded, 0 to 1; for traces that do not state it</source>
-        <translation>Anteil der Schnittkraft, der bei der Aufnahme der Spur zu fühlen war, 0 bis 1; für Spuren, die ihn nicht angeben</translation>
-    </message>
-    <message>
         <source>List, make, edit and export paths</source>
         <translation>Bahnen auflisten, erstellen, bearbeiten und exportieren</translation>
     </message>
@@ -5873,6 +5885,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Push up with this force, N, while its first button is held; at most a fifth of what it can do</source>
         <translation>Mit dieser Kraft, N, nach oben drücken, solange seine erste Taste gehalten wird; höchstens ein Fünftel dessen, was es kann</translation>
+    </message>
+    <message>
+        <source>Share of the cutting force that is felt with a device, or was felt while a trace was recorded that does not state it, 0 to 1</source>
+        <translation>Anteil der Schnittkraft, der mit einem Gerät zu spüren ist oder beim Aufzeichnen einer Spur zu spüren war, die ihn nicht angibt, 0 bis 1</translation>
     </message>
 </context>
 <context>
@@ -7996,6 +8012,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>this pass with this kind of tool</source>
         <translation>dieser Durchgang mit dieser Art von Werkzeug</translation>
     </message>
+    <message>
+        <source>test force</source>
+        <translation>Testkraft</translation>
+    </message>
 </context>
 <context>
     <name>Take</name>
@@ -8467,6 +8487,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Move the device through its whole workspace and press each button.</source>
         <translation>Das Gerät durch seinen ganzen Arbeitsraum bewegen und jede Taste drücken.</translation>
+    </message>
+    <message>
+        <source>Cutting force felt</source>
+        <translation>Spürbare Schnittkraft</translation>
+    </message>
+    <message>
+        <source>1: the hardest material&apos;s usual cut gives 60 % of the force that the device can do; 0: cutting is not felt, only the part is</source>
+        <translation>1: der übliche Schnitt im härtesten Werkstoff ergibt 60 % der Kraft, die das Gerät kann; 0: das Schneiden ist nicht zu spüren, nur das Teil</translation>
+    </message>
+    <message>
+        <source>Friction felt</source>
+        <translation>Spürbare Reibung</translation>
+    </message>
+    <message>
+        <source>Coefficient of the tool on what it slides on without cutting it</source>
+        <translation>Reibungszahl des Werkzeugs auf dem, worauf es gleitet, ohne es zu schneiden</translation>
     </message>
 </context>
 <context>

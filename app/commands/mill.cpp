@@ -148,6 +148,7 @@ Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std:
     request.pace = work.pace;
     request.cutsOnButton = cutsOnButton;
     request.period = 1.0 / work.arguments.rate;
+    if (work.played == nullptr && work.arguments.felt) request.felt.gain = *work.arguments.felt;
     request.trace = work.arguments.trace;
     request.traceOutput = &work.trace;
     request.saves = false;
@@ -187,6 +188,9 @@ Result<std::vector<TakeOutcome>> millWithDevice(const std::string& name, const M
     if (work.arguments.deadMan > buttons)
         return Error{ErrorCode::argumentInvalid, "--dead-man", std::to_string(work.arguments.deadMan),
                      worded(BURIN_TEXT("Command", "%1 to %2"), {"0", std::to_string(buttons)})};
+    FeltCutting felt;
+    felt.gain = work.arguments.felt.value_or(felt.gain);
+    tellFelt(felt, work.arguments.felt ? "argument" : "usual", work.answer);
     MillWork live = work;
     live.pace = Pace::realtime;
     return millWith(handle, device->name, buttons > 0, live);
@@ -195,13 +199,11 @@ Result<std::vector<TakeOutcome>> millWithDevice(const std::string& name, const M
 Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
     const std::string& stylus = work.arguments.stylus;
     if (work.played != nullptr) return millWithTrace(*work.played, work);
-    if (work.arguments.felt)
-        return Error{
-            ErrorCode::argumentInvalid, "--felt", formatShortest(*work.arguments.felt),
-            worded(BURIN_TEXT(
-                "Command",
-                "no value, unless --stylus is a trace that does not state how much of the cutting force was felt"))};
     if (stylus.starts_with(devicePrefix)) return millWithDevice(stylus.substr(devicePrefix.size()), work);
+    if (work.arguments.felt)
+        return Error{ErrorCode::argumentInvalid, "--felt", formatShortest(*work.arguments.felt),
+                     worded(BURIN_TEXT("Command", "no value, unless --stylus is a device or a trace that does not "
+                                                  "state how much of the cutting force was felt"))};
     if (stylus != "operator")
         return Error{ErrorCode::nameUnknown, "stylus", stylus,
                      worded(BURIN_TEXT("Command", "operator, trace:FILE, device:NAME"))};

@@ -84,8 +84,8 @@ void addMillOptions(CommandParser command, MillArguments& arguments) {
         .option(
             "--felt", arguments.felt,
             BURIN_TEXT("Help",
-                       "Share of the cutting force that was felt while the trace was recorded, 0 to 1; for traces that "
-                       "do not state it"))
+                       "Share of the cutting force that is felt with a device, or was felt while a trace was recorded "
+                       "that does not state it, 0 to 1"))
         .range(0.0, 1.0);
     addAxis(command, arguments.axis);
     addOperator(command, arguments);

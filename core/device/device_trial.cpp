@@ -3,6 +3,7 @@
 #include "core/device/device_trial.h"
 
 #include "core/base/mailbox.h"
+#include "core/base/numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,8 @@ namespace burin {
 namespace {
 
 constexpr double forceShare = 0.2;  // of what the motors do
+constexpr double forceStep = 0.01;  // N: limits are told so
+constexpr double rounding = 1e-6;   // of steps
 constexpr double fadeSeconds = 1.0; // of the force, while the button is held
 constexpr double longest = 3600.0;  // s
 constexpr double period = 0.001;    // s, of a stylus without a clock of its own
@@ -166,17 +169,11 @@ private:
 
 Result<void> checkSettings(const StylusDescription& stylus, const TrialSettings& settings) {
     if (!(settings.seconds > 0.0 && settings.seconds <= longest))
-        return Error{ErrorCode::argumentInvalid, "seconds", std::to_string(settings.seconds), "0 to 3600 s"};
-    const double limit = trialForceLimit(stylus);
-    if (settings.force == 0.0) return {};
-    if (limit == 0.0)
-        return Error{ErrorCode::argumentInvalid, "force", std::to_string(settings.force), "0 N, it has no motors"};
-    if (stylus.buttons == 0)
-        return Error{ErrorCode::argumentInvalid, "force", std::to_string(settings.force),
-                     "0 N, it has no button to hold"};
-    if (!(settings.force > 0.0 && settings.force <= limit))
-        return Error{ErrorCode::argumentInvalid, "force", std::to_string(settings.force),
-                     "0 to " + std::to_string(limit) + " N"};
+        return Error{ErrorCode::argumentInvalid, "seconds", formatShortest(settings.seconds), "0 … 3600 s"};
+    const double limit = stylus.buttons > 0 ? trialForceLimit(stylus) : 0.0; // one to hold
+    if (!(settings.force >= 0.0 && settings.force <= limit))
+        return Error{ErrorCode::argumentInvalid, "test force", formatShortest(settings.force),
+                     limit > 0.0 ? "0 … " + formatFixed(limit, 2) + " N" : "0 N"};
     return {};
 }
 
@@ -185,7 +182,8 @@ Result<void> checkSettings(const StylusDescription& stylus, const TrialSettings&
 double trialForceLimit(const StylusDescription& stylus) noexcept {
     if (stylus.actuated.translations < 3) return 0.0;
     const double limit = forceShare * stylus.maximumForce.value;
-    return stylus.continuousForce.value > 0.0 ? std::min(limit, stylus.continuousForce.value) : limit;
+    const double borne = stylus.continuousForce.value > 0.0 ? std::min(limit, stylus.continuousForce.value) : limit;
+    return std::floor(borne / forceStep + rounding) * forceStep;
 }
 
 Result<TrialFigures> tryDevice(const StylusHandle& stylus, const TrialSettings& settings, Progress& progress) {

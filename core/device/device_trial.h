@@ -40,8 +40,8 @@ struct TrialSettings {
     std::function<void(const TrialFigures&)> told{};
 };
 
-/// N: the most that a trial asks of a device, a fifth of what its motors do, and what they bear for long. 0: it has
-/// none.
+/// N: the most that a trial asks of a device, a fifth of what its motors do, and what they bear for long, in whole 0.01
+/// N. 0: it has none.
 double trialForceLimit(const StylusDescription& stylus) noexcept;
 
 /// Opens a device, reads it for a while, and closes it. Nothing of a job is needed. Thread: the owner's, which waits;

@@ -66,9 +66,10 @@ private slots:
                      .status,
                  0);
         const ProgramRun run = runBurin({"mill", in("p.burin"), "--stylus", "device:3D Systems: Default Device",
-                                         "--tool", "ball-6", "--seconds", "2", "--json"});
+                                         "--tool", "ball-6", "--seconds", "2", "--felt", "0.25", "--json"});
         QVERIFY2(run.status == 0, run.messages.constData());
         QVERIFY2(run.output.contains("\"samples\""), run.output.constData());
+        QCOMPARE(run.json()["felt"].toObject()["gain"].toDouble(), 0.25);
     }
 };
 

@@ -146,7 +146,7 @@ private slots:
         const QJsonArray drivers = QJsonDocument::fromJson(devices.out)["drivers"].toArray();
         QStringList ids;
         for (const QJsonValue& driver : drivers) ids << driver["id"].toString();
-        QCOMPARE(ids.join(' '), QString("simulated force_dimension open_stylus openhaptics spacemouse spacenav"));
+        QCOMPARE(ids.join(' '), QString("simulated force_dimension haply open_stylus openhaptics spacemouse spacenav"));
         for (const QJsonValue& driver : drivers) // no maker's library is in the bare system
             QCOMPARE(driver["ready"].toBool(), !driver["id"].toString().contains(QRegularExpression("^(force|openh)")));
     }

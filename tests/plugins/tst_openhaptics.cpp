@@ -322,6 +322,18 @@ private slots:
         QCOMPARE(felt(left), glm::dvec3(0.0, 0.0, 2.0));
         QCOMPARE(two.state.pose.position, glm::dvec3(5.0, 6.0, 7.0));
         QVERIFY(!stylus()); // one stylus for a device
+        // An error of one that shows in the other's frame is its own all the same.
+        for (const auto& [handle, name] : hdStandIn().handles_)
+            if (name == "Left Touch") hdStandIn().raise(0x0203, handle);
+        hdStandIn().step();
+        hdStandIn().step();
+        QVERIFY(!first->takeFault() && one.state.valid);
+        QVERIFY(second->takeFault() && !two.state.valid);
+        QCOMPARE(felt(left), glm::dvec3(0.0));
+        QCOMPARE(felt(right), glm::dvec3(1.0, 0.0, 0.0));
+        first->stop(); // without a tick of the scheduler any more
+        QCOMPARE(felt(right), glm::dvec3(0.0));
+        QVERIFY(!right.forcesOn);
     }
 
     void torqueGoesToAWristThatHasMotors() {

@@ -3,6 +3,8 @@
 // The device dialogue, with a Touch whose library stands in for the maker's.
 #include "tests/places.h"
 #include "tests/ui/window_steps.h"
+#include "ui/dialogs/preferences.h"
+#include "ui/panels/notice.h"
 #include "ui/panels/row_list.h"
 
 #include <QDialog>
@@ -75,6 +77,18 @@ private slots:
             QTRY_VERIFY_WITH_TIMEOUT(text(dialog, "deviceFigures").contains("Largest force: 0.50 N"), 20'000);
             QTest::mouseClick(test, Qt::LeftButton);
             QTRY_COMPARE(test->text(), QString("Test"));
+            auto* share = dialog.findChild<QWidget*>("deviceShare");
+            share->setFocus();
+            QTest::keyClick(share, Qt::Key_A, Qt::ControlModifier);
+            QTest::keyClicks(share, "0.5");
+            QTest::keyClick(share, Qt::Key_Tab);
+            // More than a test may ask for is refused, not cut off.
+            force->setFocus();
+            QTest::keyClick(force, Qt::Key_A, Qt::ControlModifier);
+            QTest::keyClicks(force, "2");
+            QTest::keyClick(force, Qt::Key_Tab);
+            QTest::mouseClick(test, Qt::LeftButton);
+            QTRY_VERIFY(dialog.findChild<Notice*>("deviceNotice")->sentence().contains("0.66"));
             QTest::mouseClick(dialog.findChild<QPushButton*>("useDeviceButton"), Qt::LeftButton);
             QCOMPARE(styluses.chosenName(), QString("3D Systems: Default Device"));
             driver.shoot("devices-2-chosen");
@@ -84,6 +98,12 @@ private slots:
         driver.key(Qt::Key_Y, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(driver.waitFor([&] { return done; }));
         QVERIFY(driver.settle());
+        // The device and what is felt of the cutting are kept.
+        QVERIFY(driver.restart());
+        QVERIFY(driver.waitFor([&] { return !driver.window().workbench().styluses.mouse(); }));
+        QCOMPARE(driver.window().workbench().styluses.chosenName(), QString("3D Systems: Default Device"));
+        QCOMPARE(UserSettings().felt("openhaptics:Default Device").gain, 0.5);
+        QCOMPARE(UserSettings().felt("spacenav:daemon").gain, 1.0);
     }
 
     void aDialogueThatIsClosedEndsItsTest() {
@@ -109,7 +129,7 @@ private slots:
         Workbench& workbench = driver.window().workbench();
         QVERIFY(driver.waitFor([&] { return workbench.styluses.choices().size() > 1; }));
         QVERIFY(makeReady(driver, 1.0));
-        workbench.styluses.choose(1);
+        if (workbench.styluses.mouse()) workbench.styluses.choose(1);
         QCOMPARE(workbench.styluses.chosenName(), QString("3D Systems: Default Device"));
         QVERIFY(driver.step(JobStep::mill));
         driver.key(Qt::Key_M);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/preferences.h"
 
+#include <QUrl>
+
 namespace burin {
 
 namespace {
@@ -17,6 +19,17 @@ constexpr const char* programDockedKey = "program_docked";
 constexpr const char* metersKey = "meters_folded";
 constexpr const char* parallelKey = "parallel_view";
 constexpr const char* transparencyKey = "workpiece_transparency";
+constexpr const char* deviceKey = "device";
+constexpr const char* deviceModeKey = "device_mode";
+constexpr const char* shareKey = "cutting_force_share";
+constexpr const char* frictionKey = "friction";
+
+/// A device's own section of the file: its id may have signs that would lead elsewhere in it.
+QString feltKey(const std::string& device, const char* key) {
+    const QByteArray plain = QUrl::toPercentEncoding(QString::fromStdString(device));
+    return QStringLiteral("devices/") + QString::fromLatin1(plain).replace(QLatin1Char('%'), QLatin1Char('+')) +
+           QLatin1Char('/') + QLatin1String(key);
+}
 constexpr const char* folderKey = "last_folder";
 
 } // namespace
@@ -114,6 +127,33 @@ int UserSettings::transparency() const {
 
 void UserSettings::setTransparency(int percent) {
     settings_.setValue(transparencyKey, percent);
+}
+
+std::pair<std::string, std::string> UserSettings::chosenDevice() const {
+    return {settings_.value(deviceKey).toString().toStdString(),
+            settings_.value(deviceModeKey).toString().toStdString()};
+}
+
+void UserSettings::setChosenDevice(const std::string& id, const std::string& mode) {
+    settings_.setValue(deviceKey, QString::fromStdString(id));
+    settings_.setValue(deviceModeKey, QString::fromStdString(mode));
+}
+
+FeltCutting UserSettings::felt(const std::string& device) const {
+    const auto number = [&](const char* key, double usual) {
+        bool good = false;
+        const double value = settings_.value(feltKey(device, key)).toDouble(&good);
+        return good && value >= 0.0 && value <= 1.0 ? value : usual; // also of a file that somebody changed
+    };
+    FeltCutting felt;
+    felt.gain = number(shareKey, felt.gain);
+    felt.friction = number(frictionKey, felt.friction);
+    return felt;
+}
+
+void UserSettings::setFelt(const std::string& device, const FeltCutting& felt) {
+    settings_.setValue(feltKey(device, shareKey), felt.gain);
+    settings_.setValue(feltKey(device, frictionKey), felt.friction);
 }
 
 QString UserSettings::lastFolder() const {

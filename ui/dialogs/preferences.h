@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/haptics/haptic_settings.h"
 #include "ui/theme/length_unit.h"
 #include "ui/theme/theme.h"
 
 #include <QSettings>
 #include <QString>
 #include <QStringList>
+
+#include <string>
+#include <utility>
 
 namespace burin {
 
@@ -47,6 +51,11 @@ public:
     void setParallelView(bool parallel);
     int transparency() const; ///< of the workpiece, %
     void setTransparency(int percent);
+    /// Id and mode of the stylus that the user chose last; both empty: the mouse.
+    std::pair<std::string, std::string> chosenDevice() const;
+    void setChosenDevice(const std::string& id, const std::string& mode);
+    FeltCutting felt(const std::string& device) const; ///< of the cutting, through one device
+    void setFelt(const std::string& device, const FeltCutting& felt);
     QString lastFolder() const; ///< that a file was chosen in; empty: none yet
     void setLastFolder(const QString& folder);
 

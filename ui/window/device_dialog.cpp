@@ -32,8 +32,12 @@ QLabel* makeText(const QString& name, QWidget* parent) {
 
 } // namespace
 
-DeviceDialog::DeviceDialog(StylusController& styluses, DeviceTester& tester, QWidget* parent)
-    : QDialog(parent), styluses_(styluses), tester_(tester), row_(static_cast<int>(styluses.chosen())) {
+DeviceDialog::DeviceDialog(StylusController& styluses, DeviceTester& tester, UserSettings& settings, QWidget* parent)
+    : QDialog(parent)
+    , styluses_(styluses)
+    , tester_(tester)
+    , settings_(settings)
+    , row_(static_cast<int>(styluses.chosen())) {
     setObjectName(QStringLiteral("deviceDialog"));
     setWindowTitle(tr("Devices"));
     layOut();
@@ -74,6 +78,12 @@ void DeviceDialog::layOut() {
                                   tr("The device pushes up with it while you hold its first button, faded in over a "
                                      "second; at most a fifth of what it can do. 0: its motors stay off"),
                                   this));
+    share_ =
+        addShare(*right, tr("Cutting force felt"), "deviceShare", &FeltCutting::gain,
+                 tr("1: the hardest material's usual cut gives 60 % of the force that the device can do; 0: cutting "
+                    "is not felt, only the part is"));
+    friction_ = addShare(*right, tr("Friction felt"), "deviceFriction", &FeltCutting::friction,
+                         tr("Coefficient of the tool on what it slides on without cutting it"));
     halves->addLayout(right, 1);
     column->addLayout(halves, 1);
     notice_ = new Notice(this);
@@ -95,6 +105,26 @@ void DeviceDialog::layOut() {
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
 }
 
+QuantityField* DeviceDialog::addShare(QBoxLayout& column, const QString& label, const char* name,
+                                      double FeltCutting::*value, const QString& toolTip) {
+    auto* field = new QuantityField(Quantity::ratio, this);
+    field->setObjectName(QLatin1String(name));
+    field->limit(0.0, 1.0);
+    column.addWidget(new FieldRow(label, field, toolTip, this));
+    connect(field, &QuantityField::valueEdited, this, [this, value](double edited) {
+        felt_.*value = edited;
+        keepFelt();
+    });
+    return field;
+}
+
+void DeviceDialog::keepFelt() {
+    const StylusController::Choice* device = current();
+    if (device == nullptr || device->id.empty()) return;
+    settings_.setFelt(device->id, felt_);
+    emit feltEdited();
+}
+
 /// The device of the row; null: it is a driver without its library.
 const StylusController::Choice* DeviceDialog::current() const {
     const auto& choices = styluses_.choices();
@@ -105,7 +135,7 @@ const StylusController::Choice* DeviceDialog::current() const {
 void DeviceDialog::choose(int row) {
     if (row == row_) return;
     tester_.stop();
-    if (!tester_.testing()) tester_.forget();
+    tester_.forget();
     row_ = row;
     showState();
 }
@@ -155,6 +185,12 @@ void DeviceDialog::showTest() {
     enableUnless(use_, device == nullptr ? tr("Choose a device or the mouse.") : QString(),
                  tr("Mill with this device from the next stroke on"));
     force_->setEnabled(!tester_.testing());
+    const bool felt = device != nullptr && !device->id.empty();
+    felt_ = felt ? settings_.felt(device->id) : FeltCutting{};
+    share_->setEnabled(felt);
+    friction_->setEnabled(felt);
+    share_->showValue(felt_.gain);
+    friction_->showValue(felt_.friction);
     limits_->setText(tester_.description() ? limitLines(*tester_.description()).join(QLatin1Char('\n')) : QString());
     figures_->setText(tester_.figures() ? trialLines(*tester_.figures()).join(QLatin1Char('\n')) : QString());
     if (tester_.fault())

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/dialogs/preferences.h"
 #include "ui/workbench/device_tester.h"
 
 #include <QDialog>
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -21,12 +23,18 @@ class RowList;
 class DeviceDialog final : public QDialog {
     Q_OBJECT
 public:
-    /// @param styluses, tester outlive it
-    DeviceDialog(StylusController& styluses, DeviceTester& tester, QWidget* parent);
+    /// @param styluses, tester, settings outlive it
+    DeviceDialog(StylusController& styluses, DeviceTester& tester, UserSettings& settings, QWidget* parent);
     ~DeviceDialog() override; ///< ends a test
+
+signals:
+    void feltEdited(); ///< how much of the cutting a device lets the hand feel; it is kept already
 
 private:
     void layOut();
+    QuantityField* addShare(QBoxLayout& column, const QString& label, const char* name, double FeltCutting::*value,
+                            const QString& toolTip);
+    void keepFelt();
     void showState();
     void showRows();
     void showTest();
@@ -36,13 +44,15 @@ private:
 
     StylusController& styluses_;
     DeviceTester& tester_;
+    UserSettings& settings_;
     RowList* list_ = nullptr;
     QLabel *limits_ = nullptr, *figures_ = nullptr;
-    QuantityField* force_ = nullptr;
+    QuantityField *force_ = nullptr, *share_ = nullptr, *friction_ = nullptr;
     QPushButton *test_ = nullptr, *use_ = nullptr;
     Notice* notice_ = nullptr;
     int row_ = 0;
     double pushed_ = 0.0; ///< N
+    FeltCutting felt_;    ///< of the device of the row
 };
 
 } // namespace burin

@@ -370,8 +370,13 @@ void MainWindow::showMaterials() {
 }
 
 void MainWindow::showDevices() {
-    DeviceDialog dialog(workbench_.styluses, workbench_.deviceTester, this);
+    DeviceDialog dialog(workbench_.styluses, workbench_.deviceTester, settings_, this);
+    connect(&dialog, &DeviceDialog::feltEdited, this, &MainWindow::followFelt);
     dialog.exec();
+}
+
+void MainWindow::followFelt() {
+    workbench_.mill.setFelt(settings_.felt(workbench_.styluses.choice().id));
 }
 
 void MainWindow::overrideCheck() {

@@ -70,6 +70,7 @@ private:
     void showTools();
     void showMaterials();
     void showDevices();
+    void followFelt();
     void tellAboutOpened();
     LeftAt leftAt() const;
     void goTo(const LeftAt& left);

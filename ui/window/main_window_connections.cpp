@@ -107,6 +107,13 @@ void MainWindow::connectWorkbench() {
     connect(&flow_, &DocumentFlow::begun, message_, &MessageStrip::dismiss);
     connect(&flow_, &DocumentFlow::alreadyOpen, this, [this] { showWorkSteps(true); });
     connect(&workbench_.hand, &HandController::batteryLow, this, &MainWindow::tellAboutBattery);
+    const auto [device, mode] = settings_.chosenDevice();
+    workbench_.styluses.prefer(device, mode);
+    connect(&workbench_.styluses, &StylusController::chose, this, [this] {
+        const StylusController::Choice& choice = workbench_.styluses.choice();
+        settings_.setChosenDevice(choice.id, choice.mode);
+    });
+    connect(&workbench_.styluses, &StylusController::changed, this, &MainWindow::followFelt);
     workbench_.styluses.start();
     connect(&workbench_.document, &DocumentController::changed, this, &MainWindow::updateTitle);
     connect(&workbench_.document, &DocumentController::opened, this, [this](const ProjectContents& contents) {

@@ -4,7 +4,6 @@
 
 #include <QMetaObject>
 
-#include <algorithm>
 #include <utility>
 
 namespace burin {
@@ -29,15 +28,10 @@ void DeviceTester::askDrivers() {
 void DeviceTester::test(const StylusController::Choice& device, double force) {
     if (!possible() || device.id.empty()) return;
     forget();
-    busy_ = true;
-    const quint64 test = ++tests_;
-    const auto tell = [this, test](auto news) {
+    busy_ = heard_ = true;
+    const auto tell = [this](auto news) {
         QMetaObject::invokeMethod(
-            this,
-            [this, test, news = std::move(news)] {
-                if (test == tests_) hear(news);
-            },
-            Qt::QueuedConnection);
+            this, [this, news = std::move(news)] { hear(news); }, Qt::QueuedConnection);
     };
     desk_.tasks.start(
         TaskKind::deviceTest, tr("Testing %1").arg(device.name),
@@ -49,29 +43,27 @@ void DeviceTester::test(const StylusController::Choice& device, double force) {
             tell(description);
             TrialSettings settings;
             settings.seconds = longestTest;
-            settings.force = description.buttons > 0 ? std::min(force, trialForceLimit(description)) : 0.0;
+            settings.force = force;
             settings.told = tell;
             return tryDevice(StylusHandle(*stylus), settings, progress);
         },
-        [this, test](Result<TrialFigures> figures) {
-            if (test != tests_) return;
+        [this](Result<TrialFigures> figures) {
             busy_ = false;
-            if (figures)
-                figures_ = std::move(*figures);
-            else if (figures.error().code != ErrorCode::cancelled)
-                fault_ = figures.error();
+            if (heard_ && figures) figures_ = std::move(*figures);
+            if (heard_ && !figures && figures.error().code != ErrorCode::cancelled) fault_ = figures.error();
             emit changed();
         });
     emit changed();
 }
 
 void DeviceTester::hear(const StylusDescription& description) {
+    if (!busy_ || !heard_) return;
     description_ = description;
     emit changed();
 }
 
 void DeviceTester::hear(const TrialFigures& figures) {
-    if (!busy_) return;
+    if (!busy_ || !heard_) return;
     figures_ = figures;
     emit changed();
 }
@@ -81,6 +73,7 @@ void DeviceTester::stop() {
 }
 
 void DeviceTester::forget() {
+    heard_ = false;
     description_.reset();
     figures_.reset();
     fault_.reset();

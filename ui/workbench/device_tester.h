@@ -28,10 +28,11 @@ public:
     bool possible() const { return !busy_ && !session_.running(); }
     bool testing() const noexcept { return busy_; }
     /// Connects a device and reads it until `stop`, `longestTest` at most. Nothing happens where it is not possible.
-    /// @param force N that it pushes up with while its first button is held; more than it may is cut off; 0: none
+    /// @param force N that it pushes up with while its first button is held; more than trialForceLimit is a fault; 0:
+    /// none
     void test(const StylusController::Choice& device, double force);
     void stop();
-    void forget(); ///< what was found out
+    void forget(); ///< what was found out, and what a test that still runs finds out
 
     /// Of the device that was tested last; nothing: none was, or it could not be connected.
     const std::optional<StylusDescription>& description() const noexcept { return description_; }
@@ -49,7 +50,7 @@ private:
     std::optional<TrialFigures> figures_;
     std::optional<Error> fault_;
     bool busy_ = false;
-    quint64 tests_ = 0; ///< what an earlier test still says is not heard
+    bool heard_ = false; ///< what the test that runs says
 };
 
 } // namespace burin

@@ -76,6 +76,7 @@ void MillController::enterWithDevice() {
         request.mapping = mappingFor(*workpiece_.milling(), description);
         request.cutsOnButton = description.buttons > 0;
         request.forceButtons = forceButtons_;
+        request.felt = felt_;
         device_ = description;
         mapping_ = request.mapping;
         begin(std::move(*stylus), nullptr, request);

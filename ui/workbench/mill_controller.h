@@ -48,6 +48,8 @@ public:
     /// Dead man's: forces only while one of these buttons of a device is held, by bit; 0: always. With a device in the
     /// hand mill mode begins anew, as nobody should feel the change in the middle of a stroke.
     void setForceButtons(std::uint32_t buttons);
+    /// How much of the cutting a device lets the hand feel, from the next session on.
+    void setFelt(const FeltCutting& felt) { felt_ = felt; }
     void removeTake(std::int64_t id); ///< for good; the workpiece is made anew without it
 
     /// What a project holds.
@@ -85,6 +87,7 @@ private:
     bool recordingSince_ = false; ///< it was begun; the session's state may not tell yet
     std::optional<StylusDescription> device_;
     WorkspaceMapping mapping_;
+    FeltCutting felt_;
     std::uint32_t forceButtons_ = 0;
     double allowance_ = 0.0;
     std::vector<TakeInfo> takes_;    ///< all of the project

@@ -56,7 +56,23 @@ void StylusController::hear(const DeviceChange& change) {
             if (isDevice(choice)) choice.there = false;
     }
     select(before);
+    choosePreferred();
     emit changed();
+}
+
+void StylusController::prefer(std::string id, std::string mode) {
+    preferredId_ = std::move(id);
+    preferredMode_ = std::move(mode);
+}
+
+void StylusController::choosePreferred() {
+    if (preferredId_.empty() || !mouse()) return;
+    const auto wanted = std::ranges::find_if(choices_, [this](const Choice& choice) {
+        return choice.id == preferredId_ && choice.mode == preferredMode_ && choice.there;
+    });
+    if (wanted == choices_.end()) return;
+    preferredId_.clear();
+    chosen_ = static_cast<std::size_t>(wanted - choices_.begin());
 }
 
 void StylusController::choose(std::size_t index) {
@@ -65,7 +81,9 @@ void StylusController::choose(std::size_t index) {
     // Nobody waits any more for one that is away.
     std::erase_if(choices_, [&](const Choice& choice) { return !choice.there && choice.id != wanted.id; });
     select(wanted);
+    preferredId_.clear();
     emit changed();
+    emit chose();
 }
 
 /// Where it is among the choices now; the mouse if it is gone.

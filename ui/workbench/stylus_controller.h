@@ -35,19 +35,27 @@ public:
     const std::vector<Choice>& choices() const noexcept { return choices_; }
     std::size_t chosen() const noexcept { return chosen_; } ///< index in `choices`
     bool mouse() const noexcept { return chosen_ == 0; }
+    const Choice& choice() const noexcept { return choices_[chosen_]; }
     const QString& chosenName() const noexcept { return choices_[chosen_].name; }
     void choose(std::size_t index); ///< none of `choices`: nothing happens
+    /// Chooses a device as soon as it is there, unless the user chose one meanwhile.
+    void prefer(std::string id, std::string mode);
 
     /// Connects the chosen device, in the background. @param then null if that failed, which is told; not called any
     /// more once another is asked for. A stylus must not outlive this.
     void connectDevice(std::function<void(std::unique_ptr<AnyStylus>)> then);
 
+signals:
+    void chose(); ///< the user, another one
+
 private:
     void hear(const DeviceChange& change);
     void select(const Choice& wanted);
+    void choosePreferred();
 
     std::vector<Choice> choices_;
     std::size_t chosen_ = 0;
+    std::string preferredId_, preferredMode_; ///< empty: none, or the user has chosen
     std::shared_ptr<DeviceRegistry> registry_;
     std::unique_ptr<DeviceWatch> watch_; // last: it uses the registry, and calls this
 };

@@ -66,10 +66,10 @@ HdScheduled HdScheduler::add(HdCallback callback, void* self) noexcept {
     return scheduled;
 }
 
-void HdScheduler::remove(HdScheduled scheduled) noexcept {
+void HdScheduler::remove(HdScheduled scheduled, bool done) noexcept {
     const std::lock_guard lock(mutex_);
     if (--callbacks_ == 0) api_.stopScheduler();
-    api_.unschedule(scheduled);
+    if (!done) api_.unschedule(scheduled);
 }
 
 } // namespace burin::openhaptics

@@ -26,7 +26,8 @@ public:
     void disconnect(HdHandle handle) noexcept;
     /// The first callback starts the scheduler, the last one stops it.
     HdScheduled add(HdCallback callback, void* self) noexcept;
-    void remove(HdScheduled scheduled) noexcept;
+    /// @param done it has said that it is: the library has dropped it by itself then
+    void remove(HdScheduled scheduled, bool done) noexcept;
 
 private:
     void pause() noexcept;

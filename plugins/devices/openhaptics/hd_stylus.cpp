@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <system_error>
 
@@ -14,7 +15,6 @@ namespace burin::openhaptics {
 namespace {
 
 constexpr int framesBetweenHeats = 100;
-constexpr int mostErrors = 16; // looked at in a frame; the rest in the next one
 constexpr std::chrono::milliseconds pollEvery{2};
 constexpr std::chrono::milliseconds lookerPoll{20};
 
@@ -117,7 +117,9 @@ void HdStylus::stop() noexcept {
     looker_.join();
     const double until = now() + stopWithin;
     while (!ended_.load(std::memory_order_acquire) && now() < until) std::this_thread::sleep_for(pollEvery);
-    library_->scheduler.remove(scheduled_);
+    const bool ended = ended_.load(std::memory_order_acquire);
+    if (!ended) cutMotors(); // it had no last frame
+    library_->scheduler.remove(scheduled_, ended);
     client_ = nullptr;
 }
 
@@ -191,7 +193,8 @@ StylusState HdStylus::read(double time) noexcept {
     if (frames_++ % framesBetweenHeats == 0) {
         std::array<double, 8> motors{};
         api_.getDoublev(hdMotorTemperatures, motors.data());
-        heat_.store(std::clamp(*std::ranges::max_element(motors), 0.0, 1.0), std::memory_order_relaxed);
+        const double hottest = *std::ranges::max_element(motors);
+        heat_.store(std::isfinite(hottest) ? std::clamp(hottest, 0.0, 1.0) : 0.0, std::memory_order_relaxed);
     }
     StylusState state;
     state.time = time;
@@ -220,13 +223,13 @@ void HdStylus::drive(const Wrench& wrench, unsigned int cutsBefore) noexcept {
 }
 
 void HdStylus::takeErrors(double time) noexcept {
-    for (int i = 0; i < mostErrors; ++i) {
-        const std::optional<DeviceFault> fault = faultOf(api_.getError().code);
+    library_->errors.take(handle_.load(), [&](unsigned int code) {
+        const std::optional<DeviceFault> fault = faultOf(code);
         if (!fault) return;
         faults_.raise(*fault);
         calmFrom_ = time + calmAfter;
         if (*fault == DeviceFault::unplugged) lost_.store(true, std::memory_order_release);
-    }
+    });
 }
 
 /// The looker's thread: while the device is away, connects it again and again.

@@ -5,6 +5,7 @@
 #include "core/device/device_fault.h"
 #include "core/device/stylus.h"
 #include "plugins/devices/openhaptics/hd_api.h"
+#include "plugins/devices/openhaptics/hd_errors.h"
 #include "plugins/devices/openhaptics/hd_scheduler.h"
 
 #include <atomic>
@@ -16,9 +17,10 @@ namespace burin::openhaptics {
 
 /// libHD and what of it is one in a process; outlives all styluses.
 struct HdLibrary {
-    explicit HdLibrary(const HdApi& functions) : api(functions), scheduler(api) {}
+    explicit HdLibrary(const HdApi& functions) : api(functions), scheduler(api), errors(api) {}
     HdApi api;
     HdScheduler scheduler;
+    HdErrors errors;
 };
 
 /// A device of 3D Systems. The library's scheduler calls it: each call is one frame of the device, in which the pose is

@@ -66,9 +66,9 @@ void HdStandIn::reset() {
     byHand = true;
 }
 
-void HdStandIn::raise(unsigned int code) {
+void HdStandIn::raise(unsigned int code, unsigned int device) {
     const std::lock_guard lock(mutex);
-    errors_.push_back(code);
+    errors_.emplace_back(code, device != 0 ? device : current_);
 }
 
 HdDevice* HdStandIn::find(unsigned int handle) {
@@ -83,11 +83,11 @@ unsigned int HdStandIn::connect(const char* name) {
     if (running_) complain("hdInitDevice while the scheduler runs");
     const auto found = devices.find(name);
     if (found == devices.end() || !found->second.plugged) {
-        errors_.push_back(communication);
+        errors_.emplace_back(communication, none);
         return none;
     }
     if (found->second.initialised) {
-        errors_.push_back(0x0301);
+        errors_.emplace_back(0x0301U, none);
         return none;
     }
     found->second.initialised = true;
@@ -199,9 +199,9 @@ HD_EXPORT HdErrorRecord hdGetError() {
     HdStandIn& hd = hdStandIn();
     const std::lock_guard lock(hd.mutex);
     if (hd.errors_.empty()) return {0, 0, hd.current_};
-    const unsigned int code = hd.errors_.back();
+    const auto [code, device] = hd.errors_.back();
     hd.errors_.pop_back();
-    return {code, 0, hd.current_};
+    return {code, 0, device};
 }
 
 namespace {
@@ -336,7 +336,7 @@ HD_EXPORT unsigned long hdScheduleAsynchronous(unsigned int (*callback)(void*), 
 HD_EXPORT void hdUnschedule(unsigned long id) {
     HdStandIn& hd = hdStandIn();
     const std::lock_guard lock(hd.mutex);
-    hd.scheduled_.erase(id);
+    if (hd.scheduled_.erase(id) == 0) hd.complain("hdUnschedule of a callback that is not scheduled");
 }
 
 HD_EXPORT void hdStartScheduler() {

@@ -47,8 +47,8 @@ public:
     virtual void reset();
     /// One tick of the scheduler, where it is started.
     virtual void step();
-    /// As if the last call had failed.
-    virtual void raise(unsigned int code);
+    /// As if the last call had failed. @param device 0: the current one
+    virtual void raise(unsigned int code, unsigned int device = 0);
     bool schedulerRuns() const { return running_; }
 
     struct Scheduled {
@@ -61,7 +61,7 @@ public:
     void start();
     void stop();
 
-    std::vector<unsigned int> errors_;
+    std::vector<std::pair<unsigned int, unsigned int>> errors_; ///< code and device
     std::map<unsigned int, std::string> handles_;
     std::map<unsigned long, Scheduled> scheduled_;
     unsigned int current_ = 0xffffffffU, framed_ = 0xffffffffU;

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "plugins/devices/haply/inverse_stylus.h"
+
+#include "core/base/units.h"
+#include "plugins/devices/haply/inventory.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <system_error>
+
+namespace burin::haply {
+namespace {
+
+constexpr double askedForce = 0.05;     // N: less may be below what the motors do
+constexpr double renderedForce = 0.005; // N
+constexpr int buttons = 3;
+constexpr const char* tutorial = BURIN_TEXT("Device", "Haply's tutorial").text;
+constexpr const char* careful = BURIN_TEXT("Device", "an estimate of Burin, on the safe side").text;
+
+double now() noexcept {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void sleepUntil(double time) noexcept {
+    const double rest = time - now();
+    if (rest > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(rest));
+}
+
+bool isNumber(const glm::dquat& turn) noexcept {
+    const double square = glm::dot(turn, turn);
+    return std::isfinite(square) && square > 0.5 && square < 2.0;
+}
+
+} // namespace
+
+Result<std::unique_ptr<SelfPacedStylus>> InverseStylus::connect(const std::string& arm) {
+    std::unique_ptr<ServiceConnection> connection = ServiceConnection::open(serviceAddress());
+    const std::string_view first = connection != nullptr ? connection->first() : std::string_view();
+    const std::vector<std::string> arms = armsOf(first);
+    const std::optional<ServiceState> said = scanState(first, arm);
+    if (std::ranges::find(arms, arm) == arms.end() || !said) return Error{ErrorCode::deviceNotFound, arm, {}, {}};
+    return std::unique_ptr<SelfPacedStylus>(std::make_unique<InverseStylus>(arm, std::move(connection), *said));
+}
+
+InverseStylus::InverseStylus(std::string arm, std::unique_ptr<ServiceConnection> connection, const ServiceState& first)
+    : arm_(std::move(arm))
+    , connection_(std::move(connection))
+    , message_(arm_)
+    , said_(first)
+    , hasGrip_(first.grip.has_value()) {
+    if (first.cursor && isFinite(*first.cursor)) middle_ = *first.cursor;
+}
+
+StylusDescription InverseStylus::description() const {
+    StylusDescription stylus;
+    stylus.name = "Haply Inverse3 " + arm_;
+    stylus.sensed = {3, hasGrip_ ? 3 : 0};
+    stylus.actuated = {3, 0};
+    stylus.buttons = hasGrip_ ? buttons : 0;
+    stylus.rate = {1.0 / period, BURIN_TEXT("Device", "Burin's own rate").text};
+    stylus.delay = {period, BURIN_TEXT("Device", "one message of the service").text};
+    stylus.maximumForce = {4.0, careful};
+    stylus.maximumStiffness = {800.0, tutorial};
+    stylus.maximumDamping = {3.0, tutorial};
+    stylus.workspaceRadius = {75.0, careful};
+    stylus.carriesHandle = true; // the service's own compensation of gravity
+    return stylus;
+}
+
+std::optional<Error> InverseStylus::takeFault() {
+    const std::optional<DeviceFault> fault = faults_.take();
+    if (!fault) return std::nullopt;
+    return errorOf(*fault, "Haply Inverse3 " + arm_);
+}
+
+DeviceHealth InverseStylus::health() const noexcept {
+    DeviceHealth health;
+    health.connected = connected_.load(std::memory_order_relaxed);
+    health.readings = readings_.load(std::memory_order_relaxed);
+    if (const double battery = battery_.load(std::memory_order_relaxed); battery >= 0.0) health.batteryShare = battery;
+    return health;
+}
+
+void InverseStylus::cutMotors() noexcept {
+    cuts_.fetch_add(1, std::memory_order_acq_rel);
+    const std::lock_guard lock(emergency_);
+    if (connection_ != nullptr) connection_->cut();
+}
+
+Result<void> InverseStylus::start(StylusClient& client) {
+    if (thread_.joinable()) return Error{ErrorCode::argumentInvalid, "stylus", "started", "a stylus that stands"};
+    stop_ = ended_ = false;
+    try {
+        thread_ = std::thread([this, &client] { run(client); });
+    } catch (const std::system_error&) {
+        return Error{ErrorCode::outOfMemory, arm_, {}, "no thread"};
+    }
+    return {};
+}
+
+void InverseStylus::stop() noexcept {
+    if (!thread_.joinable()) return;
+    stop_ = true;
+    const double until = now() + stopWithin;
+    while (!ended_.load(std::memory_order_acquire) && now() < until)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (!ended_.load(std::memory_order_acquire)) cutMotors(); // it waits for the service
+    thread_.join();
+}
+
+void InverseStylus::run(StylusClient& client) noexcept {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, nullptr); // they are the other threads'
+    client.begins();
+    startedAt_ = due_ = now();
+    while (runs()) {
+        if (connection_ != nullptr && exchange(client)) continue;
+        if (runs()) waitForService(client);
+    }
+    if (connection_ != nullptr) (void)connection_->write(message_.write(glm::dvec3(0.0), key_));
+    client.ends();
+    ended_.store(true, std::memory_order_release);
+}
+
+/// A tick, its force, and the service's answer. False: the connection is broken.
+bool InverseStylus::exchange(StylusClient& client) noexcept {
+    due_ = std::max(due_ + period, now());
+    sleepUntil(due_);
+    const unsigned int cutsBefore = cuts_.load(std::memory_order_acquire);
+    const StylusState state = stateOf(said_);
+    const Wrench wrench = client.tick(state);
+    const bool rendered = state.valid && cuts_.load(std::memory_order_acquire) == cutsBefore;
+    const glm::dvec3 force = rendered ? wrench.force : glm::dvec3(0.0);
+    const bool sent = connection_->write(message_.write(force, key_));
+    client.answered();
+    if (!sent || !awaitAnswer(client) || !readAnswer()) return false;
+    watchForce(force);
+    return true;
+}
+
+/// False: none comes any more.
+bool InverseStylus::awaitAnswer(StylusClient& client) noexcept {
+    constexpr int milliseconds = static_cast<int>(lateAfter * 1e3);
+    if (connection_->waits(milliseconds)) return true;
+    const double since = now() - lateAfter;
+    bool told = false;
+    while (runs() && now() - since < brokenAfter) {
+        tellNothing(client);
+        if (!told && now() - since > faultyAfter) {
+            told = true;
+            faults_.raise(DeviceFault::silent);
+        }
+        if (connection_->waits(1)) return true;
+    }
+    return false;
+}
+
+bool InverseStylus::readAnswer() noexcept {
+    const std::string_view message = connection_->read();
+    if (message.empty()) return false;
+    const std::optional<ServiceState> said = scanState(message, arm_);
+    if (said)
+        said_ = *said;
+    else
+        faults_.raise(DeviceFault::damaged);
+    if (!said) said_.cursor.reset(); // no reading then
+    if (said_.batteryShare) battery_.store(*said_.batteryShare, std::memory_order_relaxed);
+    return true;
+}
+
+/// A force that the arm does not render was named in a way that this version does not know.
+void InverseStylus::watchForce(const glm::dvec3& sent) noexcept {
+    const bool unheard = glm::length(sent) > askedForce && said_.force && glm::length(*said_.force) < renderedForce;
+    unheard_ = unheard ? unheard_ + 1 : 0;
+    if (unheard_ < answersUntilDeaf) return;
+    unheard_ = 0;
+    key_ = key_ == ForceKey::vector ? ForceKey::values : ForceKey::vector;
+    if (++changes_ == 2) faults_.raise(DeviceFault::deaf); // it knows neither
+}
+
+StylusState InverseStylus::stateOf(const ServiceState& said) noexcept {
+    StylusState state;
+    state.time = now() - startedAt_;
+    const bool usable = said.calibrated && said.ready;
+    if (!usable && !unusableTold_) faults_.raise(DeviceFault::notCalibrated);
+    unusableTold_ = !usable;
+    if (!usable || !said.cursor || !isFinite(*said.cursor)) return state;
+    state.pose.position = (*said.cursor - middle_) * millimetresPerMetre;
+    if (hasGrip_) {
+        if (!said.grip || !isNumber(*said.grip)) return state;
+        state.pose.rotation = glm::normalize(*said.grip);
+        state.buttons = said.buttons;
+    }
+    state.valid = true;
+    readings_.fetch_add(1, std::memory_order_relaxed);
+    return state;
+}
+
+void InverseStylus::tellNothing(StylusClient& client) noexcept {
+    StylusState state;
+    state.time = now() - startedAt_;
+    (void)client.tick(state);
+    client.answered();
+}
+
+/// The connection is broken: says so, makes it again, and keeps the client's guards running meanwhile.
+void InverseStylus::waitForService(StylusClient& client) noexcept {
+    if (connected_.exchange(false, std::memory_order_relaxed)) faults_.raise(DeviceFault::unplugged);
+    use(nullptr);
+    double lookedAt = now();
+    while (runs() && connection_ == nullptr) {
+        tellNothing(client);
+        if (now() - lookedAt >= lookEvery) {
+            use(look());
+            lookedAt = now();
+        }
+        if (connection_ == nullptr) sleepUntil(now() + period);
+    }
+    if (connection_ == nullptr) return;
+    unheard_ = changes_ = 0;
+    connected_.store(true, std::memory_order_relaxed);
+}
+
+std::unique_ptr<ServiceConnection> InverseStylus::look() noexcept {
+    try {
+        std::unique_ptr<ServiceConnection> connection = ServiceConnection::open(serviceAddress());
+        if (connection == nullptr) return nullptr;
+        const std::optional<ServiceState> said = scanState(connection->first(), arm_);
+        if (!said || !said->cursor || said->grip.has_value() != hasGrip_) return nullptr;
+        said_ = *said;
+        return connection;
+    } catch (const std::exception&) { // memory, or a name that can't be resolved: the next look has another try
+        return nullptr;
+    }
+}
+
+void InverseStylus::use(std::unique_ptr<ServiceConnection> connection) noexcept {
+    const std::lock_guard lock(emergency_);
+    connection_ = std::move(connection);
+}
+
+} // namespace burin::haply

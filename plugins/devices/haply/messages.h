@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace burin::haply {
+
+/// How a version of the service names the components of a force.
+enum class ForceKey : std::uint8_t {
+    vector, ///< 3.5
+    values  ///< 3.1 and most public programs
+};
+
+/// Writes the one message of a tick: the force of an arm. Made beforehand but for the numbers, so that a tick allocates
+/// nothing. One thread.
+class ForceMessage {
+public:
+    /// @param arm device id, as the service told it
+    explicit ForceMessage(std::string_view arm);
+    /// @param force N, finite. @return valid until the next call
+    std::string_view write(const glm::dvec3& force, ForceKey key) noexcept;
+
+private:
+    std::array<std::string, 2> heads_; ///< by key
+    std::array<char, 512> buffer_{};
+};
+
+} // namespace burin::haply
