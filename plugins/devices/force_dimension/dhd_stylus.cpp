@@ -145,9 +145,9 @@ void DhdStylus::cutMotors() noexcept {
 StylusState DhdStylus::read(double time) noexcept {
     StylusState state;
     state.time = time;
+    if (lost_.load(std::memory_order_acquire)) return state; // the rest is the looker's until it is back
     valid_ = false;
     cutsAtRead_ = cuts_.load(std::memory_order_acquire);
-    if (lost_.load(std::memory_order_acquire)) return state;
     double x = 0.0, y = 0.0, z = 0.0;
     double rotation[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     if (api_.getPose(&x, &y, &z, rotation, id_) < 0) {
