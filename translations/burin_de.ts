@@ -1790,24 +1790,12 @@
         <translation>etwa %1 mm in %2 s mit dem Vorschub von Werkzeug und Werkstoff, ohne Verbindungen</translation>
     </message>
     <message>
-        <source>%1 readings in %2 s: %3 Hz, usually %4 ms between two, %5 ms at most</source>
-        <translation>%1 Messwerte in %2 s: %3 Hz, meist %4 ms dazwischen, höchstens %5 ms</translation>
-    </message>
-    <message>
-        <source>moved %1 × %2 × %3 mm in steps from %4 mm, turned %5°</source>
-        <translation>bewegt um %1 × %2 × %3 mm in Schritten ab %4 mm, gedreht um %5°</translation>
-    </message>
-    <message>
         <source>no button was pressed</source>
         <translation>keine Taste wurde gedrückt</translation>
     </message>
     <message>
         <source>buttons pressed: %1</source>
         <translation>gedrückte Tasten: %1</translation>
-    </message>
-    <message>
-        <source>at most %1 N</source>
-        <translation>höchstens %1 N</translation>
     </message>
     <message>
         <source>%1 readings were not valid</source>
@@ -1820,6 +1808,18 @@
     <message>
         <source>no value, unless --stylus is a device or a trace that does not state how much of the cutting force was felt</source>
         <translation>kein Wert, außer wenn --stylus ein Gerät ist oder eine Spur, die nicht angibt, wie viel der Schnittkraft zu spüren war</translation>
+    </message>
+    <message>
+        <source>%1 readings in %2 s: %3 Hz; interval: median %4 ms, maximum %5 ms</source>
+        <translation>%1 Messwerte in %2 s: %3 Hz; Abstand: Median %4 ms, höchstens %5 ms</translation>
+    </message>
+    <message>
+        <source>motion %1 × %2 × %3 mm, smallest step %4 mm, rotation %5°</source>
+        <translation>Bewegung %1 × %2 × %3 mm, kleinster Schritt %4 mm, Drehung %5°</translation>
+    </message>
+    <message>
+        <source>maximum force %1 N</source>
+        <translation>größte Kraft %1 N</translation>
     </message>
 </context>
 <context>
@@ -3466,43 +3466,43 @@
         <translation>Radius des Arbeitsraums</translation>
     </message>
     <message>
-        <source>Own rate</source>
-        <translation>Eigener Takt</translation>
-    </message>
-    <message>
-        <source>Rate: %1 Hz; between readings usually %2 ms, at most %3 ms</source>
-        <translation>Takt: %1 Hz; zwischen Messwerten meist %2 ms, höchstens %3 ms</translation>
-    </message>
-    <message>
         <source>Position: X %1, Y %2, Z %3 mm</source>
         <translation>Position: X %1, Y %2, Z %3 mm</translation>
-    </message>
-    <message>
-        <source>Moved so far: %1 × %2 × %3 mm, in steps from %4 mm</source>
-        <translation>Bisher bewegt: %1 × %2 × %3 mm, in Schritten ab %4 mm</translation>
-    </message>
-    <message>
-        <source>Turned so far: %1°</source>
-        <translation>Bisher gedreht: %1°</translation>
     </message>
     <message>
         <source>Buttons pressed: %1</source>
         <translation>Gedrückte Tasten: %1</translation>
     </message>
     <message>
-        <source>Largest force: %1 N</source>
-        <translation>Größte Kraft: %1 N</translation>
-    </message>
-    <message>
-        <source>Motors: %1 % of the heat that they bear</source>
-        <translation>Motoren: %1 % der Wärme, die sie aushalten</translation>
-    </message>
-    <message>
         <source>Battery: %1 %</source>
         <translation>Akku: %1 %</translation>
     </message>
     <message>
-        <source>Readings that were not valid: %1</source>
+        <source>Device rate</source>
+        <translation>Takt des Geräts</translation>
+    </message>
+    <message>
+        <source>Rate: %1 Hz; interval: median %2 ms, maximum %3 ms</source>
+        <translation>Takt: %1 Hz; Abstand: Median %2 ms, höchstens %3 ms</translation>
+    </message>
+    <message>
+        <source>Motion so far: %1 × %2 × %3 mm; smallest step %4 mm</source>
+        <translation>Bewegung bisher: %1 × %2 × %3 mm; kleinster Schritt %4 mm</translation>
+    </message>
+    <message>
+        <source>Rotation so far: %1°</source>
+        <translation>Drehung bisher: %1°</translation>
+    </message>
+    <message>
+        <source>Maximum force commanded: %1 N</source>
+        <translation>Größte ausgegebene Kraft: %1 N</translation>
+    </message>
+    <message>
+        <source>Motor temperature: %1 % of the limit</source>
+        <translation>Motortemperatur: %1 % der Grenze</translation>
+    </message>
+    <message>
+        <source>Invalid readings: %1</source>
         <translation>Ungültige Messwerte: %1</translation>
     </message>
 </context>
@@ -5871,24 +5871,24 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Stelle, ab 0: die erste wird zuerst gefräst</translation>
     </message>
     <message>
-        <source>Read this device for a while and tell how it did: rate, pauses, steps, buttons</source>
-        <translation>Dieses Gerät eine Weile auslesen und berichten: Takt, Pausen, Schritte, Tasten</translation>
-    </message>
-    <message>
         <source>One of the device&apos;s modes</source>
         <translation>Eine der Betriebsarten des Geräts</translation>
     </message>
     <message>
-        <source>How long, s</source>
-        <translation>Wie lange, s</translation>
-    </message>
-    <message>
-        <source>Push up with this force, N, while its first button is held; at most a fifth of what it can do</source>
-        <translation>Mit dieser Kraft, N, nach oben drücken, solange seine erste Taste gehalten wird; höchstens ein Fünftel dessen, was es kann</translation>
-    </message>
-    <message>
         <source>Share of the cutting force that is felt with a device, or was felt while a trace was recorded that does not state it, 0 to 1</source>
         <translation>Anteil der Schnittkraft, der mit einem Gerät zu spüren ist oder beim Aufzeichnen einer Spur zu spüren war, die ihn nicht angibt, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Test this device: reads it and reports rate, intervals, motion and buttons</source>
+        <translation>Dieses Gerät testen: liest es aus und meldet Takt, Abstände, Bewegung und Tasten</translation>
+    </message>
+    <message>
+        <source>Duration, s</source>
+        <translation>Dauer, s</translation>
+    </message>
+    <message>
+        <source>Push up with this force, N, while its first button is held; at most a fifth of its maximum force</source>
+        <translation>Mit dieser Kraft, N, nach oben drücken, solange die erste Taste gehalten wird; höchstens ein Fünftel der größten Kraft</translation>
     </message>
 </context>
 <context>
@@ -8433,16 +8433,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Testen</translation>
     </message>
     <message>
-        <source>Mill with it</source>
-        <translation>Damit fräsen</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>chosen</source>
-        <translation>gewählt</translation>
     </message>
     <message>
         <source>Mouse and keyboard, always there</source>
@@ -8461,10 +8453,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Bibliothek fehlt</translation>
     </message>
     <message>
-        <source>Choose a device that is plugged in.</source>
-        <translation>Ein angeschlossenes Gerät wählen.</translation>
-    </message>
-    <message>
         <source>End milling first.</source>
         <translation>Zuerst das Fräsen beenden.</translation>
     </message>
@@ -8475,18 +8463,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Read the device while you move it: rate, position, buttons</source>
         <translation>Das Gerät auslesen, während Sie es bewegen: Takt, Position, Tasten</translation>
-    </message>
-    <message>
-        <source>Choose a device or the mouse.</source>
-        <translation>Ein Gerät oder die Maus wählen.</translation>
-    </message>
-    <message>
-        <source>Mill with this device from the next stroke on</source>
-        <translation>Ab dem nächsten Strich mit diesem Gerät fräsen</translation>
-    </message>
-    <message>
-        <source>Move the device through its whole workspace and press each button.</source>
-        <translation>Das Gerät durch seinen ganzen Arbeitsraum bewegen und jede Taste drücken.</translation>
     </message>
     <message>
         <source>Cutting force felt</source>
@@ -8503,6 +8479,30 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Coefficient of the tool on what it slides on without cutting it</source>
         <translation>Reibungszahl des Werkzeugs auf dem, worauf es gleitet, ohne es zu schneiden</translation>
+    </message>
+    <message>
+        <source>Mill with this device</source>
+        <translation>Mit diesem Gerät fräsen</translation>
+    </message>
+    <message>
+        <source>selected</source>
+        <translation>ausgewählt</translation>
+    </message>
+    <message>
+        <source>Select a device that is plugged in.</source>
+        <translation>Ein angeschlossenes Gerät auswählen.</translation>
+    </message>
+    <message>
+        <source>Select a device or the mouse.</source>
+        <translation>Ein Gerät oder die Maus auswählen.</translation>
+    </message>
+    <message>
+        <source>Use this device the next time you start milling</source>
+        <translation>Dieses Gerät beim nächsten Fräsen verwenden</translation>
+    </message>
+    <message>
+        <source>Move the device through its whole workspace and press every button.</source>
+        <translation>Das Gerät durch seinen ganzen Arbeitsraum bewegen und jede Taste drücken.</translation>
     </message>
 </context>
 <context>

@@ -119,14 +119,14 @@ json jsonOf(const TrialFigures& figures) {
             {"readings", figures.readings},
             {"readings_invalid", figures.invalid},
             {"rate_hz", figures.rate},
-            {"pause_usual_s", figures.usualPause},
-            {"pause_longest_s", figures.longestPause},
-            {"step_finest_mm", figures.finestStep},
-            {"turn_largest_rad", figures.largestTurn},
-            {"place_least_mm", jsonOf(figures.least)},
-            {"place_most_mm", jsonOf(figures.most)},
+            {"interval_median_s", figures.medianInterval},
+            {"interval_max_s", figures.maximumInterval},
+            {"step_min_mm", figures.smallestStep},
+            {"rotation_max_rad", figures.maximumRotation},
+            {"position_min_mm", jsonOf(figures.lowest)},
+            {"position_max_mm", jsonOf(figures.highest)},
             {"buttons_pressed", figures.buttons},
-            {"force_largest_n", figures.largestForce},
+            {"force_max_n", figures.maximumForce},
             {"health", jsonOf(figures.health)},
             {"faults", faults}};
 }
@@ -134,26 +134,26 @@ json jsonOf(const TrialFigures& figures) {
 std::string textOf(const TrialFigures& figures) {
     const auto rounded = [](double value, int digits) { return formatFixed(value, digits); };
     std::string text =
-        worded(BURIN_TEXT("Command", "%1 readings in %2 s: %3 Hz, usually %4 ms between two, %5 ms at most"),
+        worded(BURIN_TEXT("Command", "%1 readings in %2 s: %3 Hz; interval: median %4 ms, maximum %5 ms"),
                {std::to_string(figures.readings), rounded(figures.seconds, 2), rounded(figures.rate, 1),
-                rounded(1e3 * figures.usualPause, 2), rounded(1e3 * figures.longestPause, 2)});
-    const glm::dvec3 span = figures.most - figures.least;
-    text += "\n" + worded(BURIN_TEXT("Command", "moved %1 × %2 × %3 mm in steps from %4 mm, turned %5°"),
-                          {rounded(span.x, 1), rounded(span.y, 1), rounded(span.z, 1), rounded(figures.finestStep, 4),
-                           rounded(glm::degrees(figures.largestTurn), 0)});
+                rounded(1e3 * figures.medianInterval, 2), rounded(1e3 * figures.maximumInterval, 2)});
+    const glm::dvec3 span = figures.highest - figures.lowest;
+    text += "\n" + worded(BURIN_TEXT("Command", "motion %1 × %2 × %3 mm, smallest step %4 mm, rotation %5°"),
+                          {rounded(span.x, 1), rounded(span.y, 1), rounded(span.z, 1), rounded(figures.smallestStep, 4),
+                           rounded(glm::degrees(figures.maximumRotation), 0)});
     std::string pressed;
     for (unsigned int i = 0; i < 32; ++i)
         if ((figures.buttons >> i & 1U) != 0) pressed += (pressed.empty() ? "" : ", ") + std::to_string(i + 1);
     text += "\n" + (pressed.empty() ? worded(BURIN_TEXT("Command", "no button was pressed"))
                                     : worded(BURIN_TEXT("Command", "buttons pressed: %1"), {pressed}));
-    text += "\n" + worded(BURIN_TEXT("Command", "at most %1 N"), {rounded(figures.largestForce, 2)});
+    text += "\n" + worded(BURIN_TEXT("Command", "maximum force %1 N"), {rounded(figures.maximumForce, 2)});
     if (figures.invalid > 0)
         text += "\n" + worded(BURIN_TEXT("Command", "%1 readings were not valid"), {std::to_string(figures.invalid)});
     for (const Error& fault : figures.faults) text += "\n" + Messages::sentence(fault).toStdString();
     return text;
 }
 
-/// Reads one device for a while; status 1 where it had faults or gave no valid reading.
+/// Tests one device; status 1 if it had faults or gave no valid reading.
 int runTrial(CommandContext& context, const TrialArguments& arguments) {
     DeviceRegistry registry;
     const bool simulated = arguments.device == simulatedDevice;
@@ -207,16 +207,16 @@ void registerDevices(CommandParser program, CommandContext& context, int& status
     const auto arguments = std::make_shared<TrialArguments>();
     const Argument test = command.option(
         "--test", arguments->device,
-        BURIN_TEXT("Help", "Read this device for a while and tell how it did: rate, pauses, steps, buttons"));
+        BURIN_TEXT("Help", "Test this device: reads it and reports rate, intervals, motion and buttons"));
     command.option("--mode", arguments->mode, BURIN_TEXT("Help", "One of the device's modes")).needs(test);
-    command.option("--seconds", arguments->settings.seconds, BURIN_TEXT("Help", "How long, s"))
+    command.option("--seconds", arguments->settings.seconds, BURIN_TEXT("Help", "Duration, s"))
         .range(0.1, 3600.0)
         .showDefault()
         .needs(test);
     command
         .option("--force", arguments->settings.force,
                 BURIN_TEXT("Help", "Push up with this force, N, while its first button is held; at most a fifth of "
-                                   "what it can do"))
+                                   "its maximum force"))
         .range(0.0, 100.0)
         .needs(test);
     command.run([&context, &status, arguments] {

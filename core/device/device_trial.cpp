@@ -17,56 +17,56 @@ namespace burin {
 namespace {
 
 constexpr double forceShare = 0.2;  // of what the motors do
-constexpr double forceStep = 0.01;  // N: limits are told so
+constexpr double forceStep = 0.01;  // N: limits are reported so
 constexpr double rounding = 1e-6;   // of steps
 constexpr double fadeSeconds = 1.0; // of the force, while the button is held
 constexpr double longest = 3600.0;  // s
 constexpr double period = 0.001;    // s, of a stylus without a clock of its own
-constexpr std::chrono::milliseconds tellEvery{100};
-constexpr std::size_t bins = 2000; // of pauses, 10 µs each
+constexpr std::chrono::milliseconds reportEvery{100};
+constexpr std::size_t bins = 2000; // of intervals, 10 µs each
 constexpr double binSeconds = 1e-5;
 
 double now() noexcept {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// What was read so far, as the thread that reads hands it over.
+/// Measurements so far, as the reading thread hands them over.
 struct Gathered {
     std::uint64_t readings = 0, invalid = 0;
     double firstAt = 0.0, lastAt = 0.0; ///< s, of the clock
-    double longestPause = 0.0, finestStep = 0.0, largestTurn = 0.0, largestForce = 0.0;
-    glm::dvec3 least{0.0}, most{0.0}, place{0.0};
+    double maximumInterval = 0.0, smallestStep = 0.0, maximumRotation = 0.0, maximumForce = 0.0;
+    glm::dvec3 lowest{0.0}, highest{0.0}, position{0.0};
     glm::dquat first{1.0, 0.0, 0.0, 0.0};
     std::uint32_t buttons = 0;
-    std::array<std::uint32_t, bins> pauses{};
+    std::array<std::uint32_t, bins> intervals{};
 };
 
-/// s: as many pauses are shorter as longer.
-double medianOf(const std::array<std::uint32_t, bins>& pauses) {
+/// s
+double medianOf(const std::array<std::uint32_t, bins>& intervals) {
     std::uint64_t all = 0, below = 0;
-    for (const std::uint32_t count : pauses) all += count;
+    for (const std::uint32_t count : intervals) all += count;
     for (std::size_t i = 0; i < bins && all > 0; ++i)
-        if (2 * (below += pauses[i]) >= all) return (static_cast<double>(i) + 0.5) * binSeconds;
+        if (2 * (below += intervals[i]) >= all) return (static_cast<double>(i) + 0.5) * binSeconds;
     return 0.0;
 }
 
 TrialFigures figuresOf(const Gathered& gathered) {
-    TrialFigures told;
-    told.seconds = gathered.lastAt - gathered.firstAt;
-    told.readings = gathered.readings;
-    told.invalid = gathered.invalid;
-    const auto pauses = static_cast<double>(gathered.readings + gathered.invalid) - 1.0;
-    if (told.seconds > 0.0) told.rate = pauses / told.seconds;
-    told.usualPause = medianOf(gathered.pauses);
-    told.longestPause = gathered.longestPause;
-    told.largestTurn = gathered.largestTurn;
-    told.finestStep = gathered.finestStep;
-    told.least = gathered.least;
-    told.most = gathered.most;
-    told.place = gathered.place;
-    told.buttons = gathered.buttons;
-    told.largestForce = gathered.largestForce;
-    return told;
+    TrialFigures figures;
+    figures.seconds = gathered.lastAt - gathered.firstAt;
+    figures.readings = gathered.readings;
+    figures.invalid = gathered.invalid;
+    const auto intervals = static_cast<double>(gathered.readings + gathered.invalid) - 1.0;
+    if (figures.seconds > 0.0) figures.rate = intervals / figures.seconds;
+    figures.medianInterval = medianOf(gathered.intervals);
+    figures.maximumInterval = gathered.maximumInterval;
+    figures.maximumRotation = gathered.maximumRotation;
+    figures.smallestStep = gathered.smallestStep;
+    figures.lowest = gathered.lowest;
+    figures.highest = gathered.highest;
+    figures.position = gathered.position;
+    figures.buttons = gathered.buttons;
+    figures.maximumForce = gathered.maximumForce;
+    return figures;
 }
 
 /// Measures the readings of a stylus and answers them, on the thread that reads; hands over what it measured.
@@ -84,7 +84,7 @@ public:
             ++now_.invalid;
         Wrench wrench;
         wrench.force.z = forceAt(at, state.valid && hasButtons_ && (state.buttons & 1U) != 0);
-        now_.largestForce = std::max(now_.largestForce, wrench.force.z);
+        now_.maximumForce = std::max(now_.maximumForce, wrench.force.z);
         news_.post(now_);
         return wrench;
     }
@@ -99,26 +99,26 @@ private:
     void noteTime(double at) noexcept {
         if (now_.firstAt == 0.0) now_.firstAt = at;
         if (now_.lastAt > 0.0) {
-            const double pause = at - now_.lastAt;
-            now_.longestPause = std::max(now_.longestPause, pause);
-            ++now_.pauses[std::min(bins - 1, static_cast<std::size_t>(pause / binSeconds))];
+            const double interval = at - now_.lastAt;
+            now_.maximumInterval = std::max(now_.maximumInterval, interval);
+            ++now_.intervals[std::min(bins - 1, static_cast<std::size_t>(interval / binSeconds))];
         }
         now_.lastAt = at;
     }
     void notePose(const StylusState& state) noexcept {
-        const glm::dvec3 place = state.pose.position;
+        const glm::dvec3 position = state.pose.position;
         if (now_.readings++ == 0) {
-            now_.least = now_.most = place;
+            now_.lowest = now_.highest = position;
             now_.first = state.pose.rotation;
-        } else if (const double step = glm::distance(place, now_.place); step > 0.0) {
-            now_.finestStep = now_.finestStep > 0.0 ? std::min(now_.finestStep, step) : step;
+        } else if (const double step = glm::distance(position, now_.position); step > 0.0) {
+            now_.smallestStep = now_.smallestStep > 0.0 ? std::min(now_.smallestStep, step) : step;
         }
-        now_.place = place;
-        now_.least = glm::min(now_.least, place);
-        now_.most = glm::max(now_.most, place);
+        now_.position = position;
+        now_.lowest = glm::min(now_.lowest, position);
+        now_.highest = glm::max(now_.highest, position);
         now_.buttons |= state.buttons;
         const double cosine = std::min(1.0, std::abs(glm::dot(now_.first, state.pose.rotation)));
-        now_.largestTurn = std::max(now_.largestTurn, 2.0 * std::acos(cosine));
+        now_.maximumRotation = std::max(now_.maximumRotation, 2.0 * std::acos(cosine));
     }
     double forceAt(double at, bool held) noexcept {
         if (!held) {
@@ -214,9 +214,9 @@ Result<TrialFigures> tryDevice(const StylusHandle& stylus, const TrialSettings& 
         const double start = now();
         for (double passed = 0.0; passed < settings.seconds && !progress.cancelled(); passed = now() - start) {
             const std::chrono::duration<double> rest(settings.seconds - passed);
-            std::this_thread::sleep_for(std::min<std::chrono::duration<double>>(rest, tellEvery));
+            std::this_thread::sleep_for(std::min<std::chrono::duration<double>>(rest, reportEvery));
             progress.report((now() - start) / settings.seconds);
-            if (settings.told) settings.told(look());
+            if (settings.report) settings.report(look());
         }
         if (SelfPacedStylus* paced = stylus.selfPaced()) paced->stop();
     }

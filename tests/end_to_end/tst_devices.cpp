@@ -43,9 +43,9 @@ private slots:
         const QJsonObject test = run.json()["test"].toObject();
         QVERIFY(test["readings"].toInt() > 1000);
         QCOMPARE(test["buttons_pressed"].toInt(), 1);
-        QCOMPARE(test["force_largest_n"].toDouble(), 0.5);
-        QVERIFY(std::abs(test["place_most_mm"][0].toDouble() - 10.0) < 0.1);
-        QVERIFY(std::abs(test["place_least_mm"][1].toDouble() + 10.0) < 0.1);
+        QCOMPARE(test["force_max_n"].toDouble(), 0.5);
+        QVERIFY(std::abs(test["position_max_mm"][0].toDouble() - 10.0) < 0.1);
+        QVERIFY(std::abs(test["position_min_mm"][1].toDouble() + 10.0) < 0.1);
         const ProgramRun text = runBurin({"devices", "--test", "3D Systems: Default Device", "--seconds", "1"});
         QVERIFY2(text.output.contains("Hz") && text.output.contains("buttons pressed: 1"), text.output.constData());
     }

@@ -226,7 +226,7 @@ private slots:
         for (int i = 0; i < 30; ++i) QVERIFY(tick(*pen, upward(1.0)).valid);
         device.cut(cause);
         StylusState state;
-        for (int i = 0; i < forcedimension::DhdStylus::readingsBetweenLooks; ++i) {
+        for (int i = 0; i < forcedimension::DhdStylus::readingsBetweenChecks; ++i) {
             state = tick(*pen, upward(1.0));
             QCOMPARE(felt(device).z, 0.0);
         }

@@ -64,7 +64,7 @@ private slots:
             QTRY_VERIFY_WITH_TIMEOUT(text(dialog, "deviceFigures").contains("Buttons pressed: 1"), 20'000);
             QTest::qWait(1300); // once round the circle
             driver.shoot("devices-1-test");
-            QVERIFY(text(dialog, "deviceFigures").contains("Largest force: 0.00 N"));
+            QVERIFY(text(dialog, "deviceFigures").contains("Maximum force commanded: 0.00 N"));
             QTest::mouseClick(test, Qt::LeftButton);
             QTRY_COMPARE(test->text(), QString("Test"));
             // Its motors push only with a force that was asked for, while the button is held: the hand does.
@@ -74,7 +74,7 @@ private slots:
             QTest::keyClicks(force, "0.5");
             QTest::keyClick(force, Qt::Key_Tab);
             QTest::mouseClick(test, Qt::LeftButton);
-            QTRY_VERIFY_WITH_TIMEOUT(text(dialog, "deviceFigures").contains("Largest force: 0.50 N"), 20'000);
+            QTRY_VERIFY_WITH_TIMEOUT(text(dialog, "deviceFigures").contains("Maximum force commanded: 0.50 N"), 20'000);
             QTest::mouseClick(test, Qt::LeftButton);
             QTRY_COMPARE(test->text(), QString("Test"));
             auto* share = dialog.findChild<QWidget*>("deviceShare");

@@ -49,33 +49,34 @@ QStringList limitLines(const StylusDescription& stylus) {
     addLimit(lines, QT_TRANSLATE_NOOP("DeviceWords", "Maximum stiffness"), stylus.maximumStiffness);
     addLimit(lines, QT_TRANSLATE_NOOP("DeviceWords", "Maximum damping"), stylus.maximumDamping);
     addLimit(lines, QT_TRANSLATE_NOOP("DeviceWords", "Workspace radius"), stylus.workspaceRadius);
-    addLimit(lines, QT_TRANSLATE_NOOP("DeviceWords", "Own rate"), stylus.rate);
+    addLimit(lines, QT_TRANSLATE_NOOP("DeviceWords", "Device rate"), stylus.rate);
     return lines;
 }
 
 QStringList trialLines(const TrialFigures& figures) {
     constexpr double milliseconds = 1e3, percent = 100.0;
-    const glm::dvec3 span = figures.most - figures.least;
+    const glm::dvec3 span = figures.highest - figures.lowest;
     QStringList lines;
-    lines << words(QT_TRANSLATE_NOOP("DeviceWords", "Rate: %1 Hz; between readings usually %2 ms, at most %3 ms"))
-                 .arg(number(figures.rate, 0), number(milliseconds * figures.usualPause, 2),
-                      number(milliseconds * figures.longestPause, 1))
+    lines << words(QT_TRANSLATE_NOOP("DeviceWords", "Rate: %1 Hz; interval: median %2 ms, maximum %3 ms"))
+                 .arg(number(figures.rate, 0), number(milliseconds * figures.medianInterval, 2),
+                      number(milliseconds * figures.maximumInterval, 1))
           << words(QT_TRANSLATE_NOOP("DeviceWords", "Position: X %1, Y %2, Z %3 mm"))
-                 .arg(number(figures.place.x, 1), number(figures.place.y, 1), number(figures.place.z, 1))
-          << words(QT_TRANSLATE_NOOP("DeviceWords", "Moved so far: %1 × %2 × %3 mm, in steps from %4 mm"))
-                 .arg(number(span.x, 1), number(span.y, 1), number(span.z, 1), number(figures.finestStep, 4))
-          << words(QT_TRANSLATE_NOOP("DeviceWords", "Turned so far: %1°"))
-                 .arg(number(glm::degrees(figures.largestTurn), 0))
+                 .arg(number(figures.position.x, 1), number(figures.position.y, 1), number(figures.position.z, 1))
+          << words(QT_TRANSLATE_NOOP("DeviceWords", "Motion so far: %1 × %2 × %3 mm; smallest step %4 mm"))
+                 .arg(number(span.x, 1), number(span.y, 1), number(span.z, 1), number(figures.smallestStep, 4))
+          << words(QT_TRANSLATE_NOOP("DeviceWords", "Rotation so far: %1°"))
+                 .arg(number(glm::degrees(figures.maximumRotation), 0))
           << words(QT_TRANSLATE_NOOP("DeviceWords", "Buttons pressed: %1")).arg(pressed(figures.buttons))
-          << words(QT_TRANSLATE_NOOP("DeviceWords", "Largest force: %1 N")).arg(number(figures.largestForce, 2));
+          << words(QT_TRANSLATE_NOOP("DeviceWords", "Maximum force commanded: %1 N"))
+                 .arg(number(figures.maximumForce, 2));
     if (figures.health.motorHeat)
-        lines << words(QT_TRANSLATE_NOOP("DeviceWords", "Motors: %1 % of the heat that they bear"))
+        lines << words(QT_TRANSLATE_NOOP("DeviceWords", "Motor temperature: %1 % of the limit"))
                      .arg(number(percent * *figures.health.motorHeat, 0));
     if (figures.health.batteryShare)
         lines << words(QT_TRANSLATE_NOOP("DeviceWords", "Battery: %1 %"))
                      .arg(number(percent * *figures.health.batteryShare, 0));
     if (figures.invalid > 0)
-        lines << words(QT_TRANSLATE_NOOP("DeviceWords", "Readings that were not valid: %1")).arg(figures.invalid);
+        lines << words(QT_TRANSLATE_NOOP("DeviceWords", "Invalid readings: %1")).arg(figures.invalid);
     for (const Error& fault : figures.faults) lines << Messages::sentence(fault);
     return lines;
 }

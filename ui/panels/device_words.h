@@ -8,9 +8,9 @@
 
 namespace burin {
 
-/// What a device says of itself, a line a limit.
+/// The limits that a device states, one a line.
 QStringList limitLines(const StylusDescription& stylus);
-/// How it did in a trial, a line each.
+/// Measurements of a trial, one a line.
 QStringList trialLines(const TrialFigures& figures);
 
 } // namespace burin

@@ -90,7 +90,7 @@ void DeviceDialog::layOut() {
     notice_->setObjectName(QStringLiteral("deviceNotice"));
     column->addWidget(notice_);
     test_ = makeButton(tr("Test"), {}, QStringLiteral("testDeviceButton"), this);
-    use_ = makePrimaryButton(tr("Mill with it"), QStringLiteral("useDeviceButton"), this);
+    use_ = makePrimaryButton(tr("Mill with this device"), QStringLiteral("useDeviceButton"), this);
     auto* close = makeButton(tr("Close"), {}, QStringLiteral("closeDevicesButton"), this);
     auto* row = new QHBoxLayout;
     row->addWidget(test_);
@@ -156,7 +156,7 @@ void DeviceDialog::showRows() {
         const StylusController::Choice& choice = styluses_.choices()[i];
         ListRow row;
         row.title = choice.name;
-        row.value = i == styluses_.chosen() ? tr("chosen") : QString();
+        row.value = i == styluses_.chosen() ? tr("selected") : QString();
         row.detail = choice.id.empty() ? tr("Mouse and keyboard, always there")
                      : choice.there    ? tr("Found")
                                        : tr("Not plugged in");
@@ -177,13 +177,13 @@ void DeviceDialog::showRows() {
 void DeviceDialog::showTest() {
     const StylusController::Choice* device = current();
     const bool testable = device != nullptr && !device->id.empty() && device->there;
-    const QString none = testable ? QString() : tr("Choose a device that is plugged in.");
+    const QString none = testable ? QString() : tr("Select a device that is plugged in.");
     const QString reason = tester_.testing() || tester_.possible() ? none : tr("End milling first.");
     test_->setText(tester_.testing() ? tr("Stop the test") : tr("Test"));
     enableUnless(test_, tester_.testing() ? QString() : reason,
                  tr("Read the device while you move it: rate, position, buttons"));
-    enableUnless(use_, device == nullptr ? tr("Choose a device or the mouse.") : QString(),
-                 tr("Mill with this device from the next stroke on"));
+    enableUnless(use_, device == nullptr ? tr("Select a device or the mouse.") : QString(),
+                 tr("Use this device the next time you start milling"));
     force_->setEnabled(!tester_.testing());
     const bool felt = device != nullptr && !device->id.empty();
     felt_ = felt ? settings_.felt(device->id) : FeltCutting{};
@@ -197,7 +197,7 @@ void DeviceDialog::showTest() {
         notice_->tell(Notice::Kind::error, Messages::sentence(*tester_.fault()));
     else if (tester_.testing())
         notice_->tell(Notice::Kind::information,
-                      tr("Move the device through its whole workspace and press each button."));
+                      tr("Move the device through its whole workspace and press every button."));
     else
         notice_->clear();
 }

@@ -18,8 +18,8 @@ class Notice;
 class QuantityField;
 class RowList;
 
-/// The styluses that are there, and what keeps others away; what each can do, and how it does while the hand moves it,
-/// before any job is milled with it.
+/// Lists the styluses that were found and the drivers whose library is missing; tests a device before a job is milled
+/// with it, and edits what is felt through it.
 class DeviceDialog final : public QDialog {
     Q_OBJECT
 public:
@@ -28,7 +28,7 @@ public:
     ~DeviceDialog() override; ///< ends a test
 
 signals:
-    void feltEdited(); ///< how much of the cutting a device lets the hand feel; it is kept already
+    void feltEdited(); ///< share of the cutting force or friction; stored already
 
 private:
     void layOut();

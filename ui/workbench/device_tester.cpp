@@ -29,22 +29,22 @@ void DeviceTester::test(const StylusController::Choice& device, double force) {
     if (!possible() || device.id.empty()) return;
     forget();
     busy_ = heard_ = true;
-    const auto tell = [this](auto news) {
+    const auto report = [this](auto news) {
         QMetaObject::invokeMethod(
             this, [this, news = std::move(news)] { hear(news); }, Qt::QueuedConnection);
     };
     desk_.tasks.start(
         TaskKind::deviceTest, tr("Testing %1").arg(device.name),
-        [registry = styluses_.registry(), device, force, tell](Progress& progress) -> Result<TrialFigures> {
+        [registry = styluses_.registry(), device, force, report](Progress& progress) -> Result<TrialFigures> {
             if (!registry) return Error{ErrorCode::deviceNotFound, device.id, {}, {}};
             const Result<AnyStylus> stylus = registry->make(device.id, device.mode);
             if (!stylus) return stylus.error();
             const StylusDescription description = StylusHandle(*stylus).device().description();
-            tell(description);
+            report(description);
             TrialSettings settings;
             settings.seconds = longestTest;
             settings.force = force;
-            settings.told = tell;
+            settings.report = report;
             return tryDevice(StylusHandle(*stylus), settings, progress);
         },
         [this](Result<TrialFigures> figures) {

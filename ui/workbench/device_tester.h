@@ -11,8 +11,8 @@
 
 namespace burin {
 
-/// Tries devices without a job: what their drivers lack, what a device says of itself, and how it does while the hand
-/// moves it.
+/// Tests devices without a job: reports drivers whose library is missing, the limits that a device states, and the
+/// measurements of a trial while it runs.
 class DeviceTester final : public Controller {
     Q_OBJECT
 public:

@@ -14,7 +14,7 @@ namespace burin::forcedimension {
 namespace {
 
 constexpr unsigned char on = 1, off = 0;
-constexpr std::chrono::milliseconds lookerPoll{20};
+constexpr std::chrono::milliseconds reconnectPoll{20};
 
 /// Why a device switched its forces off, by the number that its state gives.
 DeviceFault faultOfCause(int cause) noexcept {
@@ -79,7 +79,7 @@ Result<void> DhdStylus::open() {
     prepare();
     stop_ = false;
     try {
-        looker_ = std::thread([this] { lookForIt(); });
+        reconnecting_ = std::thread([this] { reconnectWhenLost(); });
     } catch (const std::system_error&) {
         return Error{ErrorCode::outOfMemory, description_.name, {}, "no thread"};
     }
@@ -116,7 +116,7 @@ void DhdStylus::prepare() noexcept {
 void DhdStylus::close() noexcept {
     if (!isOpen_) return;
     stop_ = true;
-    looker_.join();
+    reconnecting_.join();
     if (!lost_.load()) {
         api_.setForce(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, id_);
         api_.enableForce(off, id_);
@@ -145,7 +145,7 @@ void DhdStylus::cutMotors() noexcept {
 StylusState DhdStylus::read(double time) noexcept {
     StylusState state;
     state.time = time;
-    if (lost_.load(std::memory_order_acquire)) return state; // the rest is the looker's until it is back
+    if (lost_.load(std::memory_order_acquire)) return state; // the other members belong to the reconnecting thread then
     valid_ = false;
     cutsAtRead_ = cuts_.load(std::memory_order_acquire);
     double x = 0.0, y = 0.0, z = 0.0;
@@ -160,20 +160,20 @@ StylusState DhdStylus::read(double time) noexcept {
     state.buttons = api_.getButtons(id_);
     const glm::dquat& turn = state.pose.rotation;
     const bool finite = isFinite(state.pose.position) && std::isfinite(turn.w + turn.x + turn.y + turn.z);
-    valid_ = lookAtState(time) && finite;
+    valid_ = checkState(time) && finite;
     state.valid = valid_;
     if (valid_) readings_.fetch_add(1, std::memory_order_relaxed);
     return state;
 }
 
 /// True: its forces are on. What the loop's watchdog cut comes on again with this reading.
-bool DhdStylus::lookAtState(double time) noexcept {
+bool DhdStylus::checkState(double time) noexcept {
     if (cutsSeen_ != cutsAtRead_) {
         cutsSeen_ = cutsAtRead_;
         api_.enableForce(on, id_);
         return !forcesOff_;
     }
-    if (reads_++ % readingsBetweenLooks != 0) return !forcesOff_;
+    if (reads_++ % readingsBetweenChecks != 0) return !forcesOff_;
     std::array<int, dhdStatusLength> status{};
     if (api_.getStatus(status.data(), id_) < 0) return !forcesOff_;
     if (status[dhdForces] != 0) {
@@ -208,15 +208,15 @@ void DhdStylus::lose() noexcept {
     faults_.raise(DeviceFault::unplugged);
 }
 
-/// The looker's thread: while the device is away, opens it again and again.
-void DhdStylus::lookForIt() noexcept {
+/// The reconnecting thread: while the device is lost, opens it every half second.
+void DhdStylus::reconnectWhenLost() noexcept {
     sigset_t all;
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, nullptr); // they are the other threads'
     auto lookedAt = std::chrono::steady_clock::now();
     bool closed = false;
     while (!stop_.load(std::memory_order_relaxed)) {
-        std::this_thread::sleep_for(lookerPoll);
+        std::this_thread::sleep_for(reconnectPoll);
         const auto now = std::chrono::steady_clock::now();
         if (!lost_.load(std::memory_order_acquire) || now - lookedAt < std::chrono::duration<double>(lookEvery))
             continue;

@@ -24,11 +24,11 @@ enum class Initialisation { refuse, byItself };
 /// only does that. Thread: as Stylus says; `cutMotors` any.
 class DhdStylus final : public Stylus {
 public:
-    static constexpr unsigned char watchdog = 160;  ///< times dhdWatchdogTick: 20 ms
-    static constexpr int failuresUntilLost = 20;    ///< readings in a row
-    static constexpr int readingsBetweenLooks = 10; ///< at its state
-    static constexpr double retryAfter = 0.5;       ///< s from a cut by the device to the next try
-    static constexpr double lookEvery = 0.5;        ///< s
+    static constexpr unsigned char watchdog = 160;   ///< times dhdWatchdogTick: 20 ms
+    static constexpr int failuresUntilLost = 20;     ///< readings in a row
+    static constexpr int readingsBetweenChecks = 10; ///< at its state
+    static constexpr double retryAfter = 0.5;        ///< s from a cut by the device to the next try
+    static constexpr double lookEvery = 0.5;         ///< s
 
     /// Opens the device. Errors: deviceNotFound, deviceIncompatible (a model whose limits are not known).
     static Result<std::unique_ptr<Stylus>> connect(const DhdApi& api, DhdId id, Initialisation initialisation);
@@ -51,9 +51,9 @@ public:
 private:
     Result<void> initialise();
     void prepare() noexcept;
-    bool lookAtState(double time) noexcept;
+    bool checkState(double time) noexcept;
     void lose() noexcept;
-    void lookForIt() noexcept;
+    void reconnectWhenLost() noexcept;
     bool connectAgain() noexcept;
     Error refusal(TextId reason) const { return {ErrorCode::deviceFault, description_.name, {}, reason.text}; }
 
@@ -67,7 +67,7 @@ private:
     std::atomic<std::uint64_t> readings_{0};
     std::atomic<bool> lost_{false}, stop_{false};
     std::atomic<unsigned int> cuts_{0};
-    std::thread looker_;
+    std::thread reconnecting_;
     bool isOpen_ = false;
 
     unsigned int cutsAtRead_ = 0, cutsSeen_ = 0; ///< from here on the loop's

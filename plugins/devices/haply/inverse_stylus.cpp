@@ -149,7 +149,7 @@ bool InverseStylus::awaitAnswer(StylusClient& client) noexcept {
     const double since = now() - lateAfter;
     bool told = false;
     while (runs() && now() - since < brokenAfter) {
-        tellNothing(client);
+        tickWithoutReading(client);
         if (!told && now() - since > faultyAfter) {
             told = true;
             faults_.raise(DeviceFault::silent);
@@ -200,7 +200,7 @@ StylusState InverseStylus::stateOf(const ServiceState& said) noexcept {
     return state;
 }
 
-void InverseStylus::tellNothing(StylusClient& client) noexcept {
+void InverseStylus::tickWithoutReading(StylusClient& client) noexcept {
     StylusState state;
     state.time = now() - startedAt_;
     (void)client.tick(state);
@@ -213,7 +213,7 @@ void InverseStylus::waitForService(StylusClient& client) noexcept {
     use(nullptr);
     double lookedAt = now();
     while (runs() && connection_ == nullptr) {
-        tellNothing(client);
+        tickWithoutReading(client);
         if (now() - lookedAt >= lookEvery) {
             use(look());
             lookedAt = now();

@@ -59,7 +59,7 @@ private:
     bool readAnswer() noexcept;
     void watchForce(const glm::dvec3& sent) noexcept;
     StylusState stateOf(const ServiceState& said) noexcept;
-    void tellNothing(StylusClient& client) noexcept;
+    void tickWithoutReading(StylusClient& client) noexcept;
     void waitForService(StylusClient& client) noexcept;
     std::unique_ptr<ServiceConnection> look() noexcept;
     void use(std::unique_ptr<ServiceConnection> connection) noexcept;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int framesBetweenHeats = 100;
 constexpr std::chrono::milliseconds pollEvery{2};
-constexpr std::chrono::milliseconds lookerPoll{20};
+constexpr std::chrono::milliseconds reconnectPoll{20};
 
 double now() noexcept {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -102,7 +102,7 @@ Result<void> HdStylus::start(StylusClient& client) {
     forcesOff_ = true;
     frames_ = 0;
     try {
-        looker_ = std::thread([this] { lookForIt(); });
+        reconnecting_ = std::thread([this] { reconnectWhenLost(); });
     } catch (const std::system_error&) {
         return Error{ErrorCode::outOfMemory, name_, {}, "no thread"};
     }
@@ -114,7 +114,7 @@ Result<void> HdStylus::start(StylusClient& client) {
 void HdStylus::stop() noexcept {
     if (client_ == nullptr) return;
     stop_ = true;
-    looker_.join();
+    reconnecting_.join();
     const double until = now() + stopWithin;
     while (!ended_.load(std::memory_order_acquire) && now() < until) std::this_thread::sleep_for(pollEvery);
     const bool ended = ended_.load(std::memory_order_acquire);
@@ -148,7 +148,7 @@ bool HdStylus::frame() noexcept {
     }
     const double time = now() - startedAt_;
     if (lost_.load(std::memory_order_acquire)) {
-        tellNothing(time);
+        tickWithoutReading(time);
         return true;
     }
     const unsigned int cutsBefore = cuts_.load(std::memory_order_acquire);
@@ -178,7 +178,7 @@ void HdStylus::finish() noexcept {
     ended_.store(true, std::memory_order_release);
 }
 
-void HdStylus::tellNothing(double time) noexcept {
+void HdStylus::tickWithoutReading(double time) noexcept {
     StylusState state;
     state.time = time;
     (void)client_->tick(state);
@@ -232,21 +232,21 @@ void HdStylus::takeErrors(double time) noexcept {
     });
 }
 
-/// The looker's thread: while the device is away, connects it again and again.
-void HdStylus::lookForIt() noexcept {
+/// The reconnecting thread: while the device is lost, connects it every half second.
+void HdStylus::reconnectWhenLost() noexcept {
     sigset_t all;
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, nullptr); // they are the other threads'
     double lookedAt = now();
     while (!stops()) {
-        std::this_thread::sleep_for(lookerPoll);
+        std::this_thread::sleep_for(reconnectPoll);
         if (!lost_.load(std::memory_order_acquire) || now() - lookedAt < lookEvery) continue;
-        lookAgain();
+        reconnect();
         lookedAt = now();
     }
 }
 
-void HdStylus::lookAgain() noexcept {
+void HdStylus::reconnect() noexcept {
     try {
         disconnect();
         const auto prepare = [this]() -> Result<void> {

@@ -60,13 +60,13 @@ private:
     static unsigned int called(void* self) noexcept;
     bool frame() noexcept;
     void finish() noexcept;
-    void tellNothing(double time) noexcept;
+    void tickWithoutReading(double time) noexcept;
     StylusState read(double time) noexcept;
     void drive(const Wrench& wrench, unsigned int cutsBefore) noexcept;
     void takeErrors(double time) noexcept;
     void disconnect() noexcept;
-    void lookForIt() noexcept;
-    void lookAgain() noexcept;
+    void reconnectWhenLost() noexcept;
+    void reconnect() noexcept;
     bool stops() const noexcept { return stop_.load(std::memory_order_relaxed); }
 
     std::shared_ptr<HdLibrary> library_;
@@ -88,7 +88,7 @@ private:
     int frames_ = 0;
 
     HdScheduled scheduled_ = 0;
-    std::thread looker_;
+    std::thread reconnecting_;
 };
 
 /// Brings the current device to where its pose means something, where that needs no hand. Errors: deviceFault (it

@@ -56,19 +56,19 @@ private slots:
         TrialSettings settings;
         settings.seconds = 1.0;
         int told = 0;
-        settings.told = [&](const TrialFigures&) { ++told; };
+        settings.report = [&](const TrialFigures&) { ++told; };
         const Result<TrialFigures> figures = tryDevice(StylusHandle(stylus), settings, progress);
         QVERIFY(figures);
         QVERIFY2(figures->rate > 300.0 && figures->rate < 1010.0, qPrintable(QString::number(figures->rate)));
-        QVERIFY(figures->usualPause > 0.0005 && figures->usualPause < 0.005);
-        QVERIFY(figures->longestPause >= figures->usualPause);
+        QVERIFY(figures->medianInterval > 0.0005 && figures->medianInterval < 0.005);
+        QVERIFY(figures->maximumInterval >= figures->medianInterval);
         QCOMPARE(static_cast<int>(figures->readings + figures->invalid), stylus.readings);
         QCOMPARE(static_cast<int>(figures->invalid), stylus.readings / 10);
-        QCOMPARE(figures->least, glm::dvec3(0.0, -3.0, 7.0));
-        QVERIFY(figures->most.x <= 49.5 && figures->most.x > 48.0);
-        QCOMPARE(figures->finestStep, 0.5);
+        QCOMPARE(figures->lowest, glm::dvec3(0.0, -3.0, 7.0));
+        QVERIFY(figures->highest.x <= 49.5 && figures->highest.x > 48.0);
+        QCOMPARE(figures->smallestStep, 0.5);
         QCOMPARE(figures->buttons, 5U);
-        QCOMPARE(figures->largestForce, 0.0);
+        QCOMPARE(figures->maximumForce, 0.0);
         QCOMPARE(figures->faults.size(), std::size_t{1});
         QVERIFY(told >= 5);
         QVERIFY(stylus.opened == 1 && stylus.closed == 1);
@@ -89,7 +89,7 @@ private slots:
         for (const glm::dvec3& force : stylus.forces) {
             QVERIFY(force.x == 0.0 && force.y == 0.0 && force.z >= 0.0 && force.z <= 0.6 * 0.8 + 0.05);
             // A pause of the machine is a longer step; without one a thousandth of it a reading.
-            QVERIFY(force.z - before <= 0.8 * (figures->longestPause + 0.002));
+            QVERIFY(force.z - before <= 0.8 * (figures->maximumInterval + 0.002));
             before = force.z;
         }
         QCOMPARE(stylus.forces.back(), glm::dvec3(0.0));
@@ -145,8 +145,8 @@ private slots:
         const Result<TrialFigures> figures = tryDevice(StylusHandle(stylus), settings, progress);
         QVERIFY(figures);
         QVERIFY2(figures->rate > 100.0 && figures->rate < 255.0, qPrintable(QString::number(figures->rate)));
-        QCOMPARE(figures->finestStep, 0.25);
-        QVERIFY(std::abs(figures->largestTurn - 0.5) < 1e-9);
+        QCOMPARE(figures->smallestStep, 0.25);
+        QVERIFY(std::abs(figures->maximumRotation - 0.5) < 1e-9);
     }
 
     void itCanBeCancelledAndRefused() {
@@ -154,12 +154,12 @@ private slots:
         Progress progress;
         TrialSettings settings;
         settings.seconds = 3600.0;
-        settings.told = [&](const TrialFigures&) { progress.cancel(); };
+        settings.report = [&](const TrialFigures&) { progress.cancel(); };
         QCOMPARE(tryDevice(StylusHandle(stylus), settings, progress).error().code, ErrorCode::cancelled);
         QCOMPARE(stylus.closed, 1);
         stylus.refuses = true;
         Progress again;
-        settings.told = {};
+        settings.report = {};
         QVERIFY(!tryDevice(StylusHandle(stylus), settings, again));
         settings.seconds = 0.0;
         QCOMPARE(tryDevice(StylusHandle(stylus), settings, again).error().code, ErrorCode::argumentInvalid);
