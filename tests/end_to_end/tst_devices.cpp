@@ -41,7 +41,7 @@ private slots:
             {"devices", "--test", "openhaptics:Default Device", "--seconds", "2.5", "--force", "0.5", "--json"});
         QVERIFY2(run.status == 0, run.messages.constData());
         const QJsonObject test = run.json()["test"].toObject();
-        QVERIFY(test["readings"].toInt() > 1000);
+        QVERIFY(test["readings"].toInt() > 100);
         QCOMPARE(test["buttons_pressed"].toInt(), 1);
         QCOMPARE(test["force_max_n"].toDouble(), 0.5);
         QVERIFY(std::abs(test["position_max_mm"][0].toDouble() - 10.0) < 0.1);
