@@ -688,8 +688,8 @@
         <translation>&amp;Geräte…</translation>
     </message>
     <message>
-        <source>Look at the styluses that are there, and test them before you mill.</source>
-        <translation>Die vorhandenen Eingabestifte ansehen und vor dem Fräsen testen.</translation>
+        <source>List the styluses that were found, and test them before milling.</source>
+        <translation>Gefundene Eingabestifte auflisten und vor dem Fräsen testen.</translation>
     </message>
 </context>
 <context>
@@ -888,58 +888,6 @@
     <message>
         <source>report   %1</source>
         <translation>Bericht  %1</translation>
-    </message>
-    <message>
-        <source>rate</source>
-        <translation>Rate</translation>
-    </message>
-    <message>
-        <source>delay</source>
-        <translation>Verzögerung</translation>
-    </message>
-    <message>
-        <source>maximum force</source>
-        <translation>größte Kraft</translation>
-    </message>
-    <message>
-        <source>continuous force</source>
-        <translation>Dauerkraft</translation>
-    </message>
-    <message>
-        <source>maximum torque</source>
-        <translation>größtes Drehmoment</translation>
-    </message>
-    <message>
-        <source>maximum stiffness</source>
-        <translation>größte Steifigkeit</translation>
-    </message>
-    <message>
-        <source>maximum damping</source>
-        <translation>größte Dämpfung</translation>
-    </message>
-    <message>
-        <source>maximum rotational stiffness</source>
-        <translation>größte Drehsteifigkeit</translation>
-    </message>
-    <message>
-        <source>workspace radius</source>
-        <translation>Radius des Arbeitsraums</translation>
-    </message>
-    <message>
-        <source>position step</source>
-        <translation>Positionsauflösung</translation>
-    </message>
-    <message>
-        <source>rotation step</source>
-        <translation>Winkelauflösung</translation>
-    </message>
-    <message>
-        <source>maximum speed</source>
-        <translation>größte Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>mass of the handle</source>
-        <translation>Masse des Griffs</translation>
     </message>
     <message>
         <source>mode %1: %2</source>
@@ -1790,36 +1738,12 @@
         <translation>etwa %1 mm in %2 s mit dem Vorschub von Werkzeug und Werkstoff, ohne Verbindungen</translation>
     </message>
     <message>
-        <source>no button was pressed</source>
-        <translation>keine Taste wurde gedrückt</translation>
-    </message>
-    <message>
-        <source>buttons pressed: %1</source>
-        <translation>gedrückte Tasten: %1</translation>
-    </message>
-    <message>
-        <source>%1 readings were not valid</source>
-        <translation>%1 Messwerte waren ungültig</translation>
-    </message>
-    <message>
         <source>Testing the device</source>
         <translation>Das Gerät wird getestet</translation>
     </message>
     <message>
         <source>no value, unless --stylus is a device or a trace that does not state how much of the cutting force was felt</source>
         <translation>kein Wert, außer wenn --stylus ein Gerät ist oder eine Spur, die nicht angibt, wie viel der Schnittkraft zu spüren war</translation>
-    </message>
-    <message>
-        <source>%1 readings in %2 s: %3 Hz; interval: median %4 ms, maximum %5 ms</source>
-        <translation>%1 Messwerte in %2 s: %3 Hz; Abstand: Median %4 ms, höchstens %5 ms</translation>
-    </message>
-    <message>
-        <source>motion %1 × %2 × %3 mm, smallest step %4 mm, rotation %5°</source>
-        <translation>Bewegung %1 × %2 × %3 mm, kleinster Schritt %4 mm, Drehung %5°</translation>
-    </message>
-    <message>
-        <source>maximum force %1 N</source>
-        <translation>größte Kraft %1 N</translation>
     </message>
 </context>
 <context>
@@ -3312,14 +3236,6 @@
         <translation>Die Kappe gibt die Position vor</translation>
     </message>
     <message>
-        <source>Only when it is calibrated</source>
-        <translation>Nur wenn es kalibriert ist</translation>
-    </message>
-    <message>
-        <source>It may move by itself to calibrate</source>
-        <translation>Es darf sich zum Kalibrieren selbst bewegen</translation>
-    </message>
-    <message>
         <source>CHAI3D 3.3, table of devices</source>
         <translation>CHAI3D 3.3, Gerätetabelle</translation>
     </message>
@@ -3336,16 +3252,24 @@
         <translation>Haplys Anleitung</translation>
     </message>
     <message>
-        <source>an estimate of Burin, on the safe side</source>
-        <translation>eine Schätzung von Burin, auf der sicheren Seite</translation>
-    </message>
-    <message>
-        <source>Burin&apos;s own rate</source>
-        <translation>Burins eigener Takt</translation>
-    </message>
-    <message>
         <source>one message of the service</source>
         <translation>eine Nachricht des Dienstes</translation>
+    </message>
+    <message>
+        <source>Calibrated devices only</source>
+        <translation>Nur wenn kalibriert</translation>
+    </message>
+    <message>
+        <source>Self-calibrating: the device moves by itself</source>
+        <translation>Selbstkalibrierend: das Gerät bewegt sich von selbst</translation>
+    </message>
+    <message>
+        <source>conservative estimate</source>
+        <translation>vorsichtige Schätzung</translation>
+    </message>
+    <message>
+        <source>set by Burin</source>
+        <translation>von Burin vorgegeben</translation>
     </message>
 </context>
 <context>
@@ -3411,14 +3335,6 @@
         <translation>der Rechner reagierte nicht, deshalb wurden die Motoren abgeschaltet</translation>
     </message>
     <message>
-        <source>Burin does not know its limits</source>
-        <translation>Burin kennt seine Grenzen nicht</translation>
-    </message>
-    <message>
-        <source>it is not calibrated; choose the mode in which it does so by itself</source>
-        <translation>es ist nicht kalibriert; die Betriebsart wählen, in der es das selbst tut</translation>
-    </message>
-    <message>
         <source>another program uses it</source>
         <translation>ein anderes Programm benutzt es</translation>
     </message>
@@ -3427,44 +3343,20 @@
         <translation>OpenHaptics hat keine Lizenz</translation>
     </message>
     <message>
-        <source>its pen has to be put into the inkwell first</source>
-        <translation>sein Stift muss erst in die Halterung gesteckt werden</translation>
+        <source>its model is not supported</source>
+        <translation>sein Modell wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>it is not calibrated; choose its self-calibrating mode</source>
+        <translation>es ist nicht kalibriert; die selbstkalibrierende Betriebsart wählen</translation>
+    </message>
+    <message>
+        <source>put its stylus into the inkwell to calibrate it</source>
+        <translation>zum Kalibrieren den Stift in die Halterung stecken</translation>
     </message>
 </context>
 <context>
     <name>DeviceWords</name>
-    <message>
-        <source>none yet</source>
-        <translation>noch keine</translation>
-    </message>
-    <message>
-        <source>Axes sensed: %1, driven: %2; buttons: %3</source>
-        <translation>Achsen erfasst: %1, angetrieben: %2; Tasten: %3</translation>
-    </message>
-    <message>
-        <source>Maximum force</source>
-        <translation>Größte Kraft</translation>
-    </message>
-    <message>
-        <source>Continuous force</source>
-        <translation>Dauerkraft</translation>
-    </message>
-    <message>
-        <source>Maximum torque</source>
-        <translation>Größtes Drehmoment</translation>
-    </message>
-    <message>
-        <source>Maximum stiffness</source>
-        <translation>Größte Steifigkeit</translation>
-    </message>
-    <message>
-        <source>Maximum damping</source>
-        <translation>Größte Dämpfung</translation>
-    </message>
-    <message>
-        <source>Workspace radius</source>
-        <translation>Radius des Arbeitsraums</translation>
-    </message>
     <message>
         <source>Position: X %1, Y %2, Z %3 mm</source>
         <translation>Position: X %1, Y %2, Z %3 mm</translation>
@@ -3478,20 +3370,8 @@
         <translation>Akku: %1 %</translation>
     </message>
     <message>
-        <source>Device rate</source>
-        <translation>Takt des Geräts</translation>
-    </message>
-    <message>
         <source>Rate: %1 Hz; interval: median %2 ms, maximum %3 ms</source>
         <translation>Takt: %1 Hz; Abstand: Median %2 ms, höchstens %3 ms</translation>
-    </message>
-    <message>
-        <source>Motion so far: %1 × %2 × %3 mm; smallest step %4 mm</source>
-        <translation>Bewegung bisher: %1 × %2 × %3 mm; kleinster Schritt %4 mm</translation>
-    </message>
-    <message>
-        <source>Rotation so far: %1°</source>
-        <translation>Drehung bisher: %1°</translation>
     </message>
     <message>
         <source>Maximum force commanded: %1 N</source>
@@ -3504,6 +3384,74 @@
     <message>
         <source>Invalid readings: %1</source>
         <translation>Ungültige Messwerte: %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>maximum force</source>
+        <translation>größte Kraft</translation>
+    </message>
+    <message>
+        <source>continuous force</source>
+        <translation>Dauerkraft</translation>
+    </message>
+    <message>
+        <source>maximum torque</source>
+        <translation>größtes Drehmoment</translation>
+    </message>
+    <message>
+        <source>maximum stiffness</source>
+        <translation>größte Steifigkeit</translation>
+    </message>
+    <message>
+        <source>maximum damping</source>
+        <translation>größte Dämpfung</translation>
+    </message>
+    <message>
+        <source>maximum rotational stiffness</source>
+        <translation>größte Drehsteifigkeit</translation>
+    </message>
+    <message>
+        <source>workspace radius</source>
+        <translation>Radius des Arbeitsraums</translation>
+    </message>
+    <message>
+        <source>position step</source>
+        <translation>Positionsauflösung</translation>
+    </message>
+    <message>
+        <source>rotation step</source>
+        <translation>Winkelauflösung</translation>
+    </message>
+    <message>
+        <source>maximum speed</source>
+        <translation>größte Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>mass of the handle</source>
+        <translation>Masse des Griffs</translation>
+    </message>
+    <message>
+        <source>axes: %1 sensed, %2 driven; buttons: %3</source>
+        <translation>Achsen: %1 erfasst, %2 angetrieben; Tasten: %3</translation>
+    </message>
+    <message>
+        <source>Motion: %1 × %2 × %3 mm; smallest step %4 mm</source>
+        <translation>Bewegung: %1 × %2 × %3 mm; kleinster Schritt %4 mm</translation>
+    </message>
+    <message>
+        <source>Rotation: %1°</source>
+        <translation>Drehung: %1°</translation>
     </message>
 </context>
 <context>
@@ -8425,10 +8373,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Testkraft</translation>
     </message>
     <message>
-        <source>The device pushes up with it while you hold its first button, faded in over a second; at most a fifth of what it can do. 0: its motors stay off</source>
-        <translation>Damit drückt das Gerät nach oben, solange Sie seine erste Taste halten, über eine Sekunde eingeblendet; höchstens ein Fünftel dessen, was es kann. 0: seine Motoren bleiben aus</translation>
-    </message>
-    <message>
         <source>Test</source>
         <translation>Testen</translation>
     </message>
@@ -8453,10 +8397,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Bibliothek fehlt</translation>
     </message>
     <message>
-        <source>End milling first.</source>
-        <translation>Zuerst das Fräsen beenden.</translation>
-    </message>
-    <message>
         <source>Stop the test</source>
         <translation>Test beenden</translation>
     </message>
@@ -8469,16 +8409,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Spürbare Schnittkraft</translation>
     </message>
     <message>
-        <source>1: the hardest material&apos;s usual cut gives 60 % of the force that the device can do; 0: cutting is not felt, only the part is</source>
-        <translation>1: der übliche Schnitt im härtesten Werkstoff ergibt 60 % der Kraft, die das Gerät kann; 0: das Schneiden ist nicht zu spüren, nur das Teil</translation>
-    </message>
-    <message>
         <source>Friction felt</source>
         <translation>Spürbare Reibung</translation>
-    </message>
-    <message>
-        <source>Coefficient of the tool on what it slides on without cutting it</source>
-        <translation>Reibungszahl des Werkzeugs auf dem, worauf es gleitet, ohne es zu schneiden</translation>
     </message>
     <message>
         <source>Mill with this device</source>
@@ -8503,6 +8435,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Move the device through its whole workspace and press every button.</source>
         <translation>Das Gerät durch seinen ganzen Arbeitsraum bewegen und jede Taste drücken.</translation>
+    </message>
+    <message>
+        <source>The device pushes up with this force while you hold its first button. It fades in over one second and is limited to a fifth of the maximum force. 0: motors off</source>
+        <translation>Mit dieser Kraft drückt das Gerät nach oben, solange Sie seine erste Taste halten. Sie wird über eine Sekunde eingeblendet und ist auf ein Fünftel der größten Kraft begrenzt. 0: Motoren aus</translation>
+    </message>
+    <message>
+        <source>1: a reference cut in the hardest material gives 60 % of the maximum force. 0: only the part is felt, not the cutting</source>
+        <translation>1: ein Referenzschnitt im härtesten Werkstoff ergibt 60 % der größten Kraft. 0: nur das Teil ist zu spüren, nicht das Schneiden</translation>
+    </message>
+    <message>
+        <source>Friction coefficient where the tool slides without cutting</source>
+        <translation>Reibungszahl, wo das Werkzeug gleitet, ohne zu schneiden</translation>
+    </message>
+    <message>
+        <source>Stop milling first.</source>
+        <translation>Zuerst das Fräsen beenden.</translation>
     </message>
 </context>
 <context>

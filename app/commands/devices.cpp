@@ -2,50 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
 #include "app/wording.h"
-#include "core/base/numbers.h"
 #include "core/device/device_registry.h"
 #include "core/device/device_trial.h"
 #include "core/device/stylus_handle.h"
 #include "ui/messages/messages.h"
+#include "ui/panels/device_words.h"
 
-#include <array>
+#include <QLocale>
 
 namespace burin {
 
 namespace {
 
 using nlohmann::json;
-
-/// A value of a description, as people and JSON name it.
-struct Limit {
-    std::string name; ///< of JSON, with its unit
-    TextId label;
-    std::string unit;
-    double value;
-    std::string source;
-};
-
-template <UnitName unit>
-Limit limit(const char* name, TextId label, const Figure<unit>& figure) {
-    return {name, label, std::string(Figure<unit>::unit), figure.value, figure.source};
-}
-
-std::vector<Limit> limitsOf(const StylusDescription& stylus) {
-    return {limit("rate_hz", BURIN_TEXT("Command", "rate"), stylus.rate),
-            limit("delay_s", BURIN_TEXT("Command", "delay"), stylus.delay),
-            limit("force_max_n", BURIN_TEXT("Command", "maximum force"), stylus.maximumForce),
-            limit("force_continuous_n", BURIN_TEXT("Command", "continuous force"), stylus.continuousForce),
-            limit("torque_max_n_mm", BURIN_TEXT("Command", "maximum torque"), stylus.maximumTorque),
-            limit("stiffness_max_n_per_m", BURIN_TEXT("Command", "maximum stiffness"), stylus.maximumStiffness),
-            limit("damping_max_n_s_per_m", BURIN_TEXT("Command", "maximum damping"), stylus.maximumDamping),
-            limit("turning_stiffness_max_n_mm_per_rad", BURIN_TEXT("Command", "maximum rotational stiffness"),
-                  stylus.maximumTurningStiffness),
-            limit("workspace_radius_mm", BURIN_TEXT("Command", "workspace radius"), stylus.workspaceRadius),
-            limit("position_step_mm", BURIN_TEXT("Command", "position step"), stylus.positionStep),
-            limit("rotation_step_rad", BURIN_TEXT("Command", "rotation step"), stylus.rotationStep),
-            limit("speed_max_mm_per_s", BURIN_TEXT("Command", "maximum speed"), stylus.maximumSpeed),
-            limit("handle_mass_kg", BURIN_TEXT("Command", "mass of the handle"), stylus.handleMass)};
-}
 
 json jsonOf(const DeviceHealth& health) {
     return {{"connected", health.connected},
@@ -66,9 +35,8 @@ json jsonOf(const FoundDevice& device) {
 
 json jsonOf(const StylusDescription& stylus) {
     json limits = json::object();
-    for (const Limit& limit : limitsOf(stylus))
-        if (limit.value > 0.0)
-            limits[limit.name] = {{"value", limit.value}, {"unit", limit.unit}, {"source", limit.source}};
+    for (const DeviceLimit& limit : limitsOf(stylus))
+        limits[limit.name] = {{"value", limit.value}, {"unit", limit.unit}, {"source", limit.source}};
     return {{"translations_sensed", stylus.sensed.translations},
             {"rotations_sensed", stylus.sensed.rotations},
             {"translations_driven", stylus.actuated.translations},
@@ -82,10 +50,7 @@ std::string textOf(const FoundDevice& device, const StylusDescription& stylus) {
     std::string text = device.id + ": " + device.name;
     for (const DeviceMode& mode : device.modes)
         text += "\n  " + worded(BURIN_TEXT("Command", "mode %1: %2"), {mode.id, worded(mode.name)});
-    for (const Limit& limit : limitsOf(stylus))
-        if (limit.value > 0.0)
-            text += "\n  " + worded(limit.label) + " " + formatShortest(limit.value) + " " + limit.unit + " (" +
-                    worded({"Device", limit.source.c_str()}) + ")";
+    for (const QString& line : limitLines(stylus, QLocale::c())) text += "\n  " + line.toStdString();
     return text;
 }
 
@@ -108,8 +73,8 @@ struct TrialArguments {
     TrialSettings settings;
 };
 
-json jsonOf(const glm::dvec3& place) {
-    return {place.x, place.y, place.z};
+json jsonOf(const glm::dvec3& vector) {
+    return {vector.x, vector.y, vector.z};
 }
 
 json jsonOf(const TrialFigures& figures) {
@@ -131,28 +96,6 @@ json jsonOf(const TrialFigures& figures) {
             {"faults", faults}};
 }
 
-std::string textOf(const TrialFigures& figures) {
-    const auto rounded = [](double value, int digits) { return formatFixed(value, digits); };
-    std::string text =
-        worded(BURIN_TEXT("Command", "%1 readings in %2 s: %3 Hz; interval: median %4 ms, maximum %5 ms"),
-               {std::to_string(figures.readings), rounded(figures.seconds, 2), rounded(figures.rate, 1),
-                rounded(1e3 * figures.medianInterval, 2), rounded(1e3 * figures.maximumInterval, 2)});
-    const glm::dvec3 span = figures.highest - figures.lowest;
-    text += "\n" + worded(BURIN_TEXT("Command", "motion %1 × %2 × %3 mm, smallest step %4 mm, rotation %5°"),
-                          {rounded(span.x, 1), rounded(span.y, 1), rounded(span.z, 1), rounded(figures.smallestStep, 4),
-                           rounded(glm::degrees(figures.maximumRotation), 0)});
-    std::string pressed;
-    for (unsigned int i = 0; i < 32; ++i)
-        if ((figures.buttons >> i & 1U) != 0) pressed += (pressed.empty() ? "" : ", ") + std::to_string(i + 1);
-    text += "\n" + (pressed.empty() ? worded(BURIN_TEXT("Command", "no button was pressed"))
-                                    : worded(BURIN_TEXT("Command", "buttons pressed: %1"), {pressed}));
-    text += "\n" + worded(BURIN_TEXT("Command", "maximum force %1 N"), {rounded(figures.maximumForce, 2)});
-    if (figures.invalid > 0)
-        text += "\n" + worded(BURIN_TEXT("Command", "%1 readings were not valid"), {std::to_string(figures.invalid)});
-    for (const Error& fault : figures.faults) text += "\n" + Messages::sentence(fault).toStdString();
-    return text;
-}
-
 /// Tests one device; status 1 if it had faults or gave no valid reading.
 int runTrial(CommandContext& context, const TrialArguments& arguments) {
     DeviceRegistry registry;
@@ -165,7 +108,8 @@ int runTrial(CommandContext& context, const TrialArguments& arguments) {
     context.stage(BURIN_TEXT("Command", "Testing the device"));
     const Result<TrialFigures> figures = tryDevice(StylusHandle(*stylus), arguments.settings, context.progress());
     if (!figures) return context.fail(figures.error());
-    context.answer({{"device", device->id}, {"test", jsonOf(*figures)}}, textOf(*figures));
+    context.answer({{"device", device->id}, {"test", jsonOf(*figures)}},
+                   trialLines(*figures, QLocale::c()).join(QLatin1Char('\n')).toStdString());
     return figures->faults.empty() && figures->readings > 0 ? 0 : 1;
 }
 

@@ -52,9 +52,9 @@ enum class ErrorCode : std::uint16_t {
     deviceIncompatible,   ///< subject: device; place: its protocol; detail: ours
     deviceLibraryMissing, ///< subject: whose devices; place: the library and what it comes with; detail: folders that
                           ///< were looked in
-    deviceLibraryUnfit,   ///< subject: file; place: what shows it, a function that is missing or its version; detail:
-                          ///< what
-                          ///< Burin needs
+    deviceLibraryUnfit,   ///< subject: file; place: a function that
+                          ///< is missing, or its version; detail:
+                          ///< what Burin needs
     traceInvalid,         ///< subject: file; place: line
     // project
     projectNotBurin,    ///< subject: file

@@ -4,6 +4,7 @@
 
 #include "core/base/mailbox.h"
 #include "core/base/numbers.h"
+#include "core/device/device_thread.h"
 
 #include <algorithm>
 #include <array>
@@ -25,10 +26,6 @@ constexpr double period = 0.001;    // s, of a stylus without a clock of its own
 constexpr std::chrono::milliseconds reportEvery{100};
 constexpr std::size_t bins = 2000; // of intervals, 10 µs each
 constexpr double binSeconds = 1e-5;
-
-double now() noexcept {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// Measurements so far, as the reading thread hands them over.
 struct Gathered {
@@ -76,7 +73,7 @@ public:
 
     /// The thread that reads. @return what to render
     Wrench take(const StylusState& state) noexcept {
-        const double at = now();
+        const double at = steadySeconds();
         noteTime(at);
         if (state.valid)
             notePose(state);
@@ -151,10 +148,10 @@ class Reader {
 public:
     Reader(Stylus& stylus, Gathering& gathering)
         : thread_([&](const std::stop_token& stop) {
-            const double start = now();
+            const double start = steadySeconds();
             auto due = std::chrono::steady_clock::now();
             while (!stop.stop_requested()) {
-                stylus.write(gathering.take(stylus.read(now() - start)));
+                stylus.write(gathering.take(stylus.read(steadySeconds() - start)));
                 due = std::max(due + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                          std::chrono::duration<double>(period)),
                                std::chrono::steady_clock::now());
@@ -211,11 +208,12 @@ Result<TrialFigures> tryDevice(const StylusHandle& stylus, const TrialSettings& 
         } else {
             reader.emplace(*stylus.called(), *gathering);
         }
-        const double start = now();
-        for (double passed = 0.0; passed < settings.seconds && !progress.cancelled(); passed = now() - start) {
+        const double start = steadySeconds();
+        for (double passed = 0.0; passed < settings.seconds && !progress.cancelled();
+             passed = steadySeconds() - start) {
             const std::chrono::duration<double> rest(settings.seconds - passed);
             std::this_thread::sleep_for(std::min<std::chrono::duration<double>>(rest, reportEvery));
-            progress.report((now() - start) / settings.seconds);
+            progress.report((steadySeconds() - start) / settings.seconds);
             if (settings.report) settings.report(look());
         }
         if (SelfPacedStylus* paced = stylus.selfPaced()) paced->stop();

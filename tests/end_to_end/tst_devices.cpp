@@ -47,7 +47,7 @@ private slots:
         QVERIFY(std::abs(test["position_max_mm"][0].toDouble() - 10.0) < 0.1);
         QVERIFY(std::abs(test["position_min_mm"][1].toDouble() + 10.0) < 0.1);
         const ProgramRun text = runBurin({"devices", "--test", "3D Systems: Default Device", "--seconds", "1"});
-        QVERIFY2(text.output.contains("Hz") && text.output.contains("buttons pressed: 1"), text.output.constData());
+        QVERIFY2(text.output.contains("Hz") && text.output.contains("Buttons pressed: 1"), text.output.constData());
     }
 
     void whatItMayNotDoIsRefused() {

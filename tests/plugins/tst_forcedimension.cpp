@@ -3,12 +3,11 @@
 #include "core/device/stylus_handle.h"
 #include "plugins/devices/force_dimension/dhd_stylus.h"
 #include "plugins/devices/force_dimension/driver.h"
-#include "tests/core/haptics/replayed_session.h"
 #include "tests/long_run.h"
 #include "tests/places.h"
-#include "tests/plugins/contact_through.h"
 #include "tests/plugins/stand_ins/dhd_stand_in.h"
 #include "tests/plugins/stand_ins/stand_in.h"
+#include "tests/plugins/through_driver.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -121,11 +120,16 @@ private slots:
         QCOMPARE(told.maximumForce.value, 12.0);
         QCOMPARE(told.maximumTorque.value, 200.0); // N·mm
         QVERIFY(checkDescription(told));
+        DhdDevice lambda; // the stiffness that its wrist bears is not known
+        lambda.type = 108;
+        lambda.wrist = lambda.activeWrist = true;
+        plug(lambda);
+        QVERIFY(stylus("1")->description().actuated == (Freedoms{3, 0}));
         DhdDevice unknown;
         unknown.type = 999;
         plug(unknown);
-        QCOMPARE(driver_->make("1", {}).error().code, ErrorCode::deviceFault);
-        QVERIFY(!dhdStandIn().devices[1].open);
+        QCOMPARE(driver_->make("2", {}).error().code, ErrorCode::deviceFault);
+        QVERIFY(!dhdStandIn().devices[2].open);
     }
 
     void itsOwnGuardsAreSetBeforeItsForces() {
@@ -299,6 +303,9 @@ private slots:
         QCOMPARE(felt(device).z, 0.0);
         pen->write(upward(1.0));
         QCOMPARE(device.asked[2], 0.0);
+        device.asked[2] = 1.0; // as if that had been lost
+        QVERIFY(pen->read(0.2).valid);
+        QVERIFY(device.forcesOn && device.asked[2] == 0.0); // on again, from none
         tick(*pen, upward(1.0));
         QCOMPARE(felt(device).z, 1.0);
     }
@@ -368,32 +375,11 @@ private slots:
         DhdDevice& device = plug();
         const auto pen = stylus();
         QVERIFY(pen->open());
-        QTemporaryDir folder;
-        HapticSettings settings;
-        settings.stylus = pen->description();
-        settings.rampSeconds = 0.05;
-        settings.mapping.origin = {0.0, 0.0, 5.0}; // above the stock
-        const std::filesystem::path file = folder.filePath("trace.csv").toStdString();
-        RecordedSession original;
-        {
-            const std::jthread mover([&](const std::stop_token& stop) {
-                for (int i = 0; !stop.stop_requested(); ++i) {
-                    {
-                        const std::lock_guard lock(dhdStandIn().mutex);
-                        const double time = 0.001 * i;
-                        moveTo(device, {6.0 * std::sin(8.0 * time), 6.0 * (1.0 - std::cos(8.0 * time)),
-                                        -std::min(60.0 * std::max(0.0, time - 0.05), 17.0)});
-                    }
-                    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-                }
-            });
-            original = recordSession(*pen, settings, file, 1.2);
-        }
-        pen->close();
-        const std::string difference = differenceOf(original, replaySession(settings, file));
-        QVERIFY2(difference.empty(), difference.c_str());
-        const SessionEvents events = eventsOf(original.samples);
-        QVERIFY(events.cut > 50 && events.held > 20 && events.felt > 20);
+        const QString said = sessionThroughDriver(*pen, [&](const glm::dvec3& place) {
+            const std::lock_guard lock(dhdStandIn().mutex);
+            moveTo(device, place);
+        });
+        QVERIFY2(said.isEmpty(), qPrintable(said));
     }
 };
 

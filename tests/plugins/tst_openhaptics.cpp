@@ -5,12 +5,11 @@
 #include "plugins/devices/openhaptics/hd_description.h"
 #include "plugins/devices/openhaptics/hd_faults.h"
 #include "plugins/devices/openhaptics/hd_stylus.h"
-#include "tests/core/haptics/replayed_session.h"
 #include "tests/long_run.h"
 #include "tests/places.h"
-#include "tests/plugins/contact_through.h"
 #include "tests/plugins/stand_ins/hd_stand_in.h"
 #include "tests/plugins/stand_ins/stand_in.h"
+#include "tests/plugins/through_driver.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -402,31 +401,11 @@ private slots:
         HdDevice& device = plug();
         hdStandIn().byHand = false;
         const auto pen = stylus();
-        QTemporaryDir folder;
-        HapticSettings settings;
-        settings.stylus = pen->description();
-        settings.rampSeconds = 0.05;
-        settings.mapping.origin = {0.0, 0.0, 5.0}; // above the stock
-        const std::filesystem::path file = folder.filePath("trace.csv").toStdString();
-        RecordedSession original;
-        {
-            const std::jthread mover([&](const std::stop_token& stop) {
-                for (int i = 0; !stop.stop_requested(); ++i) {
-                    {
-                        const std::lock_guard lock(hdStandIn().mutex);
-                        const double time = 0.001 * i;
-                        moveTo(device, {6.0 * std::sin(8.0 * time), 6.0 * (1.0 - std::cos(8.0 * time)),
-                                        -std::min(60.0 * std::max(0.0, time - 0.05), 17.0)});
-                    }
-                    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-                }
-            });
-            original = recordSession(*pen, settings, file, 1.2);
-        }
-        const std::string difference = differenceOf(original, replaySession(settings, file));
-        QVERIFY2(difference.empty(), difference.c_str());
-        const SessionEvents events = eventsOf(original.samples);
-        QVERIFY(events.cut > 50 && events.held > 20 && events.felt > 20);
+        const QString said = sessionThroughDriver(*pen, [&](const glm::dvec3& place) {
+            const std::lock_guard lock(hdStandIn().mutex);
+            moveTo(device, place);
+        });
+        QVERIFY2(said.isEmpty(), qPrintable(said));
     }
 };
 

@@ -212,7 +212,7 @@ constexpr std::array rows{
     Row{ActionId::machines, "machinesAction", QT_TRANSLATE_NOOP("Actions", "&Machines…"),
         QT_TRANSLATE_NOOP("Actions", "Look at the machines; copy, change and delete your own."), "Ctrl+Shift+M"},
     Row{ActionId::devices, "devicesAction", QT_TRANSLATE_NOOP("Actions", "De&vices…"),
-        QT_TRANSLATE_NOOP("Actions", "Look at the styluses that are there, and test them before you mill."),
+        QT_TRANSLATE_NOOP("Actions", "List the styluses that were found, and test them before milling."),
         "Ctrl+Shift+Y"},
     Row{ActionId::welcome, "welcomeAction", QT_TRANSLATE_NOOP("Actions", "&Welcome page"),
         QT_TRANSLATE_NOOP("Actions", "Show how to begin."), "F1"},

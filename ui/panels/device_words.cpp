@@ -3,58 +3,72 @@
 #include "ui/panels/device_words.h"
 
 #include "ui/messages/messages.h"
-#include "ui/panels/quantity.h"
 
 #include <QCoreApplication>
+
+#include <array>
 
 namespace burin {
 
 namespace {
+
+constexpr double milliseconds = 1e3, percent = 100.0;
 
 QString words(const char* text) {
     return QCoreApplication::translate("DeviceWords", text);
 }
 
 template <UnitName unit>
-void addLimit(QStringList& lines, const char* label, const Figure<unit>& figure) {
-    if (figure.value <= 0.0) return;
-    const std::string_view name = Figure<unit>::unit;
-    lines << QStringLiteral("%1: %2 %3")
-                 .arg(words(label), QLocale().toString(figure.value, 'g', 4),
-                      QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
-}
-
-QString number(double value, int digits) {
-    return QLocale().toString(value, 'f', digits);
+DeviceLimit row(const char* name, TextId label, const Figure<unit>& figure) {
+    return {name, label, std::string(Figure<unit>::unit), figure.value, figure.source};
 }
 
 QString pressed(std::uint32_t buttons) {
     QStringList numbers;
     for (unsigned int i = 0; i < 32; ++i)
         if ((buttons >> i & 1U) != 0) numbers << QString::number(i + 1);
-    return numbers.isEmpty() ? words(QT_TRANSLATE_NOOP("DeviceWords", "none yet")) : numbers.join(QStringLiteral(", "));
+    return numbers.isEmpty() ? words(QT_TRANSLATE_NOOP("DeviceWords", "none")) : numbers.join(QStringLiteral(", "));
 }
 
 } // namespace
 
-QStringList limitLines(const StylusDescription& stylus) {
+std::vector<DeviceLimit> limitsOf(const StylusDescription& stylus) {
+    std::vector<DeviceLimit> limits{
+        row("rate_hz", BURIN_TEXT("DeviceWords", "rate"), stylus.rate),
+        row("delay_s", BURIN_TEXT("DeviceWords", "delay"), stylus.delay),
+        row("force_max_n", BURIN_TEXT("DeviceWords", "maximum force"), stylus.maximumForce),
+        row("force_continuous_n", BURIN_TEXT("DeviceWords", "continuous force"), stylus.continuousForce),
+        row("torque_max_n_mm", BURIN_TEXT("DeviceWords", "maximum torque"), stylus.maximumTorque),
+        row("stiffness_max_n_per_m", BURIN_TEXT("DeviceWords", "maximum stiffness"), stylus.maximumStiffness),
+        row("damping_max_n_s_per_m", BURIN_TEXT("DeviceWords", "maximum damping"), stylus.maximumDamping),
+        row("turning_stiffness_max_n_mm_per_rad", BURIN_TEXT("DeviceWords", "maximum rotational stiffness"),
+            stylus.maximumTurningStiffness),
+        row("workspace_radius_mm", BURIN_TEXT("DeviceWords", "workspace radius"), stylus.workspaceRadius),
+        row("position_step_mm", BURIN_TEXT("DeviceWords", "position step"), stylus.positionStep),
+        row("rotation_step_rad", BURIN_TEXT("DeviceWords", "rotation step"), stylus.rotationStep),
+        row("speed_max_mm_per_s", BURIN_TEXT("DeviceWords", "maximum speed"), stylus.maximumSpeed),
+        row("handle_mass_kg", BURIN_TEXT("DeviceWords", "mass of the handle"), stylus.handleMass)};
+    std::erase_if(limits, [](const DeviceLimit& limit) { return limit.value <= 0.0; });
+    return limits;
+}
+
+QStringList limitLines(const StylusDescription& stylus, const QLocale& locale) {
+    QLocale plain = locale;
+    plain.setNumberOptions(QLocale::OmitGroupSeparator);
     QStringList lines;
-    lines << words(QT_TRANSLATE_NOOP("DeviceWords", "Axes sensed: %1, driven: %2; buttons: %3"))
+    lines << words(QT_TRANSLATE_NOOP("DeviceWords", "axes: %1 sensed, %2 driven; buttons: %3"))
                  .arg(stylus.sensed.translations + stylus.sensed.rotations)
                  .arg(stylus.actuated.translations + stylus.actuated.rotations)
                  .arg(stylus.buttons);
-    addLimit(lines, QT_TRANSLATE_NOOP("DeviceWords", "Maximum force"), stylus.maximumForce);
-    addLimit(lines, QT_TRANSLATE_NOOP("DeviceWords", "Continuous force"), stylus.continuousForce);
-    addLimit(lines, QT_TRANSLATE_NOOP("DeviceWords", "Maximum torque"), stylus.maximumTorque);
-    addLimit(lines, QT_TRANSLATE_NOOP("DeviceWords", "Maximum stiffness"), stylus.maximumStiffness);
-    addLimit(lines, QT_TRANSLATE_NOOP("DeviceWords", "Maximum damping"), stylus.maximumDamping);
-    addLimit(lines, QT_TRANSLATE_NOOP("DeviceWords", "Workspace radius"), stylus.workspaceRadius);
-    addLimit(lines, QT_TRANSLATE_NOOP("DeviceWords", "Device rate"), stylus.rate);
+    for (const DeviceLimit& limit : limitsOf(stylus))
+        lines << QStringLiteral("%1 %2 %3 (%4)")
+                     .arg(Messages::text(limit.label), plain.toString(limit.value, 'g', QLocale::FloatingPointShortest),
+                          QString::fromStdString(limit.unit), Messages::text({"Device", limit.source.c_str()}));
     return lines;
 }
 
-QStringList trialLines(const TrialFigures& figures) {
-    constexpr double milliseconds = 1e3, percent = 100.0;
+QStringList trialLines(const TrialFigures& figures, const QLocale& locale) {
+    const auto number = [&locale](double value, int digits) { return locale.toString(value, 'f', digits); };
     const glm::dvec3 span = figures.highest - figures.lowest;
     QStringList lines;
     lines << words(QT_TRANSLATE_NOOP("DeviceWords", "Rate: %1 Hz; interval: median %2 ms, maximum %3 ms"))
@@ -62,9 +76,9 @@ QStringList trialLines(const TrialFigures& figures) {
                       number(milliseconds * figures.maximumInterval, 1))
           << words(QT_TRANSLATE_NOOP("DeviceWords", "Position: X %1, Y %2, Z %3 mm"))
                  .arg(number(figures.position.x, 1), number(figures.position.y, 1), number(figures.position.z, 1))
-          << words(QT_TRANSLATE_NOOP("DeviceWords", "Motion so far: %1 × %2 × %3 mm; smallest step %4 mm"))
+          << words(QT_TRANSLATE_NOOP("DeviceWords", "Motion: %1 × %2 × %3 mm; smallest step %4 mm"))
                  .arg(number(span.x, 1), number(span.y, 1), number(span.z, 1), number(figures.smallestStep, 4))
-          << words(QT_TRANSLATE_NOOP("DeviceWords", "Rotation so far: %1°"))
+          << words(QT_TRANSLATE_NOOP("DeviceWords", "Rotation: %1°"))
                  .arg(number(glm::degrees(figures.maximumRotation), 0))
           << words(QT_TRANSLATE_NOOP("DeviceWords", "Buttons pressed: %1")).arg(pressed(figures.buttons))
           << words(QT_TRANSLATE_NOOP("DeviceWords", "Maximum force commanded: %1 N"))

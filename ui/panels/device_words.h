@@ -2,15 +2,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/text.h"
 #include "core/device/device_trial.h"
 
+#include <QLocale>
 #include <QStringList>
+
+#include <string>
+#include <vector>
 
 namespace burin {
 
-/// The limits that a device states, one a line.
-QStringList limitLines(const StylusDescription& stylus);
-/// Measurements of a trial, one a line.
-QStringList trialLines(const TrialFigures& figures);
+/// A limit that a device states.
+struct DeviceLimit {
+    std::string name; ///< of JSON, with its unit
+    TextId label;
+    std::string unit;
+    double value = 0.0; ///< > 0
+    std::string source; ///< English, context "Device"
+};
+/// Those that are known.
+std::vector<DeviceLimit> limitsOf(const StylusDescription& stylus);
+
+/// The limits with their sources, one a line. @param locale of the numbers
+QStringList limitLines(const StylusDescription& stylus, const QLocale& locale);
+/// Measurements of a trial, one a line. @param locale of the numbers
+QStringList trialLines(const TrialFigures& figures, const QLocale& locale);
 
 } // namespace burin

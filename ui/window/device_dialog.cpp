@@ -46,6 +46,7 @@ DeviceDialog::DeviceDialog(StylusController& styluses, DeviceTester& tester, Use
     connect(&styluses_, &StylusController::changed, this, &DeviceDialog::showState);
     connect(&tester_, &DeviceTester::changed, this, &DeviceDialog::showState);
     tester_.askDrivers();
+    showFelt();
     showState();
 }
 
@@ -74,16 +75,17 @@ void DeviceDialog::layOut() {
     force_->setObjectName(QStringLiteral("deviceForce"));
     force_->limit(0.0, mostForce);
     force_->showValue(pushed_);
-    right->addWidget(new FieldRow(tr("Test force"), force_,
-                                  tr("The device pushes up with it while you hold its first button, faded in over a "
-                                     "second; at most a fifth of what it can do. 0: its motors stay off"),
-                                  this));
+    right->addWidget(
+        new FieldRow(tr("Test force"), force_,
+                     tr("The device pushes up with this force while you hold its first button. It fades in "
+                        "over one second and is limited to a fifth of the maximum force. 0: motors off"),
+                     this));
     share_ =
         addShare(*right, tr("Cutting force felt"), "deviceShare", &FeltCutting::gain,
-                 tr("1: the hardest material's usual cut gives 60 % of the force that the device can do; 0: cutting "
-                    "is not felt, only the part is"));
+                 tr("1: a reference cut in the hardest material gives 60 % of the maximum force. 0: only the part is "
+                    "felt, not the cutting"));
     friction_ = addShare(*right, tr("Friction felt"), "deviceFriction", &FeltCutting::friction,
-                         tr("Coefficient of the tool on what it slides on without cutting it"));
+                         tr("Friction coefficient where the tool slides without cutting"));
     halves->addLayout(right, 1);
     column->addLayout(halves, 1);
     notice_ = new Notice(this);
@@ -118,6 +120,17 @@ QuantityField* DeviceDialog::addShare(QBoxLayout& column, const QString& label, 
     return field;
 }
 
+/// Of the device of the row.
+void DeviceDialog::showFelt() {
+    const StylusController::Choice* device = current();
+    const bool felt = device != nullptr && !device->id.empty();
+    felt_ = felt ? settings_.felt(device->id) : FeltCutting{};
+    share_->setEnabled(felt);
+    friction_->setEnabled(felt);
+    share_->showValue(felt_.gain);
+    friction_->showValue(felt_.friction);
+}
+
 void DeviceDialog::keepFelt() {
     const StylusController::Choice* device = current();
     if (device == nullptr || device->id.empty()) return;
@@ -137,6 +150,7 @@ void DeviceDialog::choose(int row) {
     tester_.stop();
     tester_.forget();
     row_ = row;
+    showFelt();
     showState();
 }
 
@@ -178,21 +192,16 @@ void DeviceDialog::showTest() {
     const StylusController::Choice* device = current();
     const bool testable = device != nullptr && !device->id.empty() && device->there;
     const QString none = testable ? QString() : tr("Select a device that is plugged in.");
-    const QString reason = tester_.testing() || tester_.possible() ? none : tr("End milling first.");
+    const QString reason = tester_.testing() || tester_.possible() ? none : tr("Stop milling first.");
     test_->setText(tester_.testing() ? tr("Stop the test") : tr("Test"));
     enableUnless(test_, tester_.testing() ? QString() : reason,
                  tr("Read the device while you move it: rate, position, buttons"));
     enableUnless(use_, device == nullptr ? tr("Select a device or the mouse.") : QString(),
                  tr("Use this device the next time you start milling"));
     force_->setEnabled(!tester_.testing());
-    const bool felt = device != nullptr && !device->id.empty();
-    felt_ = felt ? settings_.felt(device->id) : FeltCutting{};
-    share_->setEnabled(felt);
-    friction_->setEnabled(felt);
-    share_->showValue(felt_.gain);
-    friction_->showValue(felt_.friction);
-    limits_->setText(tester_.description() ? limitLines(*tester_.description()).join(QLatin1Char('\n')) : QString());
-    figures_->setText(tester_.figures() ? trialLines(*tester_.figures()).join(QLatin1Char('\n')) : QString());
+    limits_->setText(tester_.description() ? limitLines(*tester_.description(), locale()).join(QLatin1Char('\n'))
+                                           : QString());
+    figures_->setText(tester_.figures() ? trialLines(*tester_.figures(), locale()).join(QLatin1Char('\n')) : QString());
     if (tester_.fault())
         notice_->tell(Notice::Kind::error, Messages::sentence(*tester_.fault()));
     else if (tester_.testing())

@@ -34,6 +34,7 @@ private:
     void layOut();
     QuantityField* addShare(QBoxLayout& column, const QString& label, const char* name, double FeltCutting::*value,
                             const QString& toolTip);
+    void showFelt();
     void keepFelt();
     void showState();
     void showRows();

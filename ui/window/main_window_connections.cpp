@@ -109,7 +109,7 @@ void MainWindow::connectWorkbench() {
     connect(&workbench_.hand, &HandController::batteryLow, this, &MainWindow::tellAboutBattery);
     const auto [device, mode] = settings_.chosenDevice();
     workbench_.styluses.prefer(device, mode);
-    connect(&workbench_.styluses, &StylusController::chose, this, [this] {
+    connect(&workbench_.styluses, &StylusController::choiceMade, this, [this] {
         const StylusController::Choice& choice = workbench_.styluses.choice();
         settings_.setChosenDevice(choice.id, choice.mode);
     });

@@ -83,7 +83,7 @@ void StylusController::choose(std::size_t index) {
     select(wanted);
     preferredId_.clear();
     emit changed();
-    emit chose();
+    emit choiceMade();
 }
 
 /// Where it is among the choices now; the mouse if it is gone.

@@ -46,7 +46,7 @@ public:
     void connectDevice(std::function<void(std::unique_ptr<AnyStylus>)> then);
 
 signals:
-    void chose(); ///< the user, another one
+    void choiceMade(); ///< by the user
 
 private:
     void hear(const DeviceChange& change);

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/devices/cap/cap_stylus.h"
 
+#include "core/device/device_thread.h"
+
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <system_error>
 
 namespace burin::cap {
@@ -111,9 +112,7 @@ StylusState CapStylus::read(double time) noexcept {
 void CapStylus::write(const Wrench& /*wrench*/) noexcept {}
 
 void CapStylus::run() noexcept {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, nullptr); // they are the other threads'
+    blockSignals();
     while (runs()) {
         if (source_->connect()) {
             connected_.store(true, std::memory_order_relaxed);

@@ -5,13 +5,14 @@
 #include "core/base/text.h"
 #include "core/base/units.h"
 
+#include <algorithm>
 #include <array>
 
 namespace burin::forcedimension {
 namespace {
 
 struct Model {
-    std::array<int, 4> types; ///< 0: none
+    std::array<int, 5> types; ///< 0: none
     double force;             ///< N
     double stiffness;         ///< N/m, closed loop at 1 kHz
     double damping;           ///< N·s/m
@@ -22,8 +23,7 @@ struct Model {
 
 constexpr std::array models{
     Model{{63}, 20.0, 5000.0, 30.0, 150.0, 0.0, 0.0},                // delta.3
-    Model{{33, 34, 36}, 12.0, 5000.0, 30.0, 75.0, 0.0, 0.0},         // omega.3, .6 right and left
-    Model{{35, 37}, 12.0, 5000.0, 30.0, 75.0, 0.0, 0.0},             // omega.7 right and left
+    Model{{33, 34, 36, 35, 37}, 12.0, 5000.0, 30.0, 75.0, 0.0, 0.0}, // omega.3, .6 and .7, right and left
     Model{{104, 105, 206}, 12.0, 4000.0, 30.0, 75.0, 200.0, 1000.0}, // sigma.7 right and left, .3
     Model{{203, 131, 132}, 12.0, 8000.0, 30.0, 112.5, 0.0, 0.0},     // lambda.3, .6
     Model{{108, 109}, 12.0, 8000.0, 30.0, 112.5, 200.0, 0.0},        // lambda.7 right and left
@@ -38,20 +38,19 @@ glm::dvec3 fromDhd(double x, double y, double z) noexcept {
 } // namespace
 
 std::optional<StylusDescription> limitsOf(int type) {
-    for (const Model& model : models)
-        for (const int known : model.types) {
-            if (known != type || known == 0) continue;
-            StylusDescription limits;
-            limits.maximumForce = {model.force, table};
-            limits.maximumStiffness = {model.stiffness, table};
-            limits.maximumDamping = {model.damping, table};
-            limits.workspaceRadius = {model.radius, table};
-            if (model.torque > 0.0) {
-                limits.maximumTorque = {model.torque, table};
-                if (model.turningStiffness > 0.0) limits.maximumTurningStiffness = {model.turningStiffness, table};
-            }
-            return limits;
+    for (const Model& model : models) {
+        if (type <= 0 || std::ranges::find(model.types, type) == model.types.end()) continue;
+        StylusDescription limits;
+        limits.maximumForce = {model.force, table};
+        limits.maximumStiffness = {model.stiffness, table};
+        limits.maximumDamping = {model.damping, table};
+        limits.workspaceRadius = {model.radius, table};
+        if (model.turningStiffness > 0.0) {
+            limits.maximumTorque = {model.torque, table};
+            limits.maximumTurningStiffness = {model.turningStiffness, table};
         }
+        return limits;
+    }
     return std::nullopt;
 }
 

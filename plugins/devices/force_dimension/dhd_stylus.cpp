@@ -3,12 +3,13 @@
 #include "plugins/devices/force_dimension/dhd_stylus.h"
 
 #include "core/base/units.h"
+#include "core/device/device_thread.h"
 #include "plugins/devices/force_dimension/dhd_models.h"
 
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <system_error>
+#include <utility>
 
 namespace burin::forcedimension {
 namespace {
@@ -48,12 +49,11 @@ Result<std::unique_ptr<Stylus>> DhdStylus::connect(const DhdApi& api, DhdId id, 
     const std::string called = name != nullptr && *name != '\0' ? name : "Force Dimension";
     if (!described) {
         api.close(id);
-        return Error{
-            ErrorCode::deviceFault, called, {}, BURIN_TEXT("DeviceReason", "Burin does not know its limits").text};
+        return Error{ErrorCode::deviceFault, called, {}, BURIN_TEXT("DeviceReason", "its model is not supported").text};
     }
     described->name = called;
     described->sensed = {3, api.hasWrist(id) ? 3 : 0};
-    described->actuated = {3, api.hasActiveWrist(id) && described->maximumTorque.value > 0.0 ? 3 : 0};
+    described->actuated = {3, api.hasActiveWrist(id) && described->maximumTurningStiffness.value > 0.0 ? 3 : 0};
     described->buttons = api.hasGripper(id) && api.emulateButton == nullptr ? 0 : 1;
     described->carriesHandle = true; // its own compensation of gravity
     return std::unique_ptr<Stylus>(std::make_unique<DhdStylus>(api, id, type, initialisation, std::move(*described)));
@@ -70,7 +70,7 @@ DhdStylus::DhdStylus(const DhdApi& api, DhdId id, int type, Initialisation initi
 
 DhdStylus::~DhdStylus() {
     close();
-    if (!lost_.load()) api_.close(id_);
+    if (!closed_) api_.close(id_);
 }
 
 Result<void> DhdStylus::open() {
@@ -91,8 +91,7 @@ Result<void> DhdStylus::open() {
 Result<void> DhdStylus::initialise() {
     if (api_.isInitialised(id_)) return {};
     if (initialisation_ == Initialisation::refuse)
-        return refusal(
-            BURIN_TEXT("DeviceReason", "it is not calibrated; choose the mode in which it does so by itself"));
+        return refusal(BURIN_TEXT("DeviceReason", "it is not calibrated; choose its self-calibrating mode"));
     const bool done = api_.autoInitialise(id_) >= 0;
     api_.stopRegulation(false, id_); // the library's own control of the device, which would work against ours
     if (done && api_.isInitialised(id_)) return {};
@@ -106,11 +105,16 @@ void DhdStylus::prepare() noexcept {
     api_.setWatchdog(watchdog, id_);
     api_.setBrakes(1, id_); // wherever its forces are off
     if (api_.hasGripper(id_) && api_.emulateButton != nullptr) api_.emulateButton(on, id_);
-    api_.setForce(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, id_);
-    api_.enableForce(on, id_);
+    enableForces();
     failures_ = reads_ = 0;
     forcesOff_ = valid_ = false;
     cutsSeen_ = cutsAtRead_ = cuts_.load();
+}
+
+/// From none: what was set before they went off would be rendered again.
+void DhdStylus::enableForces() noexcept {
+    api_.setForce(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, id_);
+    api_.enableForce(on, id_);
 }
 
 void DhdStylus::close() noexcept {
@@ -170,7 +174,7 @@ StylusState DhdStylus::read(double time) noexcept {
 bool DhdStylus::checkState(double time) noexcept {
     if (cutsSeen_ != cutsAtRead_) {
         cutsSeen_ = cutsAtRead_;
-        api_.enableForce(on, id_);
+        enableForces();
         return !forcesOff_;
     }
     if (reads_++ % readingsBetweenChecks != 0) return !forcesOff_;
@@ -187,7 +191,7 @@ bool DhdStylus::checkState(double time) noexcept {
         faults_.raise(status[dhdFailed] != 0 ? DeviceFault::mechanism : faultOfCause(cause));
     } else if (time - triedAt_ >= retryAfter && !waitsForTheHand(cause)) {
         triedAt_ = time;
-        api_.enableForce(on, id_);
+        enableForces();
     }
     return false;
 }
@@ -210,32 +214,29 @@ void DhdStylus::lose() noexcept {
 
 /// The reconnecting thread: while the device is lost, opens it every half second.
 void DhdStylus::reconnectWhenLost() noexcept {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, nullptr); // they are the other threads'
+    blockSignals();
     auto lookedAt = std::chrono::steady_clock::now();
-    bool closed = false;
     while (!stop_.load(std::memory_order_relaxed)) {
         std::this_thread::sleep_for(reconnectPoll);
         const auto now = std::chrono::steady_clock::now();
         if (!lost_.load(std::memory_order_acquire) || now - lookedAt < std::chrono::duration<double>(lookEvery))
             continue;
         lookedAt = now;
-        if (!std::exchange(closed, true)) api_.close(id_);
-        if (connectAgain()) closed = false;
+        if (!std::exchange(closed_, true)) api_.close(id_);
+        connectAgain();
     }
 }
 
 /// Another model in its place is left alone, and one whose encoders know nothing: nobody said that it may move.
-bool DhdStylus::connectAgain() noexcept {
-    if (api_.open(id_) < 0) return false;
+void DhdStylus::connectAgain() noexcept {
+    if (api_.open(id_) < 0) return;
     if (api_.getSystemType(id_) != type_ || !api_.isInitialised(id_)) {
         api_.close(id_);
-        return false;
+        return;
     }
+    closed_ = false;
     prepare();
     lost_.store(false, std::memory_order_release);
-    return true;
 }
 
 } // namespace burin::forcedimension

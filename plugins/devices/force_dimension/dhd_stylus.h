@@ -51,10 +51,11 @@ public:
 private:
     Result<void> initialise();
     void prepare() noexcept;
+    void enableForces() noexcept;
     bool checkState(double time) noexcept;
     void lose() noexcept;
     void reconnectWhenLost() noexcept;
-    bool connectAgain() noexcept;
+    void connectAgain() noexcept;
     Error refusal(TextId reason) const { return {ErrorCode::deviceFault, description_.name, {}, reason.text}; }
 
     const DhdApi& api_;
@@ -69,6 +70,7 @@ private:
     std::atomic<unsigned int> cuts_{0};
     std::thread reconnecting_;
     bool isOpen_ = false;
+    bool closed_ = false; ///< in the library, while it is lost; the reconnecting thread's while that runs
 
     unsigned int cutsAtRead_ = 0, cutsSeen_ = 0; ///< from here on the loop's
     int failures_ = 0, reads_ = 0;

@@ -39,8 +39,8 @@ public:
         for (int i = 0; i < count; ++i)
             found.push_back({std::to_string(i),
                              "Force Dimension " + std::to_string(i + 1),
-                             {{careful, BURIN_TEXT("Device", "Only when it is calibrated")},
-                              {byItself, BURIN_TEXT("Device", "It may move by itself to calibrate")}}});
+                             {{careful, BURIN_TEXT("Device", "Calibrated devices only")},
+                              {byItself, BURIN_TEXT("Device", "Self-calibrating: the device moves by itself")}}});
         return found;
     }
 

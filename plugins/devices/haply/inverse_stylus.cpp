@@ -3,12 +3,12 @@
 #include "plugins/devices/haply/inverse_stylus.h"
 
 #include "core/base/units.h"
+#include "core/device/device_thread.h"
 #include "plugins/devices/haply/inventory.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <system_error>
 
 namespace burin::haply {
@@ -18,14 +18,10 @@ constexpr double askedForce = 0.05;     // N: less may be below what the motors 
 constexpr double renderedForce = 0.005; // N
 constexpr int buttons = 3;
 constexpr const char* tutorial = BURIN_TEXT("Device", "Haply's tutorial").text;
-constexpr const char* careful = BURIN_TEXT("Device", "an estimate of Burin, on the safe side").text;
-
-double now() noexcept {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+constexpr const char* careful = BURIN_TEXT("Device", "conservative estimate").text;
 
 void sleepUntil(double time) noexcept {
-    const double rest = time - now();
+    const double rest = time - steadySeconds();
     if (rest > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(rest));
 }
 
@@ -60,7 +56,7 @@ StylusDescription InverseStylus::description() const {
     stylus.sensed = {3, hasGrip_ ? 3 : 0};
     stylus.actuated = {3, 0};
     stylus.buttons = hasGrip_ ? buttons : 0;
-    stylus.rate = {1.0 / period, BURIN_TEXT("Device", "Burin's own rate").text};
+    stylus.rate = {1.0 / period, BURIN_TEXT("Device", "set by Burin").text};
     stylus.delay = {period, BURIN_TEXT("Device", "one message of the service").text};
     stylus.maximumForce = {4.0, careful};
     stylus.maximumStiffness = {800.0, tutorial};
@@ -104,19 +100,17 @@ Result<void> InverseStylus::start(StylusClient& client) {
 void InverseStylus::stop() noexcept {
     if (!thread_.joinable()) return;
     stop_ = true;
-    const double until = now() + stopWithin;
-    while (!ended_.load(std::memory_order_acquire) && now() < until)
+    const double until = steadySeconds() + stopWithin;
+    while (!ended_.load(std::memory_order_acquire) && steadySeconds() < until)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     if (!ended_.load(std::memory_order_acquire)) cutMotors(); // it waits for the service
     thread_.join();
 }
 
 void InverseStylus::run(StylusClient& client) noexcept {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, nullptr); // they are the other threads'
+    blockSignals();
     client.begins();
-    startedAt_ = due_ = now();
+    startedAt_ = due_ = steadySeconds();
     while (runs()) {
         if (connection_ != nullptr && exchange(client)) continue;
         if (runs()) waitForService(client);
@@ -128,7 +122,7 @@ void InverseStylus::run(StylusClient& client) noexcept {
 
 /// A tick, its force, and the service's answer. False: the connection is broken.
 bool InverseStylus::exchange(StylusClient& client) noexcept {
-    due_ = std::max(due_ + period, now());
+    due_ = std::max(due_ + period, steadySeconds());
     sleepUntil(due_);
     const unsigned int cutsBefore = cuts_.load(std::memory_order_acquire);
     const StylusState state = stateOf(said_);
@@ -146,11 +140,11 @@ bool InverseStylus::exchange(StylusClient& client) noexcept {
 bool InverseStylus::awaitAnswer(StylusClient& client) noexcept {
     constexpr int milliseconds = static_cast<int>(lateAfter * 1e3);
     if (connection_->waits(milliseconds)) return true;
-    const double since = now() - lateAfter;
+    const double since = steadySeconds() - lateAfter;
     bool told = false;
-    while (runs() && now() - since < brokenAfter) {
+    while (runs() && steadySeconds() - since < brokenAfter) {
         tickWithoutReading(client);
-        if (!told && now() - since > faultyAfter) {
+        if (!told && steadySeconds() - since > faultyAfter) {
             told = true;
             faults_.raise(DeviceFault::silent);
         }
@@ -184,7 +178,7 @@ void InverseStylus::watchForce(const glm::dvec3& sent) noexcept {
 
 StylusState InverseStylus::stateOf(const ServiceState& said) noexcept {
     StylusState state;
-    state.time = now() - startedAt_;
+    state.time = steadySeconds() - startedAt_;
     const bool usable = said.calibrated && said.ready;
     if (!usable && !unusableTold_) faults_.raise(DeviceFault::notCalibrated);
     unusableTold_ = !usable;
@@ -202,7 +196,7 @@ StylusState InverseStylus::stateOf(const ServiceState& said) noexcept {
 
 void InverseStylus::tickWithoutReading(StylusClient& client) noexcept {
     StylusState state;
-    state.time = now() - startedAt_;
+    state.time = steadySeconds() - startedAt_;
     (void)client.tick(state);
     client.answered();
 }
@@ -211,14 +205,14 @@ void InverseStylus::tickWithoutReading(StylusClient& client) noexcept {
 void InverseStylus::waitForService(StylusClient& client) noexcept {
     if (connected_.exchange(false, std::memory_order_relaxed)) faults_.raise(DeviceFault::unplugged);
     use(nullptr);
-    double lookedAt = now();
+    double lookedAt = steadySeconds();
     while (runs() && connection_ == nullptr) {
         tickWithoutReading(client);
-        if (now() - lookedAt >= lookEvery) {
+        if (steadySeconds() - lookedAt >= lookEvery) {
             use(look());
-            lookedAt = now();
+            lookedAt = steadySeconds();
         }
-        if (connection_ == nullptr) sleepUntil(now() + period);
+        if (connection_ == nullptr) sleepUntil(steadySeconds() + period);
     }
     if (connection_ == nullptr) return;
     unheard_ = changes_ = 0;

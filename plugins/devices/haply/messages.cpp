@@ -6,12 +6,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace burin::haply {
 namespace {
 
-constexpr std::size_t longestHead = 400; // leaves room for three numbers
-constexpr int decimals = 5;              // of a newton: finer than any motor
+constexpr int decimals = 5;       // of a newton: finer than any motor
+constexpr std::size_t room = 100; // for three numbers of so many digits, and what stands around them
 
 } // namespace
 
@@ -21,8 +22,8 @@ ForceMessage::ForceMessage(std::string_view arm) {
         std::string& head = heads_[static_cast<std::size_t>(key)];
         head = R"({"inverse3":[{"device_id":)" + id + R"(,"commands":{"set_cursor_force":{")" +
                (key == ForceKey::vector ? "vector" : "values") + R"(":{)";
-        head.resize(std::min(head.size(), longestHead));
     }
+    buffer_.resize(std::max(heads_[0].size(), heads_[1].size()) + room);
 }
 
 std::string_view ForceMessage::write(const glm::dvec3& force, ForceKey key) noexcept {
@@ -33,7 +34,8 @@ std::string_view ForceMessage::write(const glm::dvec3& force, ForceKey key) noex
     constexpr std::array<std::string_view, 3> names{"\"x\":", ",\"y\":", ",\"z\":"};
     for (int axis = 0; axis < 3; ++axis) {
         add(names[static_cast<std::size_t>(axis)]);
-        at = std::to_chars(at, end, force[axis], std::chars_format::fixed, decimals).ptr;
+        const double component = std::isfinite(force[axis]) ? std::clamp(force[axis], -largest, largest) : 0.0;
+        at = std::to_chars(at, end, component, std::chars_format::fixed, decimals).ptr;
     }
     add("}}}}]}");
     return {buffer_.data(), static_cast<std::size_t>(at - buffer_.data())};

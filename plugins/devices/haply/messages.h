@@ -21,14 +21,17 @@ enum class ForceKey : std::uint8_t {
 /// nothing. One thread.
 class ForceMessage {
 public:
+    static constexpr double largest = 1000.0; ///< N, of each component; no arm is as strong
+
     /// @param arm device id, as the service told it
     explicit ForceMessage(std::string_view arm);
-    /// @param force N, finite. @return valid until the next call
+    /// @param force N; what is no number or beyond `largest` goes out as 0 or as that. @return valid until the next
+    /// call
     std::string_view write(const glm::dvec3& force, ForceKey key) noexcept;
 
 private:
     std::array<std::string, 2> heads_; ///< by key
-    std::array<char, 512> buffer_{};
+    std::string buffer_;               ///< long enough for either, with three numbers
 };
 
 } // namespace burin::haply

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/devices/open_stylus/open_stylus.h"
 
+#include "core/device/device_thread.h"
+
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <system_error>
 
 namespace burin::openstylus {
@@ -16,17 +17,6 @@ constexpr double restSeconds = 0.001; // between ticks that only tell silence
 constexpr int farewells = 3;          // in case one is lost
 constexpr std::size_t largestReport = 64;
 constexpr int mostReports = 128; // looked at before the next tick; the kernel keeps 64
-
-double now() noexcept {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// They are the other threads': here they would only cut waiting short.
-void blockSignals() noexcept {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, nullptr);
-}
 
 void rest(double seconds) noexcept {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
@@ -107,7 +97,7 @@ void OpenStylus::run(StylusClient& client) noexcept {
     blockSignals();
     client.begins();
     exchange_.begin();
-    heardAt_ = toldAt_ = now();
+    heardAt_ = toldAt_ = steadySeconds();
     silenceTold_ = false;
     while (runs()) {
         if (port_ != nullptr && exchangeOnce(client)) continue;
@@ -115,22 +105,22 @@ void OpenStylus::run(StylusClient& client) noexcept {
         waitForDevice(client);
     }
     if (port_ != nullptr)
-        for (int i = 0; i < farewells; ++i) port_->write(exchange_.farewell(now()));
+        for (int i = 0; i < farewells; ++i) port_->write(exchange_.farewell(steadySeconds()));
     client.ends();
 }
 
 /// One reading and its answer, or a sign of silence. False when the device is gone.
 bool OpenStylus::exchangeOnce(StylusClient& client) noexcept {
-    const double waited = now() - heardAt_;
+    const double waited = steadySeconds() - heardAt_;
     if (!receive(waited < silentAfter_ ? silentAfter_ - waited : restSeconds)) return false;
     if (toldAt_ < heardAt_) { // something was heard since the last tick
         toldAt_ = heardAt_;
         silenceTold_ = false;
-        const bool taken = port_->write(exchange_.answer(client.tick(exchange_.state()), now()));
+        const bool taken = port_->write(exchange_.answer(client.tick(exchange_.state()), steadySeconds()));
         client.answered();
         return taken;
     }
-    if (now() - heardAt_ >= silentAfter_) tellSilence(client);
+    if (steadySeconds() - heardAt_ >= silentAfter_) tellSilence(client);
     return true;
 }
 
@@ -143,7 +133,7 @@ bool OpenStylus::receive(double longest) noexcept {
         const int size = port_->read(report, milliseconds);
         if (size < 0) return false;
         if (size == 0) return true;
-        const double at = now();
+        const double at = steadySeconds();
         if (exchange_.take(Bytes(report).first(static_cast<std::size_t>(size)), at) == Exchange::Outcome::reading) {
             if (heard) exchange_.overtaken();
             heard = true;
@@ -155,7 +145,7 @@ bool OpenStylus::receive(double longest) noexcept {
 }
 
 void OpenStylus::tellSilence(StylusClient& client) noexcept {
-    const double at = now();
+    const double at = steadySeconds();
     if (at - toldAt_ < restSeconds) return;
     (void)client.tick(exchange_.silence(at - toldAt_));
     client.answered();
@@ -173,15 +163,15 @@ void OpenStylus::waitForDevice(StylusClient& client) noexcept {
     double lookedAt = 0.0;
     while (runs() && port_ == nullptr) {
         tellSilence(client);
-        if (now() - lookedAt >= lookEvery) {
+        if (steadySeconds() - lookedAt >= lookEvery) {
             look();
-            lookedAt = now();
+            lookedAt = steadySeconds();
         }
         if (port_ == nullptr) rest(restSeconds);
     }
     if (port_ == nullptr) return;
     exchange_.restart();
-    heardAt_ = toldAt_ = now();
+    heardAt_ = toldAt_ = steadySeconds();
     silenceTold_ = false;
     connected_.store(true, std::memory_order_relaxed);
 }

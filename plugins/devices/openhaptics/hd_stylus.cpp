@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/devices/openhaptics/hd_stylus.h"
 
+#include "core/device/device_thread.h"
 #include "plugins/devices/openhaptics/hd_description.h"
 #include "plugins/devices/openhaptics/hd_faults.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <system_error>
+#include <utility>
 
 namespace burin::openhaptics {
 namespace {
@@ -17,10 +18,6 @@ namespace {
 constexpr int framesBetweenHeats = 100;
 constexpr std::chrono::milliseconds pollEvery{2};
 constexpr std::chrono::milliseconds reconnectPoll{20};
-
-double now() noexcept {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// The library's own guards, beside ours. The force itself is switched on by the first frame.
 void guardCurrent(const HdApi& api) noexcept {
@@ -41,7 +38,7 @@ Result<void> calibrateCurrent(const HdApi& api, const std::string& name) {
     return Error{ErrorCode::deviceFault,
                  name,
                  {},
-                 BURIN_TEXT("DeviceReason", "its pen has to be put into the inkwell first").text};
+                 BURIN_TEXT("DeviceReason", "put its stylus into the inkwell to calibrate it").text};
 }
 
 Result<std::unique_ptr<SelfPacedStylus>> HdStylus::connect(std::shared_ptr<HdLibrary> library,
@@ -115,8 +112,8 @@ void HdStylus::stop() noexcept {
     if (client_ == nullptr) return;
     stop_ = true;
     reconnecting_.join();
-    const double until = now() + stopWithin;
-    while (!ended_.load(std::memory_order_acquire) && now() < until) std::this_thread::sleep_for(pollEvery);
+    const double until = steadySeconds() + stopWithin;
+    while (!ended_.load(std::memory_order_acquire) && steadySeconds() < until) std::this_thread::sleep_for(pollEvery);
     const bool ended = ended_.load(std::memory_order_acquire);
     if (!ended) cutMotors(); // it had no last frame
     library_->scheduler.remove(scheduled_, ended);
@@ -143,10 +140,10 @@ bool HdStylus::frame() noexcept {
     if (!begun_) {
         client_->begins();
         begun_ = true;
-        startedAt_ = now();
+        startedAt_ = steadySeconds();
         calmFrom_ = 0.0;
     }
-    const double time = now() - startedAt_;
+    const double time = steadySeconds() - startedAt_;
     if (lost_.load(std::memory_order_acquire)) {
         tickWithoutReading(time);
         return true;
@@ -234,15 +231,13 @@ void HdStylus::takeErrors(double time) noexcept {
 
 /// The reconnecting thread: while the device is lost, connects it every half second.
 void HdStylus::reconnectWhenLost() noexcept {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, nullptr); // they are the other threads'
-    double lookedAt = now();
+    blockSignals();
+    double lookedAt = steadySeconds();
     while (!stops()) {
         std::this_thread::sleep_for(reconnectPoll);
-        if (!lost_.load(std::memory_order_acquire) || now() - lookedAt < lookEvery) continue;
+        if (!lost_.load(std::memory_order_acquire) || steadySeconds() - lookedAt < lookEvery) continue;
         reconnect();
-        lookedAt = now();
+        lookedAt = steadySeconds();
     }
 }
 
@@ -250,12 +245,16 @@ void HdStylus::reconnect() noexcept {
     try {
         disconnect();
         const auto prepare = [this]() -> Result<void> {
-            if (Result<void> calibrated = calibrateCurrent(api_, name_); !calibrated) return calibrated;
+            if (Result<void> calibrated = calibrateCurrent(api_, name_); !calibrated) {
+                if (!std::exchange(uncalibratedTold_, true)) faults_.raise(DeviceFault::notCalibrated);
+                return calibrated;
+            }
             guardCurrent(api_);
             return {};
         };
         const Result<HdHandle> handle = library_->scheduler.connect(name_, prepare);
         if (!handle) return;
+        uncalibratedTold_ = false;
         handle_.store(*handle);
         forcesOff_ = true;
         lost_.store(false, std::memory_order_release);

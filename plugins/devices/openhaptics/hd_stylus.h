@@ -89,6 +89,7 @@ private:
 
     HdScheduled scheduled_ = 0;
     std::thread reconnecting_;
+    bool uncalibratedTold_ = false; ///< the reconnecting thread's
 };
 
 /// Brings the current device to where its pose means something, where that needs no hand. Errors: deviceFault (it

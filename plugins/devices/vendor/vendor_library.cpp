@@ -3,7 +3,6 @@
 #include "plugins/devices/vendor/vendor_library.h"
 
 #include <dlfcn.h>
-#include <strings.h>
 
 #include <algorithm>
 #include <cstdlib>

@@ -5,12 +5,16 @@
 #include "core/haptics/operator/hostile_stylus.h"
 #include "tests/core/haptics/haptic_rig.h"
 #include "tests/core/haptics/hostile_rig.h"
+#include "tests/core/haptics/replayed_session.h"
 #include "tests/oracles/simulated_handle.h"
 
 #include <QString>
+#include <QTemporaryDir>
 
+#include <chrono>
 #include <cmath>
 #include <functional>
+#include <thread>
 
 namespace burin::test {
 
@@ -65,6 +69,35 @@ inline QString hostileReadings(const StylusDescription& stylus, double share, in
         pushed += glm::length(force) > 0.0 ? 1 : 0;
     }
     return pushed * 10 > ticks ? QString() : QString("pushed in %1 ticks only").arg(pushed);
+}
+
+/// Records a session with a device whose handle mills through the stock onto the part, and replays its trace. Empty:
+/// the replay is the same to the bit, and the session held what it should.
+/// @param moveTo puts the handle somewhere, mm, Burin's device frame; on a thread of its own, once a millisecond
+inline QString sessionThroughDriver(const StylusHandle& stylus, const std::function<void(const glm::dvec3&)>& moveTo) {
+    const QTemporaryDir folder;
+    const std::filesystem::path file = folder.filePath("trace.csv").toStdString();
+    HapticSettings settings;
+    settings.stylus = stylus.device().description();
+    settings.rampSeconds = 0.05;
+    settings.mapping.origin = {0.0, 0.0, 5.0}; // above the stock
+    RecordedSession original;
+    {
+        const std::jthread mover([&](const std::stop_token& stop) {
+            for (int i = 0; !stop.stop_requested(); ++i) {
+                const double time = 0.001 * i;
+                moveTo({6.0 * std::sin(8.0 * time), 6.0 * (1.0 - std::cos(8.0 * time)),
+                        -std::min(60.0 * std::max(0.0, time - 0.05), 17.0)});
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
+        });
+        original = recordSession(stylus, settings, file, 1.2);
+    }
+    const std::string difference = differenceOf(original, replaySession(settings, file));
+    if (!difference.empty()) return QString::fromStdString(difference);
+    const SessionEvents events = eventsOf(original.samples);
+    if (events.cut > 50 && events.held > 20 && events.felt > 20) return {};
+    return QString("%1 ticks cut, %2 held, %3 felt").arg(events.cut).arg(events.held).arg(events.felt);
 }
 
 } // namespace burin::test
