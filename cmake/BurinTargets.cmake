@@ -141,43 +141,58 @@ function(burin_test_entry test seconds environment)
 endfunction()
 
 # burin_test(PLACE NAME [GUI] [USES ...] [TIMEOUT SECONDS] [LONG SECONDS] [AFTER ...])
-# tst_NAME.cpp, a QtTest program, known to ctest as PLACE.NAME. AFTER names programs that it starts. With GUI it gets an
-# X display of its own. LONG: it has more cases than the usual run takes (tests/long_run.h); all of them, within that
-# time, are the test PLACE.NAME.long of `tests/run --long`.
+# tst_NAME.cpp, a class of QtTest, known to ctest as PLACE.NAME. The tests of a PLACE share the program tst_PLACE, which
+# takes NAME as its first argument: compiled and linked together they take half of the time. AFTER names programs that it
+# starts. With GUI it gets an X display of its own. LONG: it has more cases than the usual run takes (tests/long_run.h);
+# all of them, within that time, are the test PLACE.NAME.long of `tests/run --long`.
 find_program(XVFB_RUN xvfb-run)
 function(burin_test place name)
     cmake_parse_arguments(PARSE_ARGV 2 arg "GUI" "TIMEOUT;LONG" "USES;AFTER")
     set(platform offscreen)
     set(launcher)
-    set(precompiled test)
     if(arg_GUI)
         set(platform xcb)
-        set(precompiled window_test)
         set(launcher ${XVFB_RUN} -a -s "-screen 0 1600x1000x24 +extension GLX")
     endif()
-    string(REPLACE "." "_" target "tst_${place}_${name}")
+    burin_test_program(${place} program)
     # Straight to moc: looking for what else to run it on (AUTOMOC) takes longer than it does, once a test. Without
     # TARGET, whose include folders it would read through.
     qt_generate_moc(tst_${name}.cpp ${CMAKE_CURRENT_BINARY_DIR}/tst_${name}.moc)
-    add_executable(${target} tst_${name}.cpp ${CMAKE_CURRENT_BINARY_DIR}/tst_${name}.moc)
-    target_link_libraries(${target} PRIVATE burin_options burin_warnings burin_light_build Qt6::Test ${arg_USES})
-    target_include_directories(${target} PRIVATE ${CMAKE_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}) # tests/places.h, moc's
-    burin_precompile(${target} ${precompiled})
-    # Not in tests: that is a build folder, and its "plugins" would be taken for Burin's.
-    set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test-programs)
+    target_sources(${program} PRIVATE tst_${name}.cpp ${CMAKE_CURRENT_BINARY_DIR}/tst_${name}.moc)
+    target_link_libraries(${program} PRIVATE ${arg_USES})
     if(arg_AFTER)
-        add_dependencies(${target} ${arg_AFTER})
+        add_dependencies(${program} ${arg_AFTER})
     endif()
     if(NOT arg_TIMEOUT)
         set(arg_TIMEOUT 300)
     endif()
     set(environment "QT_QPA_PLATFORM=${platform};LC_ALL=C.UTF-8;${BURIN_SANITIZER_ENVIRONMENT}")
-    burin_test_entry(${place}.${name} ${arg_TIMEOUT} "${environment}" ${launcher} $<TARGET_FILE:${target}>)
+    burin_test_entry(${place}.${name} ${arg_TIMEOUT} "${environment}" ${launcher} $<TARGET_FILE:${program}> ${name})
     if(arg_LONG)
         burin_test_entry(${place}.${name}.long ${arg_LONG} "BURIN_LONG_RUN=1;${environment}"
-            ${launcher} $<TARGET_FILE:${target}> -maxwarnings 0)
+            ${launcher} $<TARGET_FILE:${program}> ${name} -maxwarnings 0)
         set_tests_properties(${place}.${name}.long PROPERTIES LABELS long)
     endif()
+endfunction()
+
+# burin_test_program(PLACE VARIABLE): the program that the tests of PLACE share.
+function(burin_test_program place variable)
+    string(REPLACE "." "_" target "tst_${place}")
+    set(${variable} ${target} PARENT_SCOPE)
+    if(TARGET ${target})
+        return()
+    endif()
+    add_executable(${target})
+    target_link_libraries(${target} PRIVATE burin_options burin_warnings burin_light_build Qt6::Test burin::test_program)
+    target_include_directories(${target} PRIVATE ${CMAKE_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}) # tests/places.h, moc's
+    set(precompiled test)
+    if(BURIN_TESTS_WITH_WIDGETS)
+        set(precompiled window_test)
+    endif()
+    burin_precompile(${target} ${precompiled})
+    burin_unity(${target})
+    # Not in tests: that is a build folder, and its "plugins" would be taken for Burin's.
+    set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test-programs)
 endfunction()
 
 # burin_test_load(WAITING|DISTURBED TEST ...)

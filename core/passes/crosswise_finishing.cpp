@@ -11,18 +11,18 @@ namespace burin {
 
 namespace {
 
-constexpr double steepSlope = 1.0;      // 45 degrees across the rows
-constexpr double shortestStretch = 1.0; // mm: less lies between two rows
-constexpr double longestGap = 1.0;      // mm along a pass that is milled through rather than around
+constexpr double steepSlope = 1.0;          // 45 degrees across the rows
+constexpr double shortestStretch = 1.0;     // mm: less lies between two rows
+constexpr double longestCrosswiseGap = 1.0; // mm along a pass that is milled through rather than around
 
 /// Where the hand aims, and where the part holds the tip then.
-struct Touch {
+struct CrosswiseTouch {
     glm::dvec3 aim{0.0}, tip{0.0};
 };
 
 /// What a pass mills in one go: a wall from its foot to its rim, or the other way.
 struct Stretch {
-    std::vector<Touch> touches;
+    std::vector<CrosswiseTouch> touches;
     bool done = false;
 };
 
@@ -60,7 +60,7 @@ private:
             const bool known = std::isfinite(now.z) && std::isfinite(before.z);
             const bool steep = known && std::abs(now.z - before.z) > steepSlope * way;
             gap = steep ? 0.0 : gap + way;
-            open = open && known && gap <= longestGap;
+            open = open && known && gap <= longestCrosswiseGap;
             if (steep && !open) {
                 stretches.emplace_back();
                 open = true;
@@ -83,7 +83,7 @@ private:
     bool follow(const glm::dvec3& from, const glm::dvec3& to, Stretch& stretch) const {
         const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / sampling_)));
         for (int i = stretch.touches.empty() ? 0 : 1; i <= steps; ++i) {
-            const std::optional<Touch> touch = touchNear(glm::mix(from, to, static_cast<double>(i) / steps));
+            const std::optional<CrosswiseTouch> touch = touchNear(glm::mix(from, to, static_cast<double>(i) / steps));
             if (!touch) continue; // an edge, where no one face is the nearest
             // Standing stock beside the wall: the shank must not come there.
             if (heights_.safeHeight(touch->tip, sampling_) > touch->tip.z + heightTolerance) return false;
@@ -93,7 +93,7 @@ private:
     }
 
     /// The hand presses square to the surface: straight down it would hardly press on a wall at all.
-    std::optional<Touch> touchNear(const glm::dvec3& place) const {
+    std::optional<CrosswiseTouch> touchNear(const glm::dvec3& place) const {
         glm::dvec3 tip = place, normal(0.0);
         for (int i = 0; i < 3; ++i) {
             const FieldSample sample = field_.at(tip);
@@ -106,7 +106,7 @@ private:
         // At the rim of a wall the top would hold the tool while the hand goes down behind it.
         if (field_.at(tip + overRim * (glm::dvec3(0.0, 0.0, 1.0) - normal)).clearance > 0.0) return std::nullopt;
         if (!(std::abs(field_.at(tip).clearance) < surfaceTolerance)) return std::nullopt;
-        Touch touch{tip - request_.press * normal, tip};
+        CrosswiseTouch touch{tip - request_.press * normal, tip};
         touch.aim.z = std::max(touch.aim.z, request_.floor);
         return touch;
     }
@@ -141,7 +141,7 @@ private:
     }
 
     void mill(Stretch& stretch) {
-        std::vector<Touch>& touches = stretch.touches;
+        std::vector<CrosswiseTouch>& touches = stretch.touches;
         const bool joins = !writer_.empty() && distanceTo(stretch) < 2.0 * tool_.cutter.radius();
         if (joins &&
             glm::distance(writer_.tip(), touches.back().tip) < glm::distance(writer_.tip(), touches.front().tip))
@@ -150,19 +150,20 @@ private:
             cross(touches.front());
         else
             enter(touches.front());
-        for (const Touch& touch : touches) writer_.cutTo(touch.aim, touch.tip);
+        for (const CrosswiseTouch& touch : touches) writer_.cutTo(touch.aim, touch.tip);
         stretch.done = true;
     }
 
     /// Comes down beside the wall, not into it.
-    void enter(const Touch& touch) { writer_.enterAt(touch.tip, touch.tip); }
+    void enter(const CrosswiseTouch& touch) { writer_.enterAt(touch.tip, touch.tip); }
 
     /// From the end of one interval to the start of the next, along the surface.
-    void cross(const Touch& to) {
+    void cross(const CrosswiseTouch& to) {
         const glm::dvec3 from = writer_.tip();
         const int steps = static_cast<int>(std::ceil(glm::distance(from, to.tip) / sampling_));
         for (int i = 1; i < steps; ++i) {
-            const std::optional<Touch> touch = touchNear(glm::mix(from, to.tip, static_cast<double>(i) / steps));
+            const std::optional<CrosswiseTouch> touch =
+                touchNear(glm::mix(from, to.tip, static_cast<double>(i) / steps));
             if (touch && heights_.safeHeight(touch->tip, sampling_) <= touch->tip.z + heightTolerance)
                 writer_.cutTo(touch->aim, touch->tip);
         }

@@ -11,11 +11,11 @@
 namespace burin {
 namespace {
 
-constexpr double coarsest = 0.2;        // mm between places of a row
+constexpr double coarsestTrace = 0.2;   // mm between places of a row
 constexpr double chordError = 0.002;    // mm between a row and the part's surface of tips, at the middle of two places
 constexpr double closest = 0.02;        // mm between places
 constexpr double straightWithin = 5e-4; // mm: places that a straight way passes as near as that are left out
-constexpr double tolerance = 1e-6;      // mm
+constexpr double traceTolerance = 1e-6; // mm
 
 } // namespace
 
@@ -108,7 +108,7 @@ std::vector<TipLine> SurfaceTrace::along(const PlanRow& row, double& leftOut) co
     for (std::size_t i = 1; i < row.size(); ++i) {
         const glm::dvec2 &from = row[i - 1], &to = row[i];
         const int steps =
-            std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / (coarsest * ground_.coarseness))));
+            std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / (coarsestTrace * ground_.coarseness))));
         for (int k = 0; k < steps; ++k) {
             if (!stretches.last()) add(at(from, probe));
             const SurfacePlace first = *stretches.last();
@@ -161,7 +161,7 @@ bool SurfaceTrace::isInArea(const SurfacePlace& place, TipDrop& probe) const {
 }
 
 bool SurfaceTrace::isPossible(const SurfacePlace& place) const {
-    return heights_.safeHeight(place.tip) <= place.tip.z + tolerance &&
+    return heights_.safeHeight(place.tip) <= place.tip.z + traceTolerance &&
            heights_.freeTip(place.tip.x, place.tip.y) <=
                place.tip.z + std::min(ground_.rowDepth, usableFlutes(ground_.tool.cutter));
 }

@@ -3,7 +3,9 @@
 #include "tests/architecture/include_rules.h"
 #include "tests/architecture/tree_of_files.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QProcess>
 #include <QRegularExpression>
@@ -12,6 +14,8 @@
 #include <QtTest>
 
 #include <array>
+
+namespace burin::tst_format {
 
 using namespace burin::architecture;
 
@@ -73,5 +77,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFormat)
+BURIN_TEST(TestFormat, QCoreApplication)
+
+} // namespace burin::tst_format
+
 #include "tst_format.moc"

@@ -3,11 +3,14 @@
 #include "tests/architecture/include_rules.h"
 #include "tests/architecture/tree_of_files.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 #include <algorithm>
 #include <filesystem>
+
+namespace burin::tst_includes {
 
 using namespace burin::architecture;
 namespace fs = std::filesystem;
@@ -238,5 +241,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestIncludes)
+BURIN_TEST(TestIncludes, NoApplication)
+
+} // namespace burin::tst_includes
+
 #include "tst_includes.moc"

@@ -4,9 +4,12 @@
 #include "tests/architecture/page_rules.h"
 #include "tests/architecture/tree_of_files.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
+
+namespace burin::tst_pages {
 
 using namespace burin::architecture;
 
@@ -69,5 +72,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPages)
+BURIN_TEST(TestPages, NoApplication)
+
+} // namespace burin::tst_pages
+
 #include "tst_pages.moc"

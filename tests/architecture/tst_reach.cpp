@@ -3,12 +3,15 @@
 #include "tests/architecture/reach_rules.h"
 #include "tests/architecture/tree_of_files.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <initializer_list>
 #include <utility>
+
+namespace burin::tst_reach {
 
 using namespace burin::architecture;
 
@@ -116,5 +119,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestReach)
+BURIN_TEST(TestReach, NoApplication)
+
+} // namespace burin::tst_reach
+
 #include "tst_reach.moc"

@@ -40,13 +40,13 @@ private:
         const glm::ivec3 count(glm::round(glm::dvec3(length, width, height) / voxel));
         const Grid grid = Grid::make(glm::dvec3(0.0), voxel, count).value();
         PropertyList properties;
-        Property stock, part;
+        Property stock, protectedPart;
         stock.id = "stock";
         stock.colour = {190, 195, 200};
-        part.id = "part";
-        part.machinability = Machinability::isProtected;
+        protectedPart.id = "part";
+        protectedPart.machinability = Machinability::isProtected;
         (void)properties.add(stock);
-        (void)properties.add(part);
+        (void)properties.add(protectedPart);
         RunVolume volume = RunVolume::make(grid, properties).value();
         (void)volume.fillBlock({0, 0}, {grid.lineCountU(), grid.lineCountV()}, 0, grid.lineEnd(), 1);
         return volume;

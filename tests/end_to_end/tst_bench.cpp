@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program_run.h"
 #include "tests/benchmarks/scale/exponent.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QJsonArray>
 #include <QTest>
 
@@ -10,6 +12,8 @@
 #include <csignal>
 #include <iterator>
 #include <map>
+
+namespace burin::tst_bench {
 
 /// The shape of what `burin rig` prints; its numbers are no test's business.
 class BenchTest : public QObject {
@@ -148,5 +152,8 @@ void BenchTest::stopsWhenAsked() {
     QCOMPARE(process.exitCode(), 5);
 }
 
-QTEST_GUILESS_MAIN(BenchTest)
+BURIN_TEST(BenchTest, QCoreApplication)
+
+} // namespace burin::tst_bench
+
 #include "tst_bench.moc"

@@ -3,7 +3,9 @@
 #include "program_run.h"
 
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
@@ -13,6 +15,8 @@
 #include <QTest>
 
 #include <cmath>
+
+namespace burin::tst_calibrate {
 
 namespace {
 
@@ -139,5 +143,8 @@ void CalibrateTest::aBrokenRowIsNamed() {
     QVERIFY2(run.messages.contains("line 4, column teeth"), run.messages);
 }
 
-QTEST_GUILESS_MAIN(CalibrateTest)
+BURIN_TEST(CalibrateTest, QCoreApplication)
+
+} // namespace burin::tst_calibrate
+
 #include "tst_calibrate.moc"

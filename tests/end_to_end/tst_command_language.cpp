@@ -3,12 +3,16 @@
 #include "program_run.h"
 
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QXmlStreamReader>
+
+namespace burin::tst_command_language {
 
 namespace {
 
@@ -260,5 +264,8 @@ void CommandLanguageTest::faultsAreInTheUsersLanguage() {
     QVERIFY2(here.messages.trimmed().endsWith('.'), here.messages.constData());
 }
 
-QTEST_GUILESS_MAIN(CommandLanguageTest)
+BURIN_TEST(CommandLanguageTest, QCoreApplication)
+
+} // namespace burin::tst_command_language
+
 #include "tst_command_language.moc"

@@ -3,7 +3,9 @@
 #include "program_run.h"
 
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QImage>
@@ -14,6 +16,8 @@
 #include <cmath>
 #include <csignal>
 #include <sys/resource.h>
+
+namespace burin::tst_command_line {
 
 namespace {
 
@@ -334,5 +338,8 @@ void CommandLineTest::stopsWhenAsked() {
     QCOMPARE(info.json()["recovered"].toBool(), false);
 }
 
-QTEST_GUILESS_MAIN(CommandLineTest)
+BURIN_TEST(CommandLineTest, QCoreApplication)
+
+} // namespace burin::tst_command_line
+
 #include "tst_command_line.moc"

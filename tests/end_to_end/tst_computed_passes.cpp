@@ -5,13 +5,15 @@
 #include "program_run.h"
 
 #include "core/base/units.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QTemporaryDir>
 #include <QTest>
 
-using namespace burin;
+namespace burin::tst_computed_passes {
 
 /// From a part to a checked program without a recording. Oracles: LinuxCNC's interpreter for what the program does,
 /// OpenCASCADE for the part, the numbers of the drawings.
@@ -284,5 +286,8 @@ private:
     QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(ComputedPassesTest)
+BURIN_TEST(ComputedPassesTest, QCoreApplication)
+
+} // namespace burin::tst_computed_passes
+
 #include "tst_computed_passes.moc"

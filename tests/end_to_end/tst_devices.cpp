@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "program_run.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace burin::tst_devices {
 
 /// A maker's device from the command line, with a library that stands in for the maker's.
 class DevicesTest : public QObject {
@@ -73,5 +77,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DevicesTest)
+BURIN_TEST(DevicesTest, QCoreApplication)
+
+} // namespace burin::tst_devices
+
 #include "tst_devices.moc"

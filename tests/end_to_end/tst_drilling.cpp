@@ -5,14 +5,17 @@
 #include "program_run.h"
 
 #include "core/base/units.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <map>
 
-using namespace burin;
+namespace burin::tst_drilling {
+
 using namespace burin::test;
 
 /// Holes of a part that OpenCASCADE made, found and drilled. Oracles: the numbers that it was made with, LinuxCNC's
@@ -170,5 +173,8 @@ private:
     QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(DrillingTest)
+BURIN_TEST(DrillingTest, QCoreApplication)
+
+} // namespace burin::tst_drilling
+
 #include "tst_drilling.moc"

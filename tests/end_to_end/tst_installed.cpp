@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QDirIterator>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -14,6 +16,8 @@
 #include <QTest>
 
 #include <algorithm>
+
+namespace burin::tst_installed {
 
 namespace {
 
@@ -41,7 +45,7 @@ Outcome run(const QString& program, const QStringList& arguments, const QStringL
             process.readAllStandardError()};
 }
 
-QByteArray contentOf(const QString& path) {
+QByteArray bytesOf(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
@@ -87,7 +91,7 @@ private slots:
         QDirIterator files(path(QStringLiteral("root")), QDir::Files, QDirIterator::Subdirectories);
         int count = 0;
         while (files.hasNext()) {
-            const QByteArray content = contentOf(files.next());
+            const QByteArray content = bytesOf(files.next());
             ++count;
             QVERIFY2(!content.contains(BURIN_SOURCE_DIRECTORY), qPrintable(files.filePath()));
             QVERIFY2(!content.contains(BURIN_BUILD_DIRECTORY), qPrintable(files.filePath()));
@@ -106,7 +110,7 @@ private slots:
         const Outcome types = run(QStringLiteral("update-mime-database"),
                                   {QStringLiteral("-V"), path(QStringLiteral("root/share/mime"))});
         QVERIFY2(types.status == 0 && !types.messages.contains("rror"), types.messages.constData());
-        const QByteArray globs = contentOf(path(QStringLiteral("root/share/mime/globs2")));
+        const QByteArray globs = bytesOf(path(QStringLiteral("root/share/mime/globs2")));
         for (const char* glob : {"application/x-burin-project:*.burin", "model/step:*.stp", "text/x.gcode:*.ngc"})
             QVERIFY2(globs.contains(glob), glob);
     }
@@ -146,7 +150,8 @@ private slots:
         const QJsonArray drivers = QJsonDocument::fromJson(devices.out)["drivers"].toArray();
         QStringList ids;
         for (const QJsonValue& driver : drivers) ids << driver["id"].toString();
-        QCOMPARE(ids.join(' '), QString("simulated force_dimension haply open_stylus openhaptics spacemouse spacenav"));
+        QCOMPARE(ids.join(' '),
+                 QString("simulated force_dimension haply open_stylus openhaptics spacemouse spacenav"));
         for (const QJsonValue& driver : drivers) // no maker's library is in the bare system
             QCOMPARE(driver["ready"].toBool(), !driver["id"].toString().contains(QRegularExpression("^(force|openh)")));
     }
@@ -246,5 +251,8 @@ private:
     QStringList bare_;
 };
 
-QTEST_GUILESS_MAIN(TestInstalled)
+BURIN_TEST(TestInstalled, QCoreApplication)
+
+} // namespace burin::tst_installed
+
 #include "tst_installed.moc"

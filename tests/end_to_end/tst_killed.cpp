@@ -4,7 +4,9 @@
 
 #include "tests/long_run.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QJsonArray>
@@ -13,6 +15,8 @@
 
 #include <chrono>
 #include <csignal>
+
+namespace burin::tst_killed {
 
 /// A recording that is ended by force. The kill comes from outside, at a moment that Burin can't know.
 class KilledTest : public QObject {
@@ -86,5 +90,8 @@ void KilledTest::keepsAllButTheLast100Milliseconds() {
     QCOMPARE(saved["samples"].toInteger(), take["samples"].toInteger());
 }
 
-QTEST_GUILESS_MAIN(KilledTest)
+BURIN_TEST(KilledTest, QCoreApplication)
+
+} // namespace burin::tst_killed
+
 #include "tst_killed.moc"

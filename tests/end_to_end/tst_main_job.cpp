@@ -7,7 +7,9 @@
 #include "core/document/project.h"
 #include "core/tool/tool.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QImage>
 #include <QJsonArray>
@@ -17,7 +19,7 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_main_job {
 
 namespace {
 
@@ -174,5 +176,8 @@ void MainJobTest::bringsOutTheProjectAgain() {
     QCOMPARE(info["recovered"].toBool(), false);
 }
 
-QTEST_GUILESS_MAIN(MainJobTest)
+BURIN_TEST(MainJobTest, QCoreApplication)
+
+} // namespace burin::tst_main_job
+
 #include "tst_main_job.moc"

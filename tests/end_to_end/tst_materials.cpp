@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "program_run.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace burin::tst_materials {
 
 namespace {
 
@@ -92,5 +96,8 @@ private:
     QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(MaterialsTest)
+BURIN_TEST(MaterialsTest, QCoreApplication)
+
+} // namespace burin::tst_materials
+
 #include "tst_materials.moc"

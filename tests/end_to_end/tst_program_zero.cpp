@@ -4,13 +4,15 @@
 #include "program_run.h"
 
 #include "core/tool/tool_library.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QJsonArray>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
-using namespace burin;
+namespace burin::tst_program_zero {
 
 namespace {
 
@@ -165,5 +167,8 @@ private:
     QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(ProgramZeroTest)
+BURIN_TEST(ProgramZeroTest, QCoreApplication)
+
+} // namespace burin::tst_program_zero
+
 #include "tst_program_zero.moc"

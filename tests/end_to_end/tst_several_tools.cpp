@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/end_to_end/program_run.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QJsonArray>
 #include <QRegularExpression>
@@ -10,6 +12,8 @@
 #include <QtTest>
 
 #include <cmath>
+
+namespace burin::tst_several_tools {
 
 class TestSeveralTools : public QObject {
     Q_OBJECT
@@ -114,5 +118,8 @@ void TestSeveralTools::aControlWithoutToolChangeRefuses() {
     QVERIFY(!QFile::exists(program));
 }
 
-QTEST_GUILESS_MAIN(TestSeveralTools)
+BURIN_TEST(TestSeveralTools, QCoreApplication)
+
+} // namespace burin::tst_several_tools
+
 #include "tst_several_tools.moc"

@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "program_run.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QImage>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <set>
+
+namespace burin::tst_sheet {
 
 /// The setup sheet from the command line. Oracles: what was asked for when the project was made, and the program's own
 /// text.
@@ -112,5 +116,8 @@ private:
     QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(SheetTest)
+BURIN_TEST(SheetTest, QCoreApplication)
+
+} // namespace burin::tst_sheet
+
 #include "tst_sheet.moc"

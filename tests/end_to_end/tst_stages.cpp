@@ -4,7 +4,9 @@
 #include "program_run.h"
 
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
@@ -14,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+namespace burin::tst_stages {
 
 /// The job stage by stage, one command each, on a block with pockets (100 × 100 × 18 mm).
 class StagesTest : public QObject {
@@ -247,5 +251,8 @@ void StagesTest::millsThePapersBlock() {
         canonicalMoves(answer["program"].toString(), folder_.path(), answer["tool"].toObject()["number"].toInt(), 1.0));
 }
 
-QTEST_GUILESS_MAIN(StagesTest)
+BURIN_TEST(StagesTest, QCoreApplication)
+
+} // namespace burin::tst_stages
+
 #include "tst_stages.moc"

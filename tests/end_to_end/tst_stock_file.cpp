@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "program_run.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QJsonArray>
 #include <QTemporaryDir>
@@ -9,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+namespace burin::tst_stock_file {
 
 namespace {
 
@@ -153,5 +157,8 @@ private:
     QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(StockFileTest)
+BURIN_TEST(StockFileTest, QCoreApplication)
+
+} // namespace burin::tst_stock_file
+
 #include "tst_stock_file.moc"

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "program_run.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
@@ -11,6 +13,8 @@
 #include <array>
 #include <cmath>
 #include <set>
+
+namespace burin::tst_stock_of_materials {
 
 namespace {
 
@@ -142,5 +146,8 @@ private:
     QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(StockOfMaterialsTest)
+BURIN_TEST(StockOfMaterialsTest, QCoreApplication)
+
+} // namespace burin::tst_stock_of_materials
+
 #include "tst_stock_of_materials.moc"

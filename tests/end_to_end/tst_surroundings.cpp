@@ -8,15 +8,17 @@
 #include "tests/oracles/tool_depth.h"
 #include "tests/places.h"
 #include "tests/stl_text.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
 
-namespace {
+namespace burin::tst_surroundings {
 
-using namespace burin;
+namespace {
 
 bool writeStl(const QString& name, const TriangleMesh& mesh) {
     const QByteArray text = testing::stlText(mesh);
@@ -208,5 +210,8 @@ void SurroundingsTest::aLeaningPathIsNotPosted() {
     QVERIFY(!QFile::exists(program));
 }
 
-QTEST_GUILESS_MAIN(SurroundingsTest)
+BURIN_TEST(SurroundingsTest, QCoreApplication)
+
+} // namespace burin::tst_surroundings
+
 #include "tst_surroundings.moc"

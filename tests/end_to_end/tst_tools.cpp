@@ -5,7 +5,9 @@
 #include "tests/core/geometry/shapes.h"
 #include "tests/places.h"
 #include "tests/stl_text.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
@@ -19,9 +21,9 @@
 
 #include <cmath>
 
-namespace {
+namespace burin::tst_tools {
 
-using namespace burin;
+namespace {
 
 QByteArray bar(const glm::dvec3& low, const glm::dvec3& high) {
     return testing::stlText(shapes::box(low, high));
@@ -271,5 +273,8 @@ private:
     QString flutes_;
 };
 
-QTEST_GUILESS_MAIN(ToolsTest)
+BURIN_TEST(ToolsTest, QCoreApplication)
+
+} // namespace burin::tst_tools
+
 #include "tst_tools.moc"

@@ -5,7 +5,9 @@
 #include "program_run.h"
 
 #include "core/tool/tool_library.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
@@ -14,7 +16,7 @@
 #include <cmath>
 #include <optional>
 
-using namespace burin;
+namespace burin::tst_two_setups {
 
 namespace {
 
@@ -231,5 +233,8 @@ private:
     QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(TwoSetupsTest)
+BURIN_TEST(TwoSetupsTest, QCoreApplication)
+
+} // namespace burin::tst_two_setups
+
 #include "tst_two_setups.moc"

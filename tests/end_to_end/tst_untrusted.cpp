@@ -3,7 +3,9 @@
 #include "program_run.h"
 
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
@@ -13,6 +15,8 @@
 
 #include <csignal>
 #include <sys/stat.h>
+
+namespace burin::tst_untrusted {
 
 /// Files from anybody, names from anywhere, outputs to the wrong place, users of any language.
 class UntrustedTest : public QObject {
@@ -263,5 +267,8 @@ void UntrustedTest::aPipeThatNobodyReadsIsGivenUpWhenAsked() {
     QCOMPARE(process.exitCode(), 5);
 }
 
-QTEST_GUILESS_MAIN(UntrustedTest)
+BURIN_TEST(UntrustedTest, QCoreApplication)
+
+} // namespace burin::tst_untrusted
+
 #include "tst_untrusted.moc"

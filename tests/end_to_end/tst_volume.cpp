@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "program_run.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
+
+namespace burin::tst_volume {
 
 /// Volumes as files: what the paper names, for whoever has a command line.
 class VolumeTest : public QObject {
@@ -144,5 +148,8 @@ private:
     QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(VolumeTest)
+BURIN_TEST(VolumeTest, QCoreApplication)
+
+} // namespace burin::tst_volume
+
 #include "tst_volume.moc"

@@ -4,15 +4,18 @@
 
 #include "core/document/project.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
+#include <QApplication>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <algorithm>
 
-using namespace burin;
+namespace burin::tst_window_job {
+
 using burin::testing::chooseFile;
 using burin::testing::WindowDriver;
 
@@ -250,5 +253,8 @@ void WindowJobTest::whatWasTakenBackIsNotMilled() {
     QVERIFY(distance(take_->samples[middles[3]].proxy.tip) > 1.0);
 }
 
-QTEST_MAIN(WindowJobTest)
+BURIN_TEST(WindowJobTest, QApplication)
+
+} // namespace burin::tst_window_job
+
 #include "tst_window_job.moc"

@@ -4,7 +4,9 @@
 
 #include "tests/long_run.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QDirIterator>
 #include <QElapsedTimer>
 #include <QFileInfo>
@@ -13,6 +15,8 @@
 
 #include <chrono>
 #include <csignal>
+
+namespace burin::tst_window_killed {
 
 namespace {
 
@@ -103,7 +107,6 @@ private slots:
 };
 
 enum class End { programKilled, programTerminated, displayKilled };
-Q_DECLARE_METATYPE(End)
 
 void WindowKilledTest::costsAtMost100Milliseconds_data() {
     QTest::addColumn<End>("end");
@@ -156,5 +159,8 @@ void WindowKilledTest::closingTheWindowAsksAndKeepsNothingThatIsDiscarded() {
     QVERIFY(session.left().isEmpty()); // the user was asked, and said so
 }
 
-QTEST_GUILESS_MAIN(WindowKilledTest)
+BURIN_TEST(WindowKilledTest, QCoreApplication)
+
+} // namespace burin::tst_window_killed
+
 #include "tst_window_killed.moc"

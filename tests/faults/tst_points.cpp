@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/faults/fault_run.h"
 #include "tests/long_run.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -12,6 +14,8 @@
 #include <mutex>
 #include <thread>
 #include <vector>
+
+namespace burin::tst_points {
 
 /// Each command with each of its calls that change a file failing, in each way. README.md has the rules.
 class PointsTest : public QObject {
@@ -92,5 +96,8 @@ void PointsTest::everyFaultLeavesAllOrNothing() {
     QVERIFY2(findings.isEmpty(), qPrintable(findings.join('\n')));
 }
 
-QTEST_GUILESS_MAIN(PointsTest)
+BURIN_TEST(PointsTest, QCoreApplication)
+
+} // namespace burin::tst_points
+
 #include "tst_points.moc"

@@ -3,10 +3,14 @@
 // The device plugins against a real kernel: hidapi, hidraw and the HID core of Debian's kernel, in a virtual machine in
 // which a program (guest.cpp) plugs devices in and out. It needs no rights, no KVM and no hardware.
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QtTest>
+
+namespace burin::tst_devices {
 
 namespace {
 
@@ -75,5 +79,8 @@ private:
     QHash<QString, QString> results_; ///< "ok " or "failed why", by fact
 };
 
-QTEST_GUILESS_MAIN(TestDevices)
+BURIN_TEST(TestDevices, QCoreApplication)
+
+} // namespace burin::tst_devices
+
 #include "tst_devices.moc"

@@ -4,47 +4,7 @@
 
 #include <atomic>
 #include <cstddef>
-#include <cstdlib>
-#include <new>
 
-/// Counts every allocation of the test program. Include in one source file only: it replaces the global operators, all
-/// of their forms, so that the address sanitizer finds no memory of its own freed by ours.
-inline std::atomic<std::size_t> allocationCount{0};
-
-inline void* countedAllocation(std::size_t size) noexcept {
-    allocationCount.fetch_add(1, std::memory_order_relaxed);
-    return std::malloc(size == 0 ? 1 : size);
-}
-
-void* operator new(std::size_t size) {
-    if (void* memory = countedAllocation(size)) return memory;
-    throw std::bad_alloc();
-}
-void* operator new[](std::size_t size) {
-    if (void* memory = countedAllocation(size)) return memory;
-    throw std::bad_alloc();
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    return countedAllocation(size);
-}
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
-    return countedAllocation(size);
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, const std::nothrow_t&) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory, const std::nothrow_t&) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
+/// Every allocation of the test program so far, by any thread. What links burin::allocation_count has the global
+/// operators replaced, all of their forms, so that the address sanitizer finds no memory of its own freed by ours.
+extern std::atomic<std::size_t> allocationCount;

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/triangle_mesh.h"
 #include "tests/part_field/part_field.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_gentle_ridges {
 
 namespace {
 
@@ -97,5 +98,8 @@ void GentleRidgesTest::keepTheirBound() {
     QVERIFY(largest <= 0.08 * voxel);
 }
 
-QTEST_APPLESS_MAIN(GentleRidgesTest)
+BURIN_TEST(GentleRidgesTest, NoApplication)
+
+} // namespace burin::tst_gentle_ridges
+
 #include "tst_gentle_ridges.moc"

@@ -7,6 +7,7 @@
 #include "tests/core/geometry/random_shapes.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/random_cases.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
@@ -15,7 +16,7 @@
 #include <random>
 #include <thread>
 
-using namespace burin;
+namespace burin::tst_part_field {
 
 namespace {
 
@@ -466,5 +467,8 @@ void PartFieldTest::refusesWhatMakesNoField() {
     QVERIFY(!field.error().place.empty() || blocks > 200.0); // told before it is taken
 }
 
-QTEST_APPLESS_MAIN(PartFieldTest)
+BURIN_TEST(PartFieldTest, NoApplication)
+
+} // namespace burin::tst_part_field
+
 #include "tst_part_field.moc"

@@ -5,12 +5,13 @@
 #include "tests/imported_mesh.h"
 #include "tests/long_run.h"
 #include "tests/part_field/part_field.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_thin_features {
 
 namespace {
 
@@ -164,5 +165,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ThinFeaturesTest)
+BURIN_TEST(ThinFeaturesTest, NoApplication)
+
+} // namespace burin::tst_thin_features
+
 #include "tst_thin_features.moc"

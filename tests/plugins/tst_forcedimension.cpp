@@ -8,11 +8,14 @@
 #include "tests/plugins/stand_ins/dhd_stand_in.h"
 #include "tests/plugins/stand_ins/stand_in.h"
 #include "tests/plugins/through_driver.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_forcedimension {
+
 using namespace burin::test;
 using burin::testing::DhdDevice;
 using burin::testing::DhdStandIn;
@@ -383,5 +386,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestForceDimension)
+BURIN_TEST(TestForceDimension, QCoreApplication)
+
+} // namespace burin::tst_forcedimension
+
 #include "tst_forcedimension.moc"

@@ -5,13 +5,16 @@
 #include "tests/oracles/allocation_count.h"
 #include "tests/plugins/board_on_bus.h"
 #include "tests/plugins/comes_true.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QtTest>
 
 #include <chrono>
 #include <thread>
 
-using namespace burin;
+namespace burin::tst_open_stylus {
+
 using namespace burin::openstylus;
 using test::Board;
 using test::boardInfo;
@@ -296,5 +299,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOpenStylus)
+BURIN_TEST(TestOpenStylus, QCoreApplication)
+
+} // namespace burin::tst_open_stylus
+
 #include "tst_open_stylus.moc"

@@ -3,7 +3,9 @@
 #include "plugins/devices/open_stylus/exchange.h"
 #include "tests/oracles/allocation_count.h"
 #include "tests/plugins/board.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QtTest>
 #include <rapidcheck.h>
 
@@ -11,7 +13,8 @@
 #include <optional>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_open_stylus_exchange {
+
 using namespace burin::openstylus;
 using test::Board;
 
@@ -396,5 +399,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOpenStylusExchange)
+BURIN_TEST(TestOpenStylusExchange, QCoreApplication)
+
+} // namespace burin::tst_open_stylus_exchange
+
 #include "tst_open_stylus_exchange.moc"

@@ -3,7 +3,9 @@
 #include "plugins/devices/open_stylus/reports.h"
 #include "tests/places.h"
 #include "tests/plugins/board.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QRegularExpression>
 #include <QtTest>
 #include <rapidcheck.h>
@@ -11,7 +13,8 @@
 #include <cmath>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_open_stylus_reports {
+
 using namespace burin::openstylus;
 using test::Board;
 
@@ -345,5 +348,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOpenStylusReports)
+BURIN_TEST(TestOpenStylusReports, QCoreApplication)
+
+} // namespace burin::tst_open_stylus_reports
+
 #include "tst_open_stylus_reports.moc"

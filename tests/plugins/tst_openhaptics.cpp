@@ -10,11 +10,14 @@
 #include "tests/plugins/stand_ins/hd_stand_in.h"
 #include "tests/plugins/stand_ins/stand_in.h"
 #include "tests/plugins/through_driver.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_openhaptics {
+
 using namespace burin::test;
 using burin::testing::HdDevice;
 using burin::testing::HdStandIn;
@@ -409,5 +412,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOpenHaptics)
+BURIN_TEST(TestOpenHaptics, QCoreApplication)
+
+} // namespace burin::tst_openhaptics
+
 #include "tst_openhaptics.moc"

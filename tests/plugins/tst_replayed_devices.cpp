@@ -5,11 +5,14 @@
 #include "plugins/devices/spacemouse/driver.h"
 #include "tests/core/haptics/replayed_session.h"
 #include "tests/plugins/board_on_bus.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_replayed_devices {
+
 using namespace burin::test;
 
 namespace {
@@ -169,5 +172,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestReplayedDevices)
+BURIN_TEST(TestReplayedDevices, QCoreApplication)
+
+} // namespace burin::tst_replayed_devices
+
 #include "tst_replayed_devices.moc"

@@ -5,10 +5,13 @@
 #include "tests/oracles/allocation_count.h"
 #include "tests/plugins/comes_true.h"
 #include "tests/plugins/scripted_bus.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_spacemouse {
+
 using namespace burin::cap;
 using namespace burin::spacemouse;
 using test::comesTrue;
@@ -194,5 +197,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSpaceMouse)
+BURIN_TEST(TestSpaceMouse, QCoreApplication)
+
+} // namespace burin::tst_spacemouse
+
 #include "tst_spacemouse.moc"

@@ -4,13 +4,15 @@
 #include "plugins/devices/spacemouse/models.h"
 #include "plugins/devices/spacemouse/reports.h"
 #include "tests/oracles/allocation_count.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_spacemouse_reports {
+
 using namespace burin::cap;
 using namespace burin::spacemouse;
 
@@ -262,5 +264,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSpaceMouseReports)
+BURIN_TEST(TestSpaceMouseReports, NoApplication)
+
+} // namespace burin::tst_spacemouse_reports
+
 #include "tst_spacemouse_reports.moc"

@@ -6,18 +6,21 @@
 #include "plugins/devices/spacenav/events.h"
 #include "tests/oracles/allocation_count.h"
 #include "tests/plugins/comes_true.h"
+#include "tests/test_program.h"
 
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <rapidcheck.h>
 
 #include <cstring>
 
-using namespace burin;
+namespace burin::tst_spacenav {
+
 using burin::spacenav::EventReader;
 using burin::test::comesTrue;
 
@@ -175,5 +178,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSpacenav)
+BURIN_TEST(TestSpacenav, QCoreApplication)
+
+} // namespace burin::tst_spacenav
+
 #include "tst_spacenav.moc"

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/parallel.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <thread>
 
-using namespace burin;
+namespace burin::tst_planted_races {
 
 /// Races as a test or a parallel body would have them. That the sanitizer reports them is what is asked for.
 class PlantedRacesTest : public QObject {
@@ -30,5 +31,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PlantedRacesTest)
+BURIN_TEST(PlantedRacesTest, NoApplication)
+
+} // namespace burin::tst_planted_races
+
 #include "tst_planted_races.moc"

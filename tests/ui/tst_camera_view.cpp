@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
+#include "tests/test_program.h"
 #include "ui/scene/camera_motion.h"
 
 #include <QTest>
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_camera_view {
 
 namespace {
 
@@ -252,5 +253,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCameraView)
+BURIN_TEST(TestCameraView, NoApplication)
+
+} // namespace burin::tst_camera_view
+
 #include "tst_camera_view.moc"

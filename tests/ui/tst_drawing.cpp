@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/workbench_fixture.h"
 #include "ui/scene/deviation_surface.h"
 #include "ui/scene/frame_clock.h"
@@ -15,7 +16,7 @@
 #include <map>
 #include <tuple>
 
-using namespace burin;
+namespace burin::tst_drawing {
 
 namespace {
 
@@ -157,5 +158,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestDrawing)
+BURIN_TEST(TestDrawing, NoApplication)
+
+} // namespace burin::tst_drawing
+
 #include "tst_drawing.moc"

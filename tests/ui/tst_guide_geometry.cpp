@@ -1,18 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
+#include "tests/test_program.h"
 #include "ui/scene/guide_geometry.h"
 #include "ui/scene/guide_surface.h"
 
 #include <rapidcheck.h>
 
+#include <QCoreApplication>
 #include <QtTest>
 
 #include <vtkPolyData.h>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_guide_geometry {
 
 namespace {
 
@@ -174,5 +176,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestGuideGeometry)
+BURIN_TEST(TestGuideGeometry, QCoreApplication)
+
+} // namespace burin::tst_guide_geometry
+
 #include "tst_guide_geometry.moc"

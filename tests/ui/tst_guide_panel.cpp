@@ -1,17 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
+#include "tests/test_program.h"
 #include "tests/ui/panel_rig.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/guide_panel.h"
 #include "ui/theme/theme.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 
-using namespace burin;
+namespace burin::tst_guide_panel {
 
 namespace {
 
@@ -125,5 +127,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestGuidePanel)
+BURIN_TEST(TestGuidePanel, QApplication)
+
+} // namespace burin::tst_guide_panel
+
 #include "tst_guide_panel.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/panel_rig.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/hand_panel.h"
@@ -7,10 +8,11 @@
 #include "ui/panels/value_row.h"
 #include "ui/theme/theme.h"
 
+#include <QApplication>
 #include <QPushButton>
 #include <QSignalSpy>
 
-using namespace burin;
+namespace burin::tst_hand_panel {
 
 namespace {
 
@@ -116,5 +118,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestHandPanel)
+BURIN_TEST(TestHandPanel, QApplication)
+
+} // namespace burin::tst_hand_panel
+
 #include "tst_hand_panel.moc"

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "ui/panels/length_field.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -12,7 +14,7 @@
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_length_field {
 
 namespace {
 
@@ -364,5 +366,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestLengthField)
+BURIN_TEST(TestLengthField, QApplication)
+
+} // namespace burin::tst_length_field
+
 #include "tst_length_field.moc"

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/device/device_fault.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 #include "ui/messages/messages.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -16,7 +18,7 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_messages {
 
 namespace {
 
@@ -245,5 +247,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMessages)
+BURIN_TEST(TestMessages, QCoreApplication)
+
+} // namespace burin::tst_messages
+
 #include "tst_messages.moc"

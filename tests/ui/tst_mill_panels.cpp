@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/panel_examples.h"
 #include "tests/ui/panel_rig.h"
 #include "ui/panels/elided_label.h"
@@ -11,12 +12,13 @@
 #include "ui/panels/take_list.h"
 #include "ui/theme/theme.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 
-using namespace burin;
+namespace burin::tst_mill_panels {
 
 class TestMillPanels : public QObject {
     Q_OBJECT
@@ -265,5 +267,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestMillPanels)
+BURIN_TEST(TestMillPanels, QApplication)
+
+} // namespace burin::tst_mill_panels
+
 #include "tst_mill_panels.moc"

@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/workbench_fixture.h"
 #include "ui/input/mill_geometry.h"
 #include "ui/input/mill_tool.h"
 #include "ui/input/press_preview.h"
 
+#include <QCoreApplication>
 #include <QSignalSpy>
 #include <QTest>
 
-using namespace burin;
+namespace burin::tst_mill_tool {
 
 namespace {
 
@@ -524,5 +526,8 @@ private:
     bool cutting_ = false;
 };
 
-QTEST_GUILESS_MAIN(TestMillTool)
+BURIN_TEST(TestMillTool, QCoreApplication)
+
+} // namespace burin::tst_mill_tool
+
 #include "tst_mill_tool.moc"

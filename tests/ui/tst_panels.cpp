@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/places.h"
+#include "tests/test_program.h"
 #include "tests/ui/panel_examples.h"
 #include "ui/panels/allowance_panel.h"
 #include "ui/panels/bounds_panel.h"
@@ -24,6 +25,7 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractScrollArea>
+#include <QApplication>
 #include <QDir>
 #include <QMetaMethod>
 #include <QPainter>
@@ -34,7 +36,7 @@
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_panels {
 
 namespace {
 
@@ -239,7 +241,7 @@ private slots:
         environment.insert(QStringLiteral("QT_SCALE_FACTOR"), QStringLiteral("2"));
         again.setProcessEnvironment(environment);
         again.setProcessChannelMode(QProcess::MergedChannels);
-        again.start(QCoreApplication::applicationFilePath(), {"pictures", "nothingIsCutOff"});
+        again.start(QCoreApplication::applicationFilePath(), {"panels", "pictures", "nothingIsCutOff"});
         QVERIFY(again.waitForFinished(60000));
         QVERIFY2(again.exitCode() == 0, again.readAll().constData());
         const QImage once(screenshot(QStringLiteral("stock-dark-1x"))),
@@ -343,5 +345,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPanels)
+BURIN_TEST(TestPanels, QApplication)
+
+} // namespace burin::tst_panels
+
 #include "tst_panels.moc"

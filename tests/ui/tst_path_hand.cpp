@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // The pointer on lines and arcs of a path, against the formulas of circle and helix.
+#include "tests/test_program.h"
 #include "ui/input/path_hand.h"
 
+#include <QCoreApplication>
 #include <QSignalSpy>
 #include <QTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_path_hand {
 
 namespace {
 
@@ -170,5 +172,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPathHand)
+BURIN_TEST(TestPathHand, QCoreApplication)
+
+} // namespace burin::tst_path_hand
+
 #include "tst_path_hand.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/panel_examples.h"
 #include "tests/ui/panel_rig.h"
 #include "ui/panels/deviation_card.h"
@@ -15,6 +16,7 @@
 #include "ui/panels/texts.h"
 #include "ui/theme/theme.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -29,7 +31,7 @@
 
 #include <functional>
 
-using namespace burin;
+namespace burin::tst_path_panels {
 
 class TestPathPanels : public QObject {
     Q_OBJECT
@@ -826,5 +828,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPathPanels)
+BURIN_TEST(TestPathPanels, QApplication)
+
+} // namespace burin::tst_path_panels
+
 #include "tst_path_panels.moc"

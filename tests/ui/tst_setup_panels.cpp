@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/panel_examples.h"
 #include "tests/ui/panel_rig.h"
 #include "ui/panels/allowance_panel.h"
@@ -11,6 +12,7 @@
 #include "ui/panels/tool_panel.h"
 #include "ui/theme/theme.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QHelpEvent>
 #include <QLabel>
@@ -21,7 +23,7 @@
 
 #include <functional>
 
-using namespace burin;
+namespace burin::tst_setup_panels {
 
 class TestSetupPanels : public QObject {
     Q_OBJECT
@@ -407,5 +409,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSetupPanels)
+BURIN_TEST(TestSetupPanels, QApplication)
+
+} // namespace burin::tst_setup_panels
+
 #include "tst_setup_panels.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "ui/input/stroke_shapes.h"
 
 #include <QTest>
@@ -8,7 +9,7 @@
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_stroke_shapes {
 
 namespace {
 
@@ -95,5 +96,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStrokeShapes)
+BURIN_TEST(TestStrokeShapes, NoApplication)
+
+} // namespace burin::tst_stroke_shapes
+
 #include "tst_stroke_shapes.moc"

@@ -3,8 +3,10 @@
 #include "tests/core/device/desktop_stylus.h"
 #include "tests/core/haptics/own_stylus.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 #include "ui/workbench/workbench.h"
 
+#include <QCoreApplication>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -13,7 +15,8 @@
 #include <cmath>
 #include <mutex>
 
-using namespace burin;
+namespace burin::tst_styluses {
+
 using burin::test::OwnStylus;
 
 namespace {
@@ -309,5 +312,8 @@ private:
     std::unique_ptr<QTemporaryDir> folder_;
 };
 
-QTEST_GUILESS_MAIN(TestStyluses)
+BURIN_TEST(TestStyluses, QCoreApplication)
+
+} // namespace burin::tst_styluses
+
 #include "tst_styluses.moc"

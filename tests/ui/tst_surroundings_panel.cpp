@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
+#include "tests/test_program.h"
 #include "tests/ui/panel_rig.h"
 #include "ui/panels/bounds_panel.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/surroundings_panel.h"
 #include "ui/theme/theme.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
@@ -15,7 +17,7 @@
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_surroundings_panel {
 
 namespace {
 
@@ -147,5 +149,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSurroundingsPanel)
+BURIN_TEST(TestSurroundingsPanel, QApplication)
+
+} // namespace burin::tst_surroundings_panel
+
 #include "tst_surroundings_panel.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/places.h"
+#include "tests/test_program.h"
 #include "ui/theme/colour.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/length_unit.h"
@@ -28,7 +29,7 @@
 #include <cmath>
 #include <vector>
 
-using namespace burin;
+namespace burin::tst_theme {
 
 namespace {
 
@@ -375,5 +376,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTheme)
+BURIN_TEST(TestTheme, QApplication)
+
+} // namespace burin::tst_theme
+
 #include "tst_theme.moc"

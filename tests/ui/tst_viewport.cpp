@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/viewport_fixture.h"
 
+#include <QApplication>
 #include <QSignalSpy>
 
-using namespace burin;
+namespace burin::tst_viewport {
+
 using fixture::marksAt;
 using fixture::stock;
 
@@ -216,5 +219,8 @@ private:
     Viewport* viewport_ = nullptr;
 };
 
-QTEST_MAIN(TestViewport)
+BURIN_TEST(TestViewport, QApplication)
+
+} // namespace burin::tst_viewport
+
 #include "tst_viewport.moc"

@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/viewport_fixture.h"
 
 #include <functional>
 
-using namespace burin;
+#include <QApplication>
+
+namespace burin::tst_viewport_guides {
+
 using fixture::marksAt;
 using fixture::radii;
 using fixture::stock;
@@ -221,5 +225,8 @@ private:
     QImage plain_;
 };
 
-QTEST_MAIN(TestViewportGuides)
+BURIN_TEST(TestViewportGuides, QApplication)
+
+} // namespace burin::tst_viewport_guides
+
 #include "tst_viewport_guides.moc"

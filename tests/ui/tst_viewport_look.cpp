@@ -3,13 +3,17 @@
 #include "core/base/progress.h"
 #include "core/volume/voxelisation/voxelisation.h"
 #include "tests/core/volume/shapes.h"
+#include "tests/test_program.h"
 #include "tests/ui/viewport_fixture.h"
 #include "ui/theme/colour.h"
 
 #include <algorithm>
 #include <map>
 
-using namespace burin;
+#include <QApplication>
+
+namespace burin::tst_viewport_look {
+
 using fixture::stock;
 
 namespace {
@@ -339,5 +343,8 @@ private:
     Viewport* viewport_ = nullptr;
 };
 
-QTEST_MAIN(TestViewportLook)
+BURIN_TEST(TestViewportLook, QApplication)
+
+} // namespace burin::tst_viewport_look
+
 #include "tst_viewport_look.moc"

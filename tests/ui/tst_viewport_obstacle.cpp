@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/workbench_fixture.h"
 #include "ui/scene/viewport.h"
 
@@ -8,7 +9,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-using namespace burin;
+namespace burin::tst_viewport_obstacle {
 
 /// Machines whose OpenGL doesn't do. Each is played by this program, started again with another display.
 class TestViewportObstacle : public QObject {
@@ -37,7 +38,7 @@ private slots:
         if (!version.isEmpty()) environment.insert("MESA_GL_VERSION_OVERRIDE", version);
         QProcess child;
         child.setProcessEnvironment(environment);
-        child.start(QApplication::applicationFilePath(), {QStringLiteral("drawingFails")});
+        child.start(QApplication::applicationFilePath(), {"viewport_obstacle", "drawingFails"});
         QVERIFY(child.waitForFinished(30000));
         QVERIFY2(child.exitCode() == 0, child.readAllStandardOutput().constData());
     }
@@ -66,5 +67,8 @@ private:
     static bool asked() { return qEnvironmentVariableIsSet(asking); }
 };
 
-QTEST_MAIN(TestViewportObstacle)
+BURIN_TEST(TestViewportObstacle, QApplication)
+
+} // namespace burin::tst_viewport_obstacle
+
 #include "tst_viewport_obstacle.moc"

@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/viewport_fixture.h"
 
+#include <QApplication>
 #include <QElapsedTimer>
 #include <QSignalSpy>
 #include <QStackedWidget>
 
-using namespace burin;
+namespace burin::tst_viewport_picture {
+
 using fixture::marksAt;
 using fixture::radii;
 using fixture::stock;
@@ -512,5 +515,8 @@ private:
     QImage after_;
 };
 
-QTEST_MAIN(TestViewportPicture)
+BURIN_TEST(TestViewportPicture, QApplication)
+
+} // namespace burin::tst_viewport_picture
+
 #include "tst_viewport_picture.moc"

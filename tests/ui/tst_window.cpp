@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/places.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/scene/viewport.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QFile>
 #include <QHash>
@@ -13,7 +15,8 @@
 
 #include <algorithm>
 
-using namespace burin;
+namespace burin::tst_window {
+
 using namespace burin::testing;
 
 class TestWindow : public QObject {
@@ -241,5 +244,8 @@ void TestWindow::workOfAProgramThatIsStillEndingIsOfferedOnceItHasEnded() {
     QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("recoverButton") != nullptr; }, 10000));
 }
 
-QTEST_MAIN(TestWindow)
+BURIN_TEST(TestWindow, QApplication)
+
+} // namespace burin::tst_window
+
 #include "tst_window.moc"

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The area of the next pass: painted by mouse and keys.
 #include "core/base/units.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_window_area {
+
 using namespace burin::testing;
 
 namespace {
@@ -151,5 +154,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestWindowArea)
+BURIN_TEST(TestWindowArea, QApplication)
+
+} // namespace burin::tst_window_area
+
 #include "tst_window_area.moc"

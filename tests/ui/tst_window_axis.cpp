@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QScrollArea>
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_window_axis {
+
 using namespace burin::testing;
 
 namespace {
@@ -66,5 +69,8 @@ void TestWindowAxis::theToolStandsAsChosen() {
     QVERIFY(driver.settle());
 }
 
-QTEST_MAIN(TestWindowAxis)
+BURIN_TEST(TestWindowAxis, QApplication)
+
+} // namespace burin::tst_window_axis
+
 #include "tst_window_axis.moc"

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The device dialogue, with a Touch whose library stands in for the maker's.
 #include "tests/places.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/dialogs/preferences.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/row_list.h"
 
+#include <QApplication>
 #include <QDialog>
 #include <QDir>
 #include <QFile>
@@ -16,7 +18,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_window_devices {
+
 using namespace burin::testing;
 
 class TestWindowDevices : public QObject {
@@ -142,5 +145,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestWindowDevices)
+BURIN_TEST(TestWindowDevices, QApplication)
+
+} // namespace burin::tst_window_devices
+
 #include "tst_window_devices.moc"

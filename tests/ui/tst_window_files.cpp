@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/places.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
+#include <QApplication>
 #include <QFile>
 #include <QPushButton>
 #include <QtTest>
@@ -10,7 +12,8 @@
 #include <sqlite3.h>
 #include <sys/stat.h>
 
-using namespace burin;
+namespace burin::tst_window_files {
+
 using namespace burin::testing;
 
 /// Files that a user drops, opens or clicks on by mistake.
@@ -185,5 +188,8 @@ void TestWindowFiles::whatWasSaidOfAFileEndsWithTheNextOne() {
     QVERIFY(driver.settle());
 }
 
-QTEST_MAIN(TestWindowFiles)
+BURIN_TEST(TestWindowFiles, QApplication)
+
+} // namespace burin::tst_window_files
+
 #include "tst_window_files.moc"

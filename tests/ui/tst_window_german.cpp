@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/places.h"
+#include "tests/test_program.h"
 #include "tests/ui/visible_texts.h"
 #include "tests/ui/window_steps.h"
 #include "ui/messages/messages.h"
 
+#include <QApplication>
 #include <QDirIterator>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -16,7 +18,8 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_window_german {
+
 using namespace burin::testing;
 
 namespace {
@@ -184,5 +187,8 @@ void TestWindowGerman::numbersHaveTheDecimalComma() {
     QVERIFY(fields > 10);
 }
 
-QTEST_MAIN(TestWindowGerman)
+BURIN_TEST(TestWindowGerman, QApplication)
+
+} // namespace burin::tst_window_german
+
 #include "tst_window_german.moc"

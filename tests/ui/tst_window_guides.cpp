@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QScrollArea>
@@ -10,7 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_window_guides {
+
 using namespace burin::testing;
 
 namespace {
@@ -82,5 +85,8 @@ void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
     QVERIFY(driver.waitFor([&] { return !guidesSwitch->isChecked(); }, 3000));
 }
 
-QTEST_MAIN(TestWindowGuides)
+BURIN_TEST(TestWindowGuides, QApplication)
+
+} // namespace burin::tst_window_guides
+
 #include "tst_window_guides.moc"

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // What comes in between while a stroke is drawn or cut: Esc, undo, another step, a dialog, another program.
 #include "tests/long_run.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
+#include <QApplication>
 #include <QLabel>
 #include <QtTest>
 
 #include <initializer_list>
 #include <utility>
 
-using namespace burin;
+namespace burin::tst_window_interruptions {
+
 using namespace burin::testing;
 
 namespace {
@@ -19,7 +22,6 @@ namespace {
 enum class Middle { stroke, line, rectangle, rows, repetition, spindle };
 
 } // namespace
-Q_DECLARE_METATYPE(Middle)
 
 class TestWindowInterruptions : public QObject {
     Q_OBJECT
@@ -234,5 +236,8 @@ private:
     bool held_ = false;
 };
 
-QTEST_MAIN(TestWindowInterruptions)
+BURIN_TEST(TestWindowInterruptions, QApplication)
+
+} // namespace burin::tst_window_interruptions
+
 #include "tst_window_interruptions.moc"

@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/messages/messages.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QFile>
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_window_job {
+
 using namespace burin::testing;
 
 class TestWindowJob : public QObject {
@@ -128,5 +131,8 @@ void TestWindowJob::aProjectsOwnMaterialIsMilled() {
     driver.shoot("34-own-material");
 }
 
-QTEST_MAIN(TestWindowJob)
+BURIN_TEST(TestWindowJob, QApplication)
+
+} // namespace burin::tst_window_job
+
 #include "tst_window_job.moc"

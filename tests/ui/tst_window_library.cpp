@@ -4,12 +4,14 @@
 #include "tests/core/geometry/shapes.h"
 #include "tests/places.h"
 #include "tests/stl_text.h"
+#include "tests/test_program.h"
 #include "tests/ui/visible_texts.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/row_list.h"
 #include "ui/scene/viewport.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -22,7 +24,8 @@
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_window_library {
+
 using namespace burin::testing;
 
 namespace {
@@ -426,5 +429,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestWindowLibrary)
+BURIN_TEST(TestWindowLibrary, QApplication)
+
+} // namespace burin::tst_window_library
+
 #include "tst_window_library.moc"

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/places.h"
+#include "tests/test_program.h"
 #include "tests/ui/visible_texts.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/layer_panel.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/row_list.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QTemporaryDir>
@@ -14,7 +16,8 @@
 
 #include <set>
 
-using namespace burin;
+namespace burin::tst_window_materials {
+
 using namespace burin::testing;
 
 namespace {
@@ -267,5 +270,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestWindowMaterials)
+BURIN_TEST(TestWindowMaterials, QApplication)
+
+} // namespace burin::tst_window_materials
+
 #include "tst_window_materials.moc"

@@ -4,8 +4,10 @@
 #include "core/base/units.h"
 #include "core/setup/setup.h"
 #include "tests/stl_text.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
@@ -14,7 +16,8 @@
 #include <QSpinBox>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_window_passes {
+
 using namespace burin::testing;
 
 namespace {
@@ -321,5 +324,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestWindowPasses)
+BURIN_TEST(TestWindowPasses, QApplication)
+
+} // namespace burin::tst_window_passes
+
 #include "tst_window_passes.moc"

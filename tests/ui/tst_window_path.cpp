@@ -1,17 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/arc.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QApplication>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QtTest>
 
 #include <algorithm>
 
-using namespace burin;
+namespace burin::tst_window_path {
+
 using namespace burin::testing;
 
 namespace {
@@ -362,5 +365,8 @@ void TestWindowPath::theMirrorsPlaneIsDrawn() {
     QVERIFY(evaluatedAgain(driver));
 }
 
-QTEST_MAIN(TestWindowPath)
+BURIN_TEST(TestWindowPath, QApplication)
+
+} // namespace burin::tst_window_path
+
 #include "tst_window_path.moc"

@@ -3,9 +3,11 @@
 // A click on a path means the place under the pointer, on a line and on an arc.
 #include "core/geometry/arc.h"
 #include "core/path/hand_stretch.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QLabel>
 #include <QRegularExpression>
 #include <QtTest>
@@ -13,7 +15,8 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_window_picking {
+
 using namespace burin::testing;
 
 namespace {
@@ -146,5 +149,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestWindowPicking)
+BURIN_TEST(TestWindowPicking, QApplication)
+
+} // namespace burin::tst_window_picking
+
 #include "tst_window_picking.moc"

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/places.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/scene/camera_view.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDirIterator>
 #include <QLabel>
 #include <QtTest>
@@ -12,7 +14,8 @@
 #include <csignal>
 #include <sys/types.h>
 
-using namespace burin;
+namespace burin::tst_window_preview {
+
 using namespace burin::testing;
 
 namespace {
@@ -163,5 +166,8 @@ void TestWindowPreview::fromTheWelcomePageAndBack() {
     QVERIFY(driver.waitFor([&] { return !viewOf(driver).showsPreview(); }, 5000));
 }
 
-QTEST_MAIN(TestWindowPreview)
+BURIN_TEST(TestWindowPreview, QApplication)
+
+} // namespace burin::tst_window_preview
+
 #include "tst_window_preview.moc"

@@ -4,11 +4,13 @@
 #include "core/nc/parser.h"
 #include "core/nc/program_lines.h"
 #include "tests/long_run.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/row_list.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
@@ -24,7 +26,8 @@
 
 #include <algorithm>
 
-using namespace burin;
+namespace burin::tst_window_program {
+
 using namespace burin::testing;
 
 namespace {
@@ -762,5 +765,8 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QVERIFY2(spoken.startsWith("has a problem"), qPrintable(spoken));
 }
 
-QTEST_MAIN(TestWindowProgram)
+BURIN_TEST(TestWindowProgram, QApplication)
+
+} // namespace burin::tst_window_program
+
 #include "tst_window_program.moc"

@@ -1,18 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/document/project.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/notice.h"
 #include "ui/scene/camera_view.h"
 
 #include <QAbstractSpinBox>
 #include <QAction>
+#include <QApplication>
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_window_reopen {
+
 using namespace burin::testing;
 
 /// Whoever opens a project again finds the window as it was left.
@@ -244,5 +247,8 @@ void TestWindowReopen::whatChangesAfterOpeningMakesTheVerdictOutOfDate() {
     QVERIFY(!driver.visible<QPushButton>("exportButton")->isEnabled());
 }
 
-QTEST_MAIN(TestWindowReopen)
+BURIN_TEST(TestWindowReopen, QApplication)
+
+} // namespace burin::tst_window_reopen
+
 #include "tst_window_reopen.moc"

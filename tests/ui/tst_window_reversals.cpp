@@ -3,8 +3,10 @@
 // Mouse strokes as hands make them, to a program without back-steps; read from its text without our parser.
 #include "core/document/project.h"
 #include "tests/long_run.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QRegularExpression>
@@ -13,7 +15,8 @@
 #include <algorithm>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_window_reversals {
+
 using namespace burin::testing;
 
 namespace {
@@ -300,5 +303,8 @@ void TestWindowReversals::mouseStrokesMakeAProgramThatNeverStepsBack() {
     }
 }
 
-QTEST_MAIN(TestWindowReversals)
+BURIN_TEST(TestWindowReversals, QApplication)
+
+} // namespace burin::tst_window_reversals
+
 #include "tst_window_reversals.moc"

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/long_run.h"
+#include "tests/test_program.h"
 #include "tests/ui/visible_texts.h"
 #include "tests/ui/window_steps.h"
 #include "ui/messages/messages.h"
 
 #include <QAbstractItemView>
+#include <QApplication>
 #include <QComboBox>
 #include <QPlainTextEdit>
 #include <QtTest>
@@ -13,7 +15,8 @@
 #include <utility>
 #include <vector>
 
-using namespace burin;
+namespace burin::tst_window_room {
+
 using namespace burin::testing;
 
 /// Texts have the room that they need, in both languages and at every size that the window may have.
@@ -112,5 +115,8 @@ void TestWindowRoom::noTextOfAJobIsCut() {
     QVERIFY2(cut_.isEmpty(), qPrintable(QLatin1Char('\n') + cut_.join(QLatin1Char('\n'))));
 }
 
-QTEST_MAIN(TestWindowRoom)
+BURIN_TEST(TestWindowRoom, QApplication)
+
+} // namespace burin::tst_window_room
+
 #include "tst_window_room.moc"

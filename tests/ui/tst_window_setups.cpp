@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // How the part lies, and its second side: by mouse and keys.
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -12,7 +14,8 @@
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_window_setups {
+
 using namespace burin::testing;
 
 namespace {
@@ -209,5 +212,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestWindowSetups)
+BURIN_TEST(TestWindowSetups, QApplication)
+
+} // namespace burin::tst_window_setups
+
 #include "tst_window_setups.moc"

@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // The setup sheet, from the window.
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QFile>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_window_sheet {
+
 using namespace burin::testing;
 
 class TestWindowSheet : public QObject {
@@ -45,5 +48,8 @@ private:
     static Workbench& workbenchOf(WindowDriver& driver) { return driver.window().workbench(); }
 };
 
-QTEST_MAIN(TestWindowSheet)
+BURIN_TEST(TestWindowSheet, QApplication)
+
+} // namespace burin::tst_window_sheet
+
 #include "tst_window_sheet.moc"

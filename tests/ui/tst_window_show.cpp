@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/messages/messages.h"
 
+#include <QApplication>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_window_show {
+
 using namespace burin::testing;
 
 class TestWindowShow : public QObject {
@@ -31,5 +34,8 @@ void TestWindowShow::theVirtualOperatorShowsHowItIsDone() {
     driver.shoot("15-shown-path");
 }
 
-QTEST_MAIN(TestWindowShow)
+BURIN_TEST(TestWindowShow, QApplication)
+
+} // namespace burin::tst_window_show
+
 #include "tst_window_show.moc"

@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/visible_texts.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/notice.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_window_steps {
+
 using namespace burin::testing;
 
 class TestWindowSteps : public QObject {
@@ -121,5 +124,8 @@ void TestWindowSteps::choosingAMaterialKeepsTheWorkpiece() {
     QVERIFY(removedSoFar(*workbench.workpiece.milling()) > 1.0);
 }
 
-QTEST_MAIN(TestWindowSteps)
+BURIN_TEST(TestWindowSteps, QApplication)
+
+} // namespace burin::tst_window_steps
+
 #include "tst_window_steps.moc"

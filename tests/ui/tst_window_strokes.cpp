@@ -1,17 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/document/project.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/focus_keeper.h"
 #include "ui/panels/notice.h"
 
 #include <QAbstractSpinBox>
+#include <QApplication>
 #include <QLabel>
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_window_strokes {
+
 using namespace burin::testing;
 
 namespace {
@@ -480,5 +483,8 @@ private:
     std::unique_ptr<CutTrace> trace_;
 };
 
-QTEST_MAIN(TestWindowStrokes)
+BURIN_TEST(TestWindowStrokes, QApplication)
+
+} // namespace burin::tst_window_strokes
+
 #include "tst_window_strokes.moc"

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/notice.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QFile>
 #include <QScrollArea>
@@ -11,7 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_window_surroundings {
+
 using namespace burin::testing;
 
 namespace {
@@ -116,5 +119,8 @@ void TestWindowSurroundings::theToolKeepsOutOfAFixture() {
     QVERIFY(!again.document.unsaved());
 }
 
-QTEST_MAIN(TestWindowSurroundings)
+BURIN_TEST(TestWindowSurroundings, QApplication)
+
+} // namespace burin::tst_window_surroundings
+
 #include "tst_window_surroundings.moc"

@@ -1,18 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/step_button.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_window_tools {
+
 using namespace burin::testing;
 
 namespace {
@@ -295,5 +298,8 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     QVERIFY(workbench.path.stored() == nullptr && workbench.path.toolsMissingBefore().empty());
 }
 
-QTEST_MAIN(TestWindowTools)
+BURIN_TEST(TestWindowTools, QApplication)
+
+} // namespace burin::tst_window_tools
+
 #include "tst_window_tools.moc"

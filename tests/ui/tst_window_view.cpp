@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
+#include <QApplication>
 #include <QDoubleSpinBox>
 #include <QSlider>
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_window_view {
+
 using namespace burin::testing;
 
 namespace {
@@ -254,5 +257,8 @@ void TestWindowView::aSectionShowsWhatIsInside() {
     QVERIFY(driver.visible<QWidget>("sectionField") == nullptr);
 }
 
-QTEST_MAIN(TestWindowView)
+BURIN_TEST(TestWindowView, QApplication)
+
+} // namespace burin::tst_window_view
+
 #include "tst_window_view.moc"

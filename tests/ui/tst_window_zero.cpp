@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // Program zero and its work offset: by mouse and keys.
+#include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_window_zero {
+
 using namespace burin::testing;
 
 namespace {
@@ -144,5 +147,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestWindowZero)
+BURIN_TEST(TestWindowZero, QApplication)
+
+} // namespace burin::tst_window_zero
+
 #include "tst_window_zero.moc"

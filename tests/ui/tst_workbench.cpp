@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/file.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 #include "ui/workbench/workbench.h"
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -12,7 +14,7 @@
 #include <stdexcept>
 #include <thread>
 
-using namespace burin;
+namespace burin::tst_workbench {
 
 namespace {
 
@@ -259,5 +261,8 @@ private:
     std::unique_ptr<QTemporaryDir> folder_;
 };
 
-QTEST_GUILESS_MAIN(TestWorkbench)
+BURIN_TEST(TestWorkbench, QCoreApplication)
+
+} // namespace burin::tst_workbench
+
 #include "tst_workbench.moc"

@@ -3,9 +3,11 @@
 #include "tests/benchmarks/milled_sample.h"
 #include "tests/core/volume/surfaces.h"
 #include "tests/core/volume/volumes.h"
+#include "tests/test_program.h"
 #include "tests/ui/offscreen_stage.h"
 #include "ui/scene/workpiece_actors.h"
 
+#include <QCoreApplication>
 #include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
@@ -17,7 +19,8 @@
 
 #include <atomic>
 
-using namespace burin;
+namespace burin::tst_workpiece_actors {
+
 using namespace burin::test;
 
 namespace {
@@ -325,5 +328,8 @@ void WorkpieceActorsTest::letsSnapshotsGo() {
     QCOMPARE(volume.usedBytes(), untouched.usedBytes());
 }
 
-QTEST_GUILESS_MAIN(WorkpieceActorsTest)
+BURIN_TEST(WorkpieceActorsTest, QCoreApplication)
+
+} // namespace burin::tst_workpiece_actors
+
 #include "tst_workpiece_actors.moc"

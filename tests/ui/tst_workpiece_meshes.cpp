@@ -7,9 +7,11 @@
 #include "core/volume/voxelisation/voxelisation.h"
 #include "tests/core/volume/shapes.h"
 #include "tests/core/volume/volumes.h"
+#include "tests/test_program.h"
 #include "tests/ui/offscreen_stage.h"
 #include "ui/scene/workpiece_mesher.h"
 
+#include <QCoreApplication>
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -29,7 +31,8 @@
 #include <cstring>
 #include <map>
 
-using namespace burin;
+namespace burin::tst_workpiece_meshes {
+
 using namespace burin::test;
 
 namespace {
@@ -394,5 +397,8 @@ void WorkpieceMeshesTest::theLineLeadsOverTheLimitsOfTiles() {
     }
 }
 
-QTEST_GUILESS_MAIN(WorkpieceMeshesTest)
+BURIN_TEST(WorkpieceMeshesTest, QCoreApplication)
+
+} // namespace burin::tst_workpiece_meshes
+
 #include "tst_workpiece_meshes.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/background.h"
 #include "core/base/parallel.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
@@ -10,7 +11,7 @@
 #include <thread>
 #include <unistd.h>
 
-using namespace burin;
+namespace burin::tst_background {
 
 namespace {
 
@@ -57,5 +58,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBackground)
+BURIN_TEST(TestBackground, NoApplication)
+
+} // namespace burin::tst_background
+
 #include "tst_background.moc"

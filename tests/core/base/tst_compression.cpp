@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/compression.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
@@ -8,7 +9,7 @@
 #include <new>
 #include <zstd.h>
 
-using namespace burin;
+namespace burin::tst_compression {
 
 namespace {
 
@@ -22,11 +23,12 @@ Function* next(const char* name) {
 } // namespace
 
 // The program's own stand before the library's.
-ZSTD_CCtx* ZSTD_createCCtx() {
+extern "C" ZSTD_CCtx* ZSTD_createCCtx() {
     return noContext ? nullptr : next<decltype(ZSTD_createCCtx)>("ZSTD_createCCtx")();
 }
 
-std::size_t ZSTD_compress2(ZSTD_CCtx* context, void* frame, std::size_t room, const void* bytes, std::size_t size) {
+extern "C" std::size_t ZSTD_compress2(ZSTD_CCtx* context, void* frame, std::size_t room, const void* bytes,
+                                      std::size_t size) {
     constexpr auto memoryAllocation = static_cast<std::size_t>(-64); // zstd_errors.h
     if (noTables) return memoryAllocation;
     return next<decltype(ZSTD_compress2)>("ZSTD_compress2")(context, frame, room, bytes, size);
@@ -79,5 +81,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCompression)
+BURIN_TEST(TestCompression, NoApplication)
+
+} // namespace burin::tst_compression
+
 #include "tst_compression.moc"

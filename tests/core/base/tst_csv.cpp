@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/csv.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_csv {
 
 namespace {
 
@@ -73,5 +74,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CsvTest)
+BURIN_TEST(CsvTest, NoApplication)
+
+} // namespace burin::tst_csv
+
 #include "tst_csv.moc"

@@ -3,6 +3,7 @@
 #include "core/base/clean_text.h"
 #include "core/base/file.h"
 #include "core/base/staged_file.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -14,7 +15,7 @@
 #include <thread>
 #include <unistd.h>
 
-using namespace burin;
+namespace burin::tst_file {
 
 namespace {
 
@@ -325,5 +326,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFile)
+BURIN_TEST(TestFile, NoApplication)
+
+} // namespace burin::tst_file
+
 #include "tst_file.moc"

@@ -4,6 +4,7 @@
 #include "core/base/mailbox.h"
 #include "core/base/progress.h"
 #include "core/base/ring.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
@@ -12,7 +13,7 @@
 #include <memory>
 #include <thread>
 
-using namespace burin;
+namespace burin::tst_handover {
 
 namespace {
 
@@ -141,5 +142,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestHandover)
+BURIN_TEST(TestHandover, NoApplication)
+
+} // namespace burin::tst_handover
+
 #include "tst_handover.moc"

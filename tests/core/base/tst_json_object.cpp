@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/json_object.h"
+#include "tests/test_program.h"
 
 #include <QElapsedTimer>
 #include <QtTest>
 
 #include <clocale>
 
-using namespace burin;
+namespace burin::tst_json_object {
 
 namespace {
 
@@ -131,5 +132,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(JsonObjectTest)
+BURIN_TEST(JsonObjectTest, NoApplication)
+
+} // namespace burin::tst_json_object
+
 #include "tst_json_object.moc"

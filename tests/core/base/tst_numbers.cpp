@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/numbers.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -9,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-using namespace burin;
+namespace burin::tst_numbers {
 
 class TestNumbers : public QObject {
     Q_OBJECT
@@ -104,5 +105,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestNumbers)
+BURIN_TEST(TestNumbers, NoApplication)
+
+} // namespace burin::tst_numbers
+
 #include "tst_numbers.moc"

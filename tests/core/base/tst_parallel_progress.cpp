@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/parallel_progress.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <array>
 
-using namespace burin;
+namespace burin::tst_parallel_progress {
 
 class TestParallelProgress : public QObject {
     Q_OBJECT
@@ -52,5 +53,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestParallelProgress)
+BURIN_TEST(TestParallelProgress, NoApplication)
+
+} // namespace burin::tst_parallel_progress
+
 #include "tst_parallel_progress.moc"

@@ -3,7 +3,9 @@
 #include "cad_test.h"
 
 #include "core/base/file.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -11,7 +13,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-using namespace burin;
+namespace burin::tst_broken_files {
+
 using namespace burin::test;
 
 namespace fs = std::filesystem;
@@ -224,5 +227,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(BrokenFiles)
+BURIN_TEST(BrokenFiles, QCoreApplication)
+
+} // namespace burin::tst_broken_files
+
 #include "tst_broken_files.moc"

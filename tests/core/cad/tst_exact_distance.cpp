@@ -3,6 +3,7 @@
 #include "cad_test.h"
 
 #include "core/cad/reader/exact_distance.h"
+#include "tests/test_program.h"
 
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
@@ -12,12 +13,14 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include <QCoreApplication>
 #include <QtTest>
 
 #include <random>
 #include <sstream>
 
-using namespace burin;
+namespace burin::tst_exact_distance {
+
 using namespace burin::test;
 
 namespace {
@@ -110,5 +113,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExactDistances)
+BURIN_TEST(ExactDistances, QCoreApplication)
+
+} // namespace burin::tst_exact_distance
+
 #include "tst_exact_distance.moc"

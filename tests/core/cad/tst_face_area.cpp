@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
 #include "core/cad/face_area.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_face_area {
 
 namespace {
 
@@ -91,5 +93,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FaceAreaTest)
+BURIN_TEST(FaceAreaTest, QCoreApplication)
+
+} // namespace burin::tst_face_area
+
 #include "tst_face_area.moc"

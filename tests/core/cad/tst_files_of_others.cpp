@@ -4,14 +4,17 @@
 #include "cad_test.h"
 
 #include "core/base/file.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_files_of_others {
+
 using namespace burin::test;
 
 class FilesOfOthers : public QObject {
@@ -151,5 +154,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FilesOfOthers)
+BURIN_TEST(FilesOfOthers, QCoreApplication)
+
+} // namespace burin::tst_files_of_others
+
 #include "tst_files_of_others.moc"

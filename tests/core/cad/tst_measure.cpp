@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/reader/measure.h"
 #include "tests/core/cad/rounded_block.h"
+#include "tests/test_program.h"
 
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -10,11 +11,10 @@
 #include <TopoDS_Compound.hxx>
 #include <gp_Ax2.hxx>
 
+#include <QCoreApplication>
 #include <QtTest>
 
-using namespace burin;
-
-Q_DECLARE_METATYPE(TopoDS_Shape)
+namespace burin::tst_measure {
 
 namespace {
 
@@ -76,5 +76,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMeasure)
+BURIN_TEST(TestMeasure, QCoreApplication)
+
+} // namespace burin::tst_measure
+
 #include "tst_measure.moc"

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cad_test.h"
 #include "tests/long_run.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QtTest>
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_mesh_chord {
+
 using namespace burin::test;
 
 namespace {
@@ -55,5 +58,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MeshChord)
+BURIN_TEST(MeshChord, QCoreApplication)
+
+} // namespace burin::tst_mesh_chord
+
 #include "tst_mesh_chord.moc"

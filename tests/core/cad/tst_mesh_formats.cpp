@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "cad_test.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -9,7 +10,8 @@
 #include <cmath>
 #include <cstring>
 
-using namespace burin;
+namespace burin::tst_mesh_formats {
+
 using namespace burin::test;
 
 namespace {
@@ -248,5 +250,8 @@ private:
     QTemporaryDir folder_;
 };
 
-QTEST_APPLESS_MAIN(MeshFormats)
+BURIN_TEST(MeshFormats, NoApplication)
+
+} // namespace burin::tst_mesh_formats
+
 #include "tst_mesh_formats.moc"

@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cad_test.h"
 #include "core/cad/import_formats.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
-using namespace burin;
+namespace burin::tst_models {
+
 using namespace burin::test;
 
 namespace {
@@ -239,5 +242,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(Models)
+BURIN_TEST(Models, QCoreApplication)
+
+} // namespace burin::tst_models
+
 #include "tst_models.moc"

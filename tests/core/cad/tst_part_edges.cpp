@@ -3,13 +3,15 @@
 #include "cad_test.h"
 
 #include "core/cad/part_edge.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_part_edges {
+
 using namespace burin::test;
 
 namespace {
@@ -91,5 +93,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PartEdges)
+BURIN_TEST(PartEdges, NoApplication)
+
+} // namespace burin::tst_part_edges
+
 #include "tst_part_edges.moc"

@@ -6,13 +6,15 @@
 #include "core/cad/part_edge.h"
 #include "core/cad/part_face.h"
 #include "core/geometry/triangle_mesh.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_placed_model {
+
 using namespace burin::test;
 
 namespace {
@@ -185,5 +187,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PlacedModel)
+BURIN_TEST(PlacedModel, NoApplication)
+
+} // namespace burin::tst_placed_model
+
 #include "tst_placed_model.moc"

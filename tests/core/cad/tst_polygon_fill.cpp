@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/reader/polygon_fill.h"
 #include "core/geometry/triangle_mesh.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
@@ -9,7 +10,7 @@
 #include <map>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_polygon_fill {
 
 namespace {
 
@@ -102,5 +103,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PolygonFill)
+BURIN_TEST(PolygonFill, NoApplication)
+
+} // namespace burin::tst_polygon_fill
+
 #include "tst_polygon_fill.moc"

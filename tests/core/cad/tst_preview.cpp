@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/reader/preview.h"
 #include "tests/core/cad/rounded_block.h"
+#include "tests/test_program.h"
 
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Tool.hxx>
 #include <TopLoc_Location.hxx>
 
+#include <QCoreApplication>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_preview {
 
 namespace {
 
@@ -61,5 +63,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPreview)
+BURIN_TEST(TestPreview, QCoreApplication)
+
+} // namespace burin::tst_preview
+
 #include "tst_preview.moc"

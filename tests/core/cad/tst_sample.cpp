@@ -3,12 +3,15 @@
 #include "cad_test.h"
 
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_sample {
+
 using namespace burin::test;
 
 class Sample : public QObject {
@@ -61,5 +64,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(Sample)
+BURIN_TEST(Sample, QCoreApplication)
+
+} // namespace burin::tst_sample
+
 #include "tst_sample.moc"

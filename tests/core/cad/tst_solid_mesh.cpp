@@ -3,6 +3,7 @@
 #include "core/cad/reader/solid_mesh.h"
 
 #include "tests/core/cad/rounded_block.h"
+#include "tests/test_program.h"
 
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -14,13 +15,12 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
 
+#include <QCoreApplication>
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
-
-Q_DECLARE_METATYPE(TopoDS_Shape)
+namespace burin::tst_solid_mesh {
 
 namespace {
 
@@ -103,5 +103,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSolidMesh)
+BURIN_TEST(TestSolidMesh, QCoreApplication)
+
+} // namespace burin::tst_solid_mesh
+
 #include "tst_solid_mesh.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/reader/solids.h"
+#include "tests/test_program.h"
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRep_Builder.hxx>
@@ -8,7 +9,7 @@
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_solids {
 
 class TestSolids : public QObject {
     Q_OBJECT
@@ -31,5 +32,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSolids)
+BURIN_TEST(TestSolids, NoApplication)
+
+} // namespace burin::tst_solids
+
 #include "tst_solids.moc"

@@ -5,7 +5,9 @@
 #include "core/base/file.h"
 #include "core/cad/worker_message.h"
 #include "core/cad/worker_process.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -13,7 +15,8 @@
 #include <poll.h>
 #include <thread>
 
-using namespace burin;
+namespace burin::tst_worker_process {
+
 using namespace burin::test;
 
 namespace fs = std::filesystem;
@@ -281,5 +284,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(WorkerProcesses)
+BURIN_TEST(WorkerProcesses, QCoreApplication)
+
+} // namespace burin::tst_worker_process
+
 #include "tst_worker_process.moc"

@@ -3,12 +3,14 @@
 #include "core/cutting/calibration.h"
 #include "core/cutting/cutting_force.h"
 #include "tests/core/cutting/measured_cuts.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <functional>
 
-using namespace burin;
+namespace burin::tst_calibration {
+
 using namespace burin::tests;
 
 namespace {
@@ -352,5 +354,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CalibrationTest)
+BURIN_TEST(CalibrationTest, NoApplication)
+
+} // namespace burin::tst_calibration
+
 #include "tst_calibration.moc"

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/calibration_records.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_calibration_records {
 
 namespace {
 
@@ -132,5 +133,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CalibrationRecordsTest)
+BURIN_TEST(CalibrationRecordsTest, NoApplication)
+
+} // namespace burin::tst_calibration_records
+
 #include "tst_calibration_records.moc"

@@ -6,6 +6,7 @@
 #include "tests/core/cutting/sweeping.h"
 #include "tests/core/tool/cutters.h"
 #include "tests/core/tool/random_sweeps.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -13,7 +14,8 @@
 #include <algorithm>
 #include <optional>
 
-using namespace burin;
+namespace burin::tst_contact {
+
 using namespace burin::tests;
 using random::real;
 
@@ -305,5 +307,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ContactTest)
+BURIN_TEST(ContactTest, NoApplication)
+
+} // namespace burin::tst_contact
+
 #include "tst_contact.moc"

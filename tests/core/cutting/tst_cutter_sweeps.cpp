@@ -7,12 +7,14 @@
 #include "tests/core/tool/random_sweeps.h"
 #include "tests/oracles/swept_cutter.h"
 #include "tests/random_cases.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <glm/gtx/quaternion.hpp>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_cutter_sweeps {
+
 using namespace burin::tests;
 using random::real;
 
@@ -245,5 +247,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CutterSweepsTest)
+BURIN_TEST(CutterSweepsTest, NoApplication)
+
+} // namespace burin::tst_cutter_sweeps
+
 #include "tst_cutter_sweeps.moc"

@@ -4,11 +4,13 @@
 #include "core/base/units.h"
 #include "core/cutting/cutting_force.h"
 #include "tests/core/cutting/workpieces.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_cutting_force {
+
 using namespace burin::tests;
 
 namespace {
@@ -282,5 +284,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CuttingForceTest)
+BURIN_TEST(CuttingForceTest, NoApplication)
+
+} // namespace burin::tst_cutting_force
+
 #include "tst_cutting_force.moc"

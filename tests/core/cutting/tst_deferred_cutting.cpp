@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/removal.h"
 #include "tests/core/cutting/scalar_cutter.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_deferred_cutting {
+
 using namespace burin::tests;
 
 class DeferredCuttingTest : public QObject {
@@ -94,5 +96,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DeferredCuttingTest)
+BURIN_TEST(DeferredCuttingTest, NoApplication)
+
+} // namespace burin::tst_deferred_cutting
+
 #include "tst_deferred_cutting.moc"

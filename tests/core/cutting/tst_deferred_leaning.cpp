@@ -5,6 +5,7 @@
 #include "tests/core/cutting/scalar_cutter.h"
 #include "tests/core/cutting/swept_bounds.h"
 #include "tests/oracles/swept_cutter.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -13,7 +14,8 @@
 #include <limits>
 #include <sstream>
 
-using namespace burin;
+namespace burin::tst_deferred_leaning {
+
 using namespace burin::tests;
 
 namespace {
@@ -274,5 +276,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DeferredLeaningTest)
+BURIN_TEST(DeferredLeaningTest, NoApplication)
+
+} // namespace burin::tst_deferred_leaning
+
 #include "tst_deferred_leaning.moc"

@@ -3,11 +3,13 @@
 #include "core/cutting/removal.h"
 #include "tests/core/cutting/scalar_cutter.h"
 #include "tests/oracles/allocation_count.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_deferred_limits {
+
 using namespace burin::tests;
 
 namespace {
@@ -373,5 +375,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DeferredLimitsTest)
+BURIN_TEST(DeferredLimitsTest, NoApplication)
+
+} // namespace burin::tst_deferred_limits
+
 #include "tst_deferred_limits.moc"

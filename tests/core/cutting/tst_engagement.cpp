@@ -3,12 +3,14 @@
 #include "core/cutting/removal.h"
 #include "tests/core/cutting/workpieces.h"
 #include "tests/core/tool/cutters.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_engagement {
+
 using namespace burin::tests;
 
 namespace {
@@ -260,5 +262,8 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(EngagementTest)
+BURIN_TEST(EngagementTest, NoApplication)
+
+} // namespace burin::tst_engagement
+
 #include "tst_engagement.moc"

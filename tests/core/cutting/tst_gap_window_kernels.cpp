@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/gap_window_kernels.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -12,7 +13,7 @@
 #include <numeric>
 #include <vector>
 
-using namespace burin;
+namespace burin::tst_gap_window_kernels {
 
 namespace {
 
@@ -194,5 +195,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(GapWindowKernelsTest)
+BURIN_TEST(GapWindowKernelsTest, NoApplication)
+
+} // namespace burin::tst_gap_window_kernels
+
 #include "tst_gap_window_kernels.moc"

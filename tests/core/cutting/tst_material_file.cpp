@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/material_file.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_material_file {
 
 namespace {
 
@@ -143,5 +145,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMaterialFile)
+BURIN_TEST(TestMaterialFile, QCoreApplication)
+
+} // namespace burin::tst_material_file
+
 #include "tst_material_file.moc"

@@ -4,14 +4,16 @@
 
 #include "core/cutting/cutting_force.h"
 #include "core/tool/tool.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <cmath>
 #include <set>
 
-using namespace burin;
+namespace burin::tst_material_library {
 
 namespace {
 
@@ -151,5 +153,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMaterialLibrary)
+BURIN_TEST(TestMaterialLibrary, QCoreApplication)
+
+} // namespace burin::tst_material_library
+
 #include "tst_material_library.moc"

@@ -6,6 +6,7 @@
 #include "tests/core/cutting/workpieces.h"
 #include "tests/core/tool/cutters.h"
 #include "tests/oracles/swept_cutter.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <glm/gtx/quaternion.hpp>
@@ -16,7 +17,8 @@
 #include <optional>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_paper_interpolation {
+
 using namespace burin::tests;
 using oracles::SweptCutter;
 using Verdict = SweptCutter::Verdict;
@@ -167,5 +169,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PaperInterpolationTest)
+BURIN_TEST(PaperInterpolationTest, NoApplication)
+
+} // namespace burin::tst_paper_interpolation
+
 #include "tst_paper_interpolation.moc"

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/pose_steps.h"
 #include "tests/core/tool/random_sweeps.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_pose_steps {
+
 using random::real;
 
 namespace {
@@ -116,5 +118,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PoseStepsTest)
+BURIN_TEST(PoseStepsTest, NoApplication)
+
+} // namespace burin::tst_pose_steps
+
 #include "tst_pose_steps.moc"

@@ -8,6 +8,7 @@
 #include "tests/core/tool/cutters.h"
 #include "tests/core/tool/random_sweeps.h"
 #include "tests/oracles/swept_cutter.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -19,7 +20,8 @@
 #include <sstream>
 #include <vector>
 
-using namespace burin;
+namespace burin::tst_random_cuts {
+
 using namespace burin::tests;
 using oracles::SweptCutter;
 using Verdict = SweptCutter::Verdict;
@@ -292,5 +294,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RandomCutsTest)
+BURIN_TEST(RandomCutsTest, NoApplication)
+
+} // namespace burin::tst_random_cuts
+
 #include "tst_random_cuts.moc"

@@ -6,11 +6,13 @@
 #include "tests/oracles/allocation_count.h"
 #include "tests/oracles/moved_piece.h"
 #include "tests/random_cases.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_removal {
+
 using namespace burin::tests;
 
 namespace {
@@ -305,5 +307,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RemovalTest)
+BURIN_TEST(RemovalTest, NoApplication)
+
+} // namespace burin::tst_removal
+
 #include "tst_removal.moc"

@@ -4,6 +4,7 @@
 #include "tests/core/cutting/workpieces.h"
 #include "tests/core/tool/cutters.h"
 #include "tests/long_run.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
@@ -11,7 +12,8 @@
 #include <cmath>
 #include <numeric>
 
-using namespace burin;
+namespace burin::tst_reported_volume {
+
 using namespace burin::tests;
 
 namespace {
@@ -284,5 +286,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ReportedVolumeTest)
+BURIN_TEST(ReportedVolumeTest, NoApplication)
+
+} // namespace burin::tst_reported_volume
+
 #include "tst_reported_volume.moc"

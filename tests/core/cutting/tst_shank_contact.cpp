@@ -3,10 +3,12 @@
 #include "core/base/units.h"
 #include "core/cutting/removal.h"
 #include "tests/core/cutting/workpieces.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_shank_contact {
+
 using namespace burin::tests;
 
 namespace {
@@ -209,5 +211,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ShankContactTest)
+BURIN_TEST(ShankContactTest, NoApplication)
+
+} // namespace burin::tst_shank_contact
+
 #include "tst_shank_contact.moc"

@@ -6,6 +6,7 @@
 #include "tests/core/cutting/workpieces.h"
 #include "tests/core/tool/cutters.h"
 #include "tests/oracles/line_scatter.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
@@ -14,7 +15,8 @@
 #include <random>
 #include <vector>
 
-using namespace burin;
+namespace burin::tst_swept_volume {
+
 using namespace burin::tests;
 
 namespace {
@@ -183,5 +185,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SweptVolumeTest)
+BURIN_TEST(SweptVolumeTest, NoApplication)
+
+} // namespace burin::tst_swept_volume
+
 #include "tst_swept_volume.moc"

@@ -6,11 +6,13 @@
 #include "tests/core/tool/cutters.h"
 #include "tests/core/tool/random_sweeps.h"
 #include "tests/oracles/dense_grid.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_voxel_tool {
+
 using namespace burin::tests;
 using random::real;
 
@@ -342,5 +344,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(VoxelToolTest)
+BURIN_TEST(VoxelToolTest, NoApplication)
+
+} // namespace burin::tst_voxel_tool
+
 #include "tst_voxel_tool.moc"

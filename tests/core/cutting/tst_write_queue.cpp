@@ -3,6 +3,7 @@
 #include "core/cutting/removal.h"
 #include "core/cutting/write_queue.h"
 #include "tests/core/cutting/scalar_cutter.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -10,7 +11,8 @@
 #include <deque>
 #include <map>
 
-using namespace burin;
+namespace burin::tst_write_queue {
+
 using namespace burin::tests;
 
 namespace {
@@ -145,5 +147,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(WriteQueueTest)
+BURIN_TEST(WriteQueueTest, NoApplication)
+
+} // namespace burin::tst_write_queue
+
 #include "tst_write_queue.moc"

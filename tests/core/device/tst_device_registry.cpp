@@ -4,6 +4,7 @@
 #include "core/device/device_watch.h"
 #include "core/device/simulated_stylus.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -13,7 +14,8 @@
 #include <set>
 #include <stdexcept>
 
-using namespace burin;
+namespace burin::tst_device_registry {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -82,8 +84,8 @@ void plugin(const fs::path& root, const std::string& name, const std::string& me
 }
 
 std::string metadata(const std::string& id, int version) {
-    return R"({"id": ")" + id + R"(", "kind": "device", "name": "N", "version": "1", "library": "libnone.so", )" +
-           R"("interface_version": )" + std::to_string(version) + "}";
+    return "{\"id\": \"" + id + "\", \"kind\": \"device\", \"name\": \"N\", \"version\": \"1\", " +
+           "\"library\": \"libnone.so\", \"interface_version\": " + std::to_string(version) + "}";
 }
 
 } // namespace
@@ -257,5 +259,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestDeviceRegistry)
+BURIN_TEST(TestDeviceRegistry, NoApplication)
+
+} // namespace burin::tst_device_registry
+
 #include "tst_device_registry.moc"

@@ -3,10 +3,13 @@
 #include "core/device/device_trial.h"
 #include "tests/core/device/desktop_stylus.h"
 #include "tests/core/haptics/own_stylus.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_device_trial {
+
 using namespace burin::test;
 
 namespace {
@@ -167,5 +170,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDeviceTrial)
+BURIN_TEST(TestDeviceTrial, QCoreApplication)
+
+} // namespace burin::tst_device_trial
+
 #include "tst_device_trial.moc"

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Strokes of a pointer that tells whole pixels alone, as the simulated stylus makes motions of them.
 #include "core/device/simulated_stylus.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
 #include <functional>
 
-using namespace burin;
+namespace burin::tst_pointer_trail {
 
 namespace {
 
@@ -190,5 +191,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPointerTrail)
+BURIN_TEST(TestPointerTrail, NoApplication)
+
+} // namespace burin::tst_pointer_trail
+
 #include "tst_pointer_trail.moc"

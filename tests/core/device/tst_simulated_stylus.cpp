@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/device/simulated_stylus.h"
 #include "core/haptics/reading_guard.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
 #include <cstring>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_simulated_stylus {
 
 namespace {
 
@@ -335,5 +336,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSimulatedStylus)
+BURIN_TEST(TestSimulatedStylus, NoApplication)
+
+} // namespace burin::tst_simulated_stylus
+
 #include "tst_simulated_stylus.moc"

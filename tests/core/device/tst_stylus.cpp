@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/device/device_fault.h"
 #include "core/device/stylus.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
@@ -10,7 +11,7 @@
 #include <set>
 #include <thread>
 
-using namespace burin;
+namespace burin::tst_stylus {
 
 namespace {
 
@@ -28,8 +29,6 @@ StylusDescription whole() {
 using Change = void (*)(StylusDescription&);
 
 } // namespace
-
-Q_DECLARE_METATYPE(Change)
 
 class TestStylus : public QObject {
     Q_OBJECT
@@ -132,5 +131,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStylus)
+BURIN_TEST(TestStylus, NoApplication)
+
+} // namespace burin::tst_stylus
+
 #include "tst_stylus.moc"

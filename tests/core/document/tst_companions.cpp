@@ -6,6 +6,7 @@
 #include "core/document/project_change.h"
 #include "core/document/working_copy.h"
 #include "tests/core/document/dying_sessions.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -14,7 +15,8 @@
 #include <sys/file.h>
 #include <vector>
 
-using namespace burin;
+namespace burin::tst_companions {
+
 using namespace burin::fixture;
 namespace fs = std::filesystem;
 
@@ -193,5 +195,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCompanions)
+BURIN_TEST(TestCompanions, NoApplication)
+
+} // namespace burin::tst_companions
+
 #include "tst_companions.moc"

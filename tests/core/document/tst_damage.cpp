@@ -7,6 +7,7 @@
 #include "core/document/sample_chunk.h"
 #include "core/document/schema.h"
 #include "tests/core/document/sample_project.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -16,7 +17,8 @@
 #include <fstream>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_damage {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -297,5 +299,8 @@ private:
     int number_ = 0;
 };
 
-QTEST_APPLESS_MAIN(TestDamage)
+BURIN_TEST(TestDamage, NoApplication)
+
+} // namespace burin::tst_damage
+
 #include "tst_damage.moc"

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/document/file_kind.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -10,7 +12,7 @@
 #include <optional>
 #include <sys/stat.h>
 
-using namespace burin;
+namespace burin::tst_file_kind {
 
 /// What lies in a folder of the user is told apart by its content.
 class TestFileKind : public QObject {
@@ -107,5 +109,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFileKind)
+BURIN_TEST(TestFileKind, QCoreApplication)
+
+} // namespace burin::tst_file_kind
+
 #include "tst_file_kind.moc"

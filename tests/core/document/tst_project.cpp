@@ -4,6 +4,7 @@
 #include "core/document/setup_record.h"
 #include "tests/core/document/sample_project.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -12,7 +13,8 @@
 #include <limits>
 #include <span>
 
-using namespace burin;
+namespace burin::tst_project {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -571,5 +573,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestProject)
+BURIN_TEST(TestProject, NoApplication)
+
+} // namespace burin::tst_project
+
 #include "tst_project.moc"

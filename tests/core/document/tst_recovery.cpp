@@ -5,12 +5,14 @@
 #include "core/document/project.h"
 #include "core/document/working_copy.h"
 #include "tests/core/document/dying_sessions.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 #include <filesystem>
 
-using namespace burin;
+namespace burin::tst_recovery {
+
 using namespace burin::fixture;
 namespace fs = std::filesystem;
 
@@ -275,5 +277,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRecovery)
+BURIN_TEST(TestRecovery, NoApplication)
+
+} // namespace burin::tst_recovery
+
 #include "tst_recovery.moc"

@@ -5,6 +5,7 @@
 #include "core/document/mesh_blob.h"
 #include "core/document/sample_chunk.h"
 #include "tests/core/document/sample_project.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -15,7 +16,7 @@
 #include <span>
 #include <utility>
 
-using namespace burin;
+namespace burin::tst_sample_chunk {
 
 namespace {
 
@@ -171,5 +172,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSampleChunk)
+BURIN_TEST(TestSampleChunk, NoApplication)
+
+} // namespace burin::tst_sample_chunk
+
 #include "tst_sample_chunk.moc"

@@ -3,12 +3,15 @@
 #include "core/document/left_work.h"
 #include "core/document/working_copy.h"
 #include "tests/core/document/sample_project.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <filesystem>
 
-using namespace burin;
+namespace burin::tst_save_as {
+
 namespace fs = std::filesystem;
 using fixture::modelNamed;
 
@@ -141,5 +144,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSaveAs)
+BURIN_TEST(TestSaveAs, QCoreApplication)
+
+} // namespace burin::tst_save_as
+
 #include "tst_save_as.moc"

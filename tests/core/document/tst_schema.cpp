@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/document/database.h"
 #include "core/document/schema.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <array>
 
-using namespace burin;
+namespace burin::tst_schema {
 
 namespace {
 
@@ -82,5 +83,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSchema)
+BURIN_TEST(TestSchema, NoApplication)
+
+} // namespace burin::tst_schema
+
 #include "tst_schema.moc"

@@ -4,16 +4,18 @@
 #include "core/cutting/removal.h"
 #include "core/exchange/array_volume.h"
 #include "core/tool/tool.h"
+#include "tests/test_program.h"
 
 #include <zlib.h>
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <cmath>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_arrays {
 
 namespace {
 
@@ -227,5 +229,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestArrays)
+BURIN_TEST(TestArrays, QCoreApplication)
+
+} // namespace burin::tst_arrays
+
 #include "tst_arrays.moc"

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
 #include "core/exchange/plan_drawing.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_drawings {
 
 namespace {
 
@@ -190,5 +192,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DrawingsTest)
+BURIN_TEST(DrawingsTest, QCoreApplication)
+
+} // namespace burin::tst_drawings
+
 #include "tst_drawings.moc"

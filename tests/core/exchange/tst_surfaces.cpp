@@ -6,17 +6,20 @@
 #include "core/volume/voxelisation/voxelisation.h"
 #include "tests/core/volume/shapes.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/mesh.h>
 #include <assimp/scene.h>
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_surfaces {
+
 using namespace burin::test;
 
 namespace {
@@ -132,5 +135,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSurfaces)
+BURIN_TEST(TestSurfaces, QCoreApplication)
+
+} // namespace burin::tst_surfaces
+
 #include "tst_surfaces.moc"

@@ -5,6 +5,7 @@
 #include "tests/oracles/allocation_count.h"
 #include "tests/oracles/random_number.h"
 #include "tests/random_cases.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
@@ -16,7 +17,7 @@
 #include <random>
 #include <thread>
 
-using namespace burin;
+namespace burin::tst_growing_field {
 
 namespace {
 
@@ -327,5 +328,8 @@ void GrowingFieldTest::refusesWhatMakesNoField() {
     QVERIFY(!laid(pocketPart(), requestFor(2.0))->tile(1U << 20U, progress));
 }
 
-QTEST_APPLESS_MAIN(GrowingFieldTest)
+BURIN_TEST(GrowingFieldTest, NoApplication)
+
+} // namespace burin::tst_growing_field
+
 #include "tst_growing_field.moc"

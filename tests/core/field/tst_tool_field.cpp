@@ -5,6 +5,7 @@
 #include "tests/oracles/allocation_count.h"
 
 #include "tests/core/geometry/shapes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
@@ -15,7 +16,7 @@
 #include <random>
 #include <thread>
 
-using namespace burin;
+namespace burin::tst_tool_field {
 
 namespace {
 
@@ -472,5 +473,8 @@ void ToolFieldTest::refusesWhatMakesNoField() {
     QVERIFY(!field.error().place.empty() || bricks > 990.0); // told before it is taken
 }
 
-QTEST_APPLESS_MAIN(ToolFieldTest)
+BURIN_TEST(ToolFieldTest, NoApplication)
+
+} // namespace burin::tst_tool_field
+
 #include "tst_tool_field.moc"

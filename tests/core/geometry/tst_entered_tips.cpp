@@ -6,12 +6,13 @@
 
 #include "tests/core/geometry/random_shapes.h"
 #include "tests/core/geometry/shapes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <array>
 
-using namespace burin;
+namespace burin::tst_entered_tips {
 
 namespace {
 
@@ -149,5 +150,8 @@ void EnteredTipsTest::whatIsNotFiniteEntersNothing() {
              (std::vector<std::uint8_t>{0, 0, 0}));
 }
 
-QTEST_APPLESS_MAIN(EnteredTipsTest)
+BURIN_TEST(EnteredTipsTest, NoApplication)
+
+} // namespace burin::tst_entered_tips
+
 #include "tst_entered_tips.moc"

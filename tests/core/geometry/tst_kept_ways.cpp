@@ -6,10 +6,11 @@
 
 #include "tests/core/geometry/random_shapes.h"
 #include "tests/core/geometry/shapes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_kept_ways {
 
 namespace {
 
@@ -126,5 +127,8 @@ void KeptWaysTest::spheresAreInThePieceAndTouchItsEnds() {
     QCOMPARE(endSpheres({0.0, 20.0, 3.0, 3.0, 3.0}).height, 3.0);     // a ball
 }
 
-QTEST_APPLESS_MAIN(KeptWaysTest)
+BURIN_TEST(KeptWaysTest, NoApplication)
+
+} // namespace burin::tst_kept_ways
+
 #include "tst_kept_ways.moc"

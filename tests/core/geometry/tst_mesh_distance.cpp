@@ -6,6 +6,7 @@
 #include "tests/core/geometry/shapes.h"
 #include "tests/places.h"
 #include "tests/random_cases.h"
+#include "tests/test_program.h"
 
 #include <QFile>
 #include <QtTest>
@@ -15,7 +16,7 @@
 #include <cstring>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_mesh_distance {
 
 namespace {
 
@@ -270,5 +271,8 @@ void MeshDistanceTest::namesTheTriangle() {
     }
 }
 
-QTEST_APPLESS_MAIN(MeshDistanceTest)
+BURIN_TEST(MeshDistanceTest, NoApplication)
+
+} // namespace burin::tst_mesh_distance
+
 #include "tst_mesh_distance.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
 #include "core/geometry/placement.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <glm/gtc/quaternion.hpp>
@@ -9,7 +10,7 @@
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_placement {
 
 namespace {
 
@@ -106,5 +107,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPlacement)
+BURIN_TEST(TestPlacement, NoApplication)
+
+} // namespace burin::tst_placement
+
 #include "tst_placement.moc"

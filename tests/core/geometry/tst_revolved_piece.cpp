@@ -4,6 +4,7 @@
 #include "core/geometry/revolved_piece.h"
 
 #include "tests/core/geometry/random_shapes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
@@ -11,7 +12,7 @@
 #include <limits>
 #include <numbers>
 
-using namespace burin;
+namespace burin::tst_revolved_piece {
 
 namespace {
 
@@ -175,5 +176,8 @@ void RevolvedPieceTest::aGrownPieceIsAllThatIsNear() {
     }));
 }
 
-QTEST_APPLESS_MAIN(RevolvedPieceTest)
+BURIN_TEST(RevolvedPieceTest, NoApplication)
+
+} // namespace burin::tst_revolved_piece
+
 #include "tst_revolved_piece.moc"

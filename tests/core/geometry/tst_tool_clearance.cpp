@@ -6,12 +6,13 @@
 #include "tests/core/geometry/random_shapes.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/random_cases.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_tool_clearance {
 
 namespace {
 
@@ -338,5 +339,8 @@ void ToolClearanceTest::emptyMeshIsFree() {
     QCOMPARE(MeshDistance{TriangleMesh{}}.clearance(std::array{ball(3.0)}, {{0, 0, 5}, {0, 0, 1}}).clearance, 1e300);
 }
 
-QTEST_APPLESS_MAIN(ToolClearanceTest)
+BURIN_TEST(ToolClearanceTest, NoApplication)
+
+} // namespace burin::tst_tool_clearance
+
 #include "tst_tool_clearance.moc"

@@ -4,12 +4,13 @@
 
 #include "tests/core/geometry/random_shapes.h"
 #include "tests/core/geometry/shapes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <numeric>
 
-using namespace burin;
+namespace burin::tst_triangle_ray {
 
 namespace {
 
@@ -80,5 +81,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TriangleRayTest)
+BURIN_TEST(TriangleRayTest, NoApplication)
+
+} // namespace burin::tst_triangle_ray
+
 #include "tst_triangle_ray.moc"

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
 #include "core/geometry/upright_holes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_upright_holes {
 
 namespace {
 
@@ -86,5 +87,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(UprightHolesTest)
+BURIN_TEST(UprightHolesTest, NoApplication)
+
+} // namespace burin::tst_upright_holes
+
 #include "tst_upright_holes.moc"

@@ -7,10 +7,11 @@
 #include "tests/core/geometry/random_shapes.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/oracles/push_back_scenes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_boundary_layers {
 
 namespace {
 
@@ -152,5 +153,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBoundaryLayers)
+BURIN_TEST(TestBoundaryLayers, NoApplication)
+
+} // namespace burin::tst_boundary_layers
+
 #include "tst_boundary_layers.moc"

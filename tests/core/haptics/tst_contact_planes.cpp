@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/boundary/contact_planes.h"
 #include "tests/core/geometry/random_shapes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -10,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-using namespace burin;
+namespace burin::tst_contact_planes {
 
 namespace {
 
@@ -131,5 +132,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestContactPlanes)
+BURIN_TEST(TestContactPlanes, NoApplication)
+
+} // namespace burin::tst_contact_planes
+
 #include "tst_contact_planes.moc"

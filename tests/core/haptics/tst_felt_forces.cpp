@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/haptics/haptic_rig.h"
 #include "tests/oracles/random_number.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_felt_forces {
+
 using namespace burin::test;
 
 /// What of cutting, sliding and weight reaches the hand.
@@ -166,5 +168,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FeltForcesTest)
+BURIN_TEST(FeltForcesTest, NoApplication)
+
+} // namespace burin::tst_felt_forces
+
 #include "tst_felt_forces.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/loop/flight_recorder.h"
 #include "tests/oracles/system_watch.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 #include <QFile>
@@ -10,7 +11,7 @@
 
 #include <thread>
 
-using namespace burin;
+namespace burin::tst_flight_recorder {
 
 namespace {
 
@@ -199,5 +200,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFlightRecorder)
+BURIN_TEST(TestFlightRecorder, NoApplication)
+
+} // namespace burin::tst_flight_recorder
+
 #include "tst_flight_recorder.moc"

@@ -8,12 +8,14 @@
 #include "tests/core/geometry/shapes.h"
 #include "tests/core/haptics/haptic_rig.h"
 #include "tests/oracles/allocation_count.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_free_axis {
+
 using namespace burin::test;
 
 namespace {
@@ -229,5 +231,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFreeAxis)
+BURIN_TEST(TestFreeAxis, NoApplication)
+
+} // namespace burin::tst_free_axis
+
 #include "tst_free_axis.moc"

@@ -6,6 +6,7 @@
 #include "tests/core/geometry/shapes.h"
 #include "tests/core/haptics/haptic_rig.h"
 #include "tests/oracles/random_number.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
@@ -13,7 +14,8 @@
 
 #include <array>
 
-using namespace burin;
+namespace burin::tst_growing_boundary {
+
 using namespace burin::test;
 
 namespace {
@@ -217,5 +219,8 @@ private:
     int pressed_ = 0;
 };
 
-QTEST_APPLESS_MAIN(TestGrowingBoundary)
+BURIN_TEST(TestGrowingBoundary, NoApplication)
+
+} // namespace burin::tst_growing_boundary
+
 #include "tst_growing_boundary.moc"

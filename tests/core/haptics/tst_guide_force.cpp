@@ -3,6 +3,7 @@
 #include "core/haptics/operator/operator_hand.h"
 #include "tests/core/haptics/guide_rig.h"
 #include "tests/oracles/allocation_count.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -10,7 +11,8 @@
 #include <new>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_guide_force {
+
 using namespace burin::test;
 
 namespace {
@@ -253,5 +255,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestGuideForce)
+BURIN_TEST(TestGuideForce, NoApplication)
+
+} // namespace burin::tst_guide_force
+
 #include "tst_guide_force.moc"

@@ -5,6 +5,7 @@
 #include "core/haptics/guides/polyline_tracker.h"
 #include "core/setup/guide_curve.h"
 #include "tests/oracles/random_number.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -12,7 +13,8 @@
 #include <algorithm>
 #include <vector>
 
-using namespace burin;
+namespace burin::tst_guide_tracking {
+
 using namespace burin::test;
 
 namespace {
@@ -134,5 +136,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestGuideTracking)
+BURIN_TEST(TestGuideTracking, NoApplication)
+
+} // namespace burin::tst_guide_tracking
+
 #include "tst_guide_tracking.moc"

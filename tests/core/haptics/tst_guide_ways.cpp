@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
 #include "tests/core/haptics/guide_rig.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_guide_ways {
+
 using namespace burin::test;
 
 /// Guides that follow where the tool went: passes, and the way of its axis.
@@ -88,5 +90,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestGuideWays)
+BURIN_TEST(TestGuideWays, NoApplication)
+
+} // namespace burin::tst_guide_ways
+
 #include "tst_guide_ways.moc"

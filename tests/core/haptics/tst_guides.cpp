@@ -4,11 +4,13 @@
 
 #include "core/base/units.h"
 #include "tests/oracles/random_number.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_guides {
+
 using namespace burin::test;
 
 namespace {
@@ -331,5 +333,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestGuides)
+BURIN_TEST(TestGuides, NoApplication)
+
+} // namespace burin::tst_guides
+
 #include "tst_guides.moc"

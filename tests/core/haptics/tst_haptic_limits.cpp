@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/haptics/hostile_rig.h"
 #include "tests/oracles/allocation_count.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <new>
 
-using namespace burin;
+namespace burin::tst_haptic_limits {
+
 using namespace burin::test;
 
 namespace {
@@ -165,5 +167,8 @@ private slots:
     void withoutAControllerContactWouldGiveEnergy() { QVERIFY(energyGivenToTheHand(0.0, 4000.0) / contacts > 0.1e-3); }
 };
 
-QTEST_APPLESS_MAIN(TestHapticLimits)
+BURIN_TEST(TestHapticLimits, NoApplication)
+
+} // namespace burin::tst_haptic_limits
+
 #include "tst_haptic_limits.moc"

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/haptics/haptic_rig.h"
 #include "tests/oracles/random_number.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_haptic_step {
+
 using namespace burin::test;
 
 namespace {
@@ -343,5 +345,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestHapticStep)
+BURIN_TEST(TestHapticStep, NoApplication)
+
+} // namespace burin::tst_haptic_step
+
 #include "tst_haptic_step.moc"

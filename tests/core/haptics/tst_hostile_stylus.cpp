@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/haptics/hostile_rig.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <map>
 
-using namespace burin;
+namespace burin::tst_hostile_stylus {
+
 using namespace burin::test;
 
 namespace {
@@ -117,5 +119,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestHostileStylus)
+BURIN_TEST(TestHostileStylus, NoApplication)
+
+} // namespace burin::tst_hostile_stylus
+
 #include "tst_hostile_stylus.moc"

@@ -6,13 +6,15 @@
 #include "tests/core/haptics/haptic_rig.h"
 #include "tests/core/haptics/own_stylus.h"
 #include "tests/core/haptics/pressed_stylus.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <thread>
 
-using namespace burin;
+namespace burin::tst_loop_guards {
+
 using namespace burin::test;
 
 namespace {
@@ -305,5 +307,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLoopGuards)
+BURIN_TEST(TestLoopGuards, NoApplication)
+
+} // namespace burin::tst_loop_guards
+
 #include "tst_loop_guards.moc"

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/haptics/haptic_rig.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_motor_heat {
+
 using namespace burin::test;
 
 namespace {
@@ -103,5 +105,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMotorHeat)
+BURIN_TEST(TestMotorHeat, NoApplication)
+
+} // namespace burin::tst_motor_heat
+
 #include "tst_motor_heat.moc"

@@ -4,6 +4,7 @@
 #include "core/haptics/operator/virtual_operator.h"
 #include "core/haptics/trace/trace_stylus.h"
 #include "core/recording/trace_file.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -11,7 +12,7 @@
 #include <cstring>
 #include <functional>
 
-using namespace burin;
+namespace burin::tst_operator {
 
 namespace {
 
@@ -362,5 +363,8 @@ void OperatorTest::traceBetweenReadingsIsInterpolated() {
     QVERIFY(!TraceStylus(std::vector<StylusState>(), {}).open());
 }
 
-QTEST_APPLESS_MAIN(OperatorTest)
+BURIN_TEST(OperatorTest, NoApplication)
+
+} // namespace burin::tst_operator
+
 #include "tst_operator.moc"

@@ -3,12 +3,14 @@
 #include "core/haptics/operator/virtual_operator.h"
 #include "core/passes/milling_plan.h"
 #include "tests/core/passes/planned_fields.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <algorithm>
 
-using namespace burin;
+namespace burin::tst_operator_session {
+
 using namespace burin::test;
 
 namespace {
@@ -74,7 +76,7 @@ private slots:
 void OperatorSessionTest::theOperatorMillsAPartOutOfItsStock() {
     LyingCapsule part(3.0, 12.0, 10.0, 3.0); // 44 x 24 x 15 mm
     part.answerGradients();
-    const Tool tool = ballTool();
+    const Tool tool = shankedBallTool();
     MillingRequest request;
     request.stock = {part.box().low - glm::dvec3(5.0), part.box().high + glm::dvec3(5.0)};
     request.finishing.part = part.box();
@@ -132,5 +134,8 @@ void OperatorSessionTest::theOperatorMillsAPartOutOfItsStock() {
     QVERIFY(highest < 0.15);
 }
 
-QTEST_APPLESS_MAIN(OperatorSessionTest)
+BURIN_TEST(OperatorSessionTest, NoApplication)
+
+} // namespace burin::tst_operator_session
+
 #include "tst_operator_session.moc"

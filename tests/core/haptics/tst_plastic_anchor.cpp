@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/force/plastic_anchor.h"
 #include "tests/oracles/random_number.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_plastic_anchor {
+
 using namespace burin::test;
 
 namespace {
@@ -105,5 +107,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PlasticAnchorTest)
+BURIN_TEST(PlasticAnchorTest, NoApplication)
+
+} // namespace burin::tst_plastic_anchor
+
 #include "tst_plastic_anchor.moc"

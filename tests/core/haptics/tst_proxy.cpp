@@ -3,13 +3,15 @@
 #include "tests/core/haptics/analytic_fields.h"
 #include "tests/core/haptics/tip_proxy.h"
 #include "tests/oracles/random_number.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
 #include <functional>
 
-using namespace burin;
+namespace burin::tst_proxy {
+
 using namespace burin::test;
 
 namespace {
@@ -292,5 +294,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestProxy)
+BURIN_TEST(TestProxy, NoApplication)
+
+} // namespace burin::tst_proxy
+
 #include "tst_proxy.moc"

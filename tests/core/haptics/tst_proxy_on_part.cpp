@@ -3,12 +3,14 @@
 #include "core/base/units.h"
 #include "core/tool/tool.h"
 #include "tests/core/haptics/tip_proxy.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <optional>
 
-using namespace burin;
+namespace burin::tst_proxy_on_part {
+
 using burin::test::TipProxy;
 
 namespace {
@@ -150,5 +152,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestProxyOnPart)
+BURIN_TEST(TestProxyOnPart, NoApplication)
+
+} // namespace burin::tst_proxy_on_part
+
 #include "tst_proxy_on_part.moc"

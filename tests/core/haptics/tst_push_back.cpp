@@ -4,11 +4,13 @@
 #include "core/haptics/boundary/proxy.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/oracles/push_back_scenes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_push_back {
+
 using namespace burin::oracles;
 
 namespace {
@@ -246,5 +248,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPushBack)
+BURIN_TEST(TestPushBack, NoApplication)
+
+} // namespace burin::tst_push_back
+
 #include "tst_push_back.moc"

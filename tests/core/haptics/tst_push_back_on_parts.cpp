@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/imported_mesh.h"
 #include "tests/oracles/push_back_scenes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_push_back_on_parts {
+
 using namespace burin::oracles;
 
 class TestPushBackOnParts : public QObject {
@@ -41,5 +43,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPushBackOnParts)
+BURIN_TEST(TestPushBackOnParts, NoApplication)
+
+} // namespace burin::tst_push_back_on_parts
+
 #include "tst_push_back_on_parts.moc"

@@ -4,7 +4,9 @@
 #include "core/haptics/loop/realtime_kit.h"
 #include "core/haptics/loop/realtime_scheduling.h"
 #include "core/haptics/loop/tick_thread.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QProcess>
 #include <QtTest>
 
@@ -18,7 +20,7 @@
 #include <thread>
 #include <unistd.h>
 
-using namespace burin;
+namespace burin::tst_realtime_scheduling {
 
 namespace {
 
@@ -243,5 +245,8 @@ private:
     QProcess bus_;
 };
 
-QTEST_GUILESS_MAIN(TestRealtimeScheduling)
+BURIN_TEST(TestRealtimeScheduling, QCoreApplication)
+
+} // namespace burin::tst_realtime_scheduling
+
 #include "tst_realtime_scheduling.moc"

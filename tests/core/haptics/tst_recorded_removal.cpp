@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/recorded_removal.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_recorded_removal {
 
 class TestRecordedRemoval : public QObject {
     Q_OBJECT
@@ -53,5 +54,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRecordedRemoval)
+BURIN_TEST(TestRecordedRemoval, NoApplication)
+
+} // namespace burin::tst_recorded_removal
+
 #include "tst_recorded_removal.moc"

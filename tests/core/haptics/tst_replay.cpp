@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/haptics/own_stylus.h"
 #include "tests/core/haptics/replayed_session.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_replay {
+
 using namespace burin::test;
 
 namespace {
@@ -171,5 +173,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestReplay)
+BURIN_TEST(TestReplay, NoApplication)
+
+} // namespace burin::tst_replay
+
 #include "tst_replay.moc"

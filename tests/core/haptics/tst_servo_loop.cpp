@@ -4,13 +4,15 @@
 #include "core/haptics/loop/loop_figures.h"
 #include "core/haptics/loop/servo_loop.h"
 #include "tests/core/haptics/haptic_rig.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
 #include <thread>
 
-using namespace burin;
+namespace burin::tst_servo_loop {
+
 using namespace burin::test;
 
 namespace {
@@ -307,5 +309,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestServoLoop)
+BURIN_TEST(TestServoLoop, NoApplication)
+
+} // namespace burin::tst_servo_loop
+
 #include "tst_servo_loop.moc"

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/oracles/slot_scene.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_slot {
+
 using namespace burin::test;
 
 /// What a hand feels in a slot of constant depth, beside closed formulas.
@@ -83,5 +85,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SlotTest)
+BURIN_TEST(SlotTest, NoApplication)
+
+} // namespace burin::tst_slot
+
 #include "tst_slot.moc"

@@ -4,6 +4,7 @@
 #include "core/haptics/loop/servo_tick.h"
 #include "tests/core/haptics/haptic_rig.h"
 #include "tests/oracles/system_watch.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
@@ -16,7 +17,8 @@
 #include <thread>
 #include <unistd.h>
 
-using namespace burin;
+namespace burin::tst_tick_cost {
+
 using namespace burin::test;
 using burin::tests::SystemUse;
 using burin::tests::SystemWatch;
@@ -196,5 +198,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTickCost)
+BURIN_TEST(TestTickCost, NoApplication)
+
+} // namespace burin::tst_tick_cost
+
 #include "tst_tick_cost.moc"

@@ -5,12 +5,14 @@
 #include "tests/core/device/desktop_stylus.h"
 #include "tests/core/haptics/haptic_rig.h"
 #include "tests/oracles/simulated_handle.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_turn_coupling {
+
 using namespace burin::test;
 
 namespace {
@@ -111,5 +113,8 @@ private slots:
     void theSpringAloneWouldGiveIt() { QVERIFY(energyOfTurn(nullptr, 2000.0, firmWrist, 0.002) > 0.1); }
 };
 
-QTEST_APPLESS_MAIN(TestTurnCoupling)
+BURIN_TEST(TestTurnCoupling, NoApplication)
+
+} // namespace burin::tst_turn_coupling
+
 #include "tst_turn_coupling.moc"

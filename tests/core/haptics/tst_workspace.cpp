@@ -5,11 +5,13 @@
 #include "core/device/deflection.h"
 #include "core/haptics/workspace.h"
 #include "tests/core/haptics/haptic_rig.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_workspace {
+
 using namespace burin::test;
 
 namespace {
@@ -291,5 +293,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestWorkspace)
+BURIN_TEST(TestWorkspace, NoApplication)
+
+} // namespace burin::tst_workspace
+
 #include "tst_workspace.moc"

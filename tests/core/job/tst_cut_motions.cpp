@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/job/cut_motions.h"
 #include "tests/core/document/sample_project.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -10,7 +11,7 @@
 #include <span>
 #include <utility>
 
-using namespace burin;
+namespace burin::tst_cut_motions {
 
 class TestCutMotions : public QObject {
     Q_OBJECT
@@ -69,5 +70,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCutMotions)
+BURIN_TEST(TestCutMotions, NoApplication)
+
+} // namespace burin::tst_cut_motions
+
 #include "tst_cut_motions.moc"

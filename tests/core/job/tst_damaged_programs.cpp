@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/job/damaged/trial.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTest>
 
 #include <map>
+
+namespace burin::tst_damaged_programs {
 
 using namespace burin::test;
 
@@ -56,5 +60,8 @@ private:
     std::map<std::string, std::string> sound_;
 };
 
-QTEST_GUILESS_MAIN(DamagedProgramsTest)
+BURIN_TEST(DamagedProgramsTest, QCoreApplication)
+
+} // namespace burin::tst_damaged_programs
+
 #include "tst_damaged_programs.moc"

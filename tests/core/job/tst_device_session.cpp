@@ -6,14 +6,17 @@
 #include "core/job/milling.h"
 #include "tests/core/haptics/own_stylus.h"
 #include "tests/core/job/session_stage.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_device_session {
+
 using namespace burin::test;
 
 namespace {
@@ -271,5 +274,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDeviceSession)
+BURIN_TEST(TestDeviceSession, QCoreApplication)
+
+} // namespace burin::tst_device_session
+
 #include "tst_device_session.moc"

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/job/job_paths.h"
 #include "tests/core/document/sample_project.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_job_paths {
 
 namespace {
 
@@ -134,5 +136,8 @@ private:
     std::optional<Project> project_;
 };
 
-QTEST_GUILESS_MAIN(TestJobPaths)
+BURIN_TEST(TestJobPaths, QCoreApplication)
+
+} // namespace burin::tst_job_paths
+
 #include "tst_job_paths.moc"

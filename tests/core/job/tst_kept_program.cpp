@@ -3,13 +3,15 @@
 #include "core/job/kept_program.h"
 #include "core/machine/machine_profile.h"
 #include "tests/core/document/sample_project.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <functional>
 
-using namespace burin;
+namespace burin::tst_kept_program {
 
 namespace {
 
@@ -155,5 +157,8 @@ private:
     std::optional<Project> project_;
 };
 
-QTEST_GUILESS_MAIN(TestKeptProgram)
+BURIN_TEST(TestKeptProgram, QCoreApplication)
+
+} // namespace burin::tst_kept_program
+
 #include "tst_kept_program.moc"

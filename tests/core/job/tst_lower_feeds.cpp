@@ -3,14 +3,17 @@
 #include "core/job/lower_feeds.h"
 #include "tests/core/job/part_milling.h"
 #include "tests/core/path/path_fixture.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
+#include <QCoreApplication>
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_lower_feeds {
+
 using namespace burin::test;
 
 namespace {
@@ -131,5 +134,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLowerFeeds)
+BURIN_TEST(TestLowerFeeds, QCoreApplication)
+
+} // namespace burin::tst_lower_feeds
+
 #include "tst_lower_feeds.moc"

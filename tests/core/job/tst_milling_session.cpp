@@ -5,13 +5,15 @@
 #include "core/job/milling_session.h"
 #include "tests/core/job/part_milling.h"
 #include "tests/core/job/session_stage.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <thread>
 
-using namespace burin;
+namespace burin::tst_milling_session {
+
 using namespace burin::test;
 namespace fs = std::filesystem;
 
@@ -430,5 +432,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMillingSession)
+BURIN_TEST(TestMillingSession, NoApplication)
+
+} // namespace burin::tst_milling_session
+
 #include "tst_milling_session.moc"

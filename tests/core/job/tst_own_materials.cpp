@@ -3,13 +3,16 @@
 #include "core/job/job_paths.h"
 #include "tests/core/job/part_milling.h"
 #include "tests/core/path/path_fixture.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <algorithm>
 
-using namespace burin;
+namespace burin::tst_own_materials {
+
 using namespace burin::test;
 
 namespace {
@@ -113,5 +116,8 @@ void TestOwnMaterials::theProjectsOwnMaterialIsCutEverywhere() {
     QVERIFY2(easy > 0.0 && std::abs(dear / easy - 2.0) < 0.02, qPrintable(QString("%1 %2").arg(easy).arg(dear)));
 }
 
-QTEST_GUILESS_MAIN(TestOwnMaterials)
+BURIN_TEST(TestOwnMaterials, QCoreApplication)
+
+} // namespace burin::tst_own_materials
+
 #include "tst_own_materials.moc"

@@ -5,14 +5,16 @@
 #include "core/nc/dialect_library.h"
 #include "core/nc/parser.h"
 #include "core/nc/post.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
+#include <QCoreApplication>
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_program_moments {
 
 namespace {
 
@@ -110,5 +112,8 @@ void TestProgramMoments::everyBlockLeadsToItsMoment() {
     }));
 }
 
-QTEST_GUILESS_MAIN(TestProgramMoments)
+BURIN_TEST(TestProgramMoments, QCoreApplication)
+
+} // namespace burin::tst_program_moments
+
 #include "tst_program_moments.moc"

@@ -3,6 +3,7 @@
 #include "core/job/recorder.h"
 #include "tests/core/document/processes.h"
 #include "tests/core/document/sample_project.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -18,7 +19,8 @@
 #include <thread>
 #include <unistd.h>
 
-using namespace burin;
+namespace burin::tst_recorder {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -177,5 +179,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRecorder)
+BURIN_TEST(TestRecorder, NoApplication)
+
+} // namespace burin::tst_recorder
+
 #include "tst_recorder.moc"

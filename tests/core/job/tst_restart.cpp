@@ -9,6 +9,7 @@
 #include "tests/long_run.h"
 #include "tests/oracles/canonical_program.h"
 #include "tests/oracles/grbl_rules.h"
+#include "tests/test_program.h"
 
 #include <QRegularExpression>
 #include <QtTest>
@@ -19,7 +20,8 @@
 #include <random>
 #include <sstream>
 
-using namespace burin;
+namespace burin::tst_restart {
+
 using namespace burin::test;
 
 namespace {
@@ -516,5 +518,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRestart)
+BURIN_TEST(TestRestart, NoApplication)
+
+} // namespace burin::tst_restart
+
 #include "tst_restart.moc"

@@ -4,6 +4,7 @@
 #include "core/job/recorder.h"
 #include "tests/core/document/processes.h"
 #include "tests/core/document/sample_project.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -12,7 +13,8 @@
 #include <random>
 #include <thread>
 
-using namespace burin;
+namespace burin::tst_saving {
+
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 using fixture::modelNamed, fixture::nameIn;
@@ -237,5 +239,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSaving)
+BURIN_TEST(TestSaving, NoApplication)
+
+} // namespace burin::tst_saving
+
 #include "tst_saving.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/document/processes.h"
 #include "tests/core/job/session_stage.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -9,7 +10,8 @@
 #include <new>
 #include <sys/mman.h>
 
-using namespace burin;
+namespace burin::tst_session_faults {
+
 using namespace burin::test;
 namespace fs = std::filesystem;
 
@@ -121,5 +123,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSessionFaults)
+BURIN_TEST(TestSessionFaults, NoApplication)
+
+} // namespace burin::tst_session_faults
+
 #include "tst_session_faults.moc"

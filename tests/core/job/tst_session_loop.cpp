@@ -5,11 +5,13 @@
 #include "tests/core/document/sample_project.h"
 #include "tests/core/job/session_milling.h"
 #include "tests/oracles/allocation_count.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_session_loop {
+
 using namespace burin::test;
 
 /// A loop over a block, a hand that mills it on its button, and a take to record into.
@@ -204,5 +206,8 @@ private:
     using Lines = std::vector<std::vector<Segment>>;
 };
 
-QTEST_APPLESS_MAIN(TestSessionLoop)
+BURIN_TEST(TestSessionLoop, NoApplication)
+
+} // namespace burin::tst_session_loop
+
 #include "tst_session_loop.moc"

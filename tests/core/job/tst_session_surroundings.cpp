@@ -7,14 +7,17 @@
 #include "tests/core/job/part_milling.h"
 #include "tests/core/job/session_stage.h"
 #include "tests/oracles/tool_depth.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <algorithm>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_session_surroundings {
+
 using namespace burin::test;
 
 namespace {
@@ -184,8 +187,6 @@ void addAxes() {
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(glm::dvec3)
 
 class TestSessionSurroundings : public QObject {
     Q_OBJECT
@@ -428,5 +429,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSessionSurroundings)
+BURIN_TEST(TestSessionSurroundings, QCoreApplication)
+
+} // namespace burin::tst_session_surroundings
+
 #include "tst_session_surroundings.moc"

@@ -11,14 +11,17 @@
 #include "core/verify/load_chart.h"
 #include "core/verify/verify.h"
 #include "tests/core/setup/stock_bodies.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-using namespace burin;
+namespace burin::tst_several_materials {
+
 using namespace burin::test;
 
 namespace {
@@ -373,5 +376,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSeveralMaterials)
+BURIN_TEST(TestSeveralMaterials, QCoreApplication)
+
+} // namespace burin::tst_several_materials
+
 #include "tst_several_materials.moc"

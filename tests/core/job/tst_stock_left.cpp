@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/job/stock_left.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_stock_left {
 
 namespace {
 
@@ -122,5 +123,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(StockLeftTest)
+BURIN_TEST(StockLeftTest, NoApplication)
+
+} // namespace burin::tst_stock_left
+
 #include "tst_stock_left.moc"

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/job/tool_bounds.h"
 #include "tests/core/job/part_milling.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QtTest>
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_tool_bounds {
+
 using namespace burin::test;
 
 class TestToolBounds : public QObject {
@@ -73,5 +76,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestToolBounds)
+BURIN_TEST(TestToolBounds, QCoreApplication)
+
+} // namespace burin::tst_tool_bounds
+
 #include "tst_tool_bounds.moc"

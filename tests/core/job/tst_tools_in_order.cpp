@@ -4,13 +4,16 @@
 #include "core/path/path_removal.h"
 #include "tests/core/job/session_milling.h"
 #include "tests/core/path/path_fixture.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_tools_in_order {
+
 using namespace burin::test;
 
 namespace {
@@ -315,5 +318,8 @@ void TestToolsInOrder::theWishToStopIsHeard() {
         std::span(&milled, 1), [](RunVolume&) { return Result<void>(); }, other));
 }
 
-QTEST_GUILESS_MAIN(TestToolsInOrder)
+BURIN_TEST(TestToolsInOrder, QCoreApplication)
+
+} // namespace burin::tst_tools_in_order
+
 #include "tst_tools_in_order.moc"

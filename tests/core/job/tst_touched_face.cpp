@@ -3,10 +3,11 @@
 #include "core/job/touched_face.h"
 
 #include "core/tool/tool_library.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_touched_face {
 
 namespace {
 
@@ -59,5 +60,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTouchedFace)
+BURIN_TEST(TestTouchedFace, NoApplication)
+
+} // namespace burin::tst_touched_face
+
 #include "tst_touched_face.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/machine/axis_travel.h"
 #include "core/machine/kinematics.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
@@ -10,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_axes {
 
 namespace {
 
@@ -163,5 +164,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAxes)
+BURIN_TEST(TestAxes, NoApplication)
+
+} // namespace burin::tst_axes
+
 #include "tst_axes.moc"

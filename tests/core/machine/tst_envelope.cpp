@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/machine/envelope.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_envelope {
 
 namespace {
 
@@ -48,5 +49,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestEnvelope)
+BURIN_TEST(TestEnvelope, NoApplication)
+
+} // namespace burin::tst_envelope
+
 #include "tst_envelope.moc"

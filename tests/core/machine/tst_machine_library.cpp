@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/resource_folder.h"
 #include "core/machine/machine_library.h"
+#include "tests/test_program.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_machine_library {
 
 namespace {
 
@@ -281,5 +282,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MachineLibraryTest)
+BURIN_TEST(MachineLibraryTest, NoApplication)
+
+} // namespace burin::tst_machine_library
+
 #include "tst_machine_library.moc"

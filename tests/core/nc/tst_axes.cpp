@@ -6,12 +6,13 @@
 #include "core/nc/line_reader.h"
 #include "core/nc/parser.h"
 #include "core/nc/post.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_axes {
 
 namespace {
 
@@ -194,5 +195,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestNcAxes)
+BURIN_TEST(TestNcAxes, NoApplication)
+
+} // namespace burin::tst_axes
+
 #include "tst_axes.moc"

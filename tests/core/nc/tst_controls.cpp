@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nc/parser.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTest>
 
-using namespace burin;
+namespace burin::tst_controls {
 
 class TestControls : public QObject {
     Q_OBJECT
@@ -122,5 +124,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestControls)
+BURIN_TEST(TestControls, QCoreApplication)
+
+} // namespace burin::tst_controls
+
 #include "tst_controls.moc"

@@ -5,13 +5,15 @@
 #include "core/nc/dialect_data.h"
 #include "tests/core/nc/dialect_jobs.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <filesystem>
 
-using namespace burin;
+namespace burin::tst_dialect_data {
 
 namespace {
 
@@ -166,5 +168,8 @@ private:
     QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(TestDialectData)
+BURIN_TEST(TestDialectData, QCoreApplication)
+
+} // namespace burin::tst_dialect_data
+
 #include "tst_dialect_data.moc"

@@ -3,14 +3,17 @@
 #include "core/nc/dialect_library.h"
 #include "core/nc/post.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <filesystem>
 
-using namespace burin;
+namespace burin::tst_dialect_library {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -165,5 +168,8 @@ private:
     std::unique_ptr<QTemporaryDir> folder_;
 };
 
-QTEST_GUILESS_MAIN(TestDialectLibrary)
+BURIN_TEST(TestDialectLibrary, QCoreApplication)
+
+} // namespace burin::tst_dialect_library
+
 #include "tst_dialect_library.moc"

@@ -8,9 +8,11 @@
 #include "tests/oracles/canonical_program.h"
 #include "tests/oracles/grbl_rules.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
+#include <QCoreApplication>
 #include <QRegularExpression>
 #include <QTest>
 
@@ -18,7 +20,7 @@
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_dialects {
 
 namespace {
 
@@ -582,5 +584,8 @@ private:
     static constexpr double lineDoubt = 0.001; // mm, of lines in the place of an arc
 };
 
-QTEST_GUILESS_MAIN(TestDialects)
+BURIN_TEST(TestDialects, QCoreApplication)
+
+} // namespace burin::tst_dialects
+
 #include "tst_dialects.moc"

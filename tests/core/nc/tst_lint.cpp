@@ -3,12 +3,14 @@
 #include "core/base/file.h"
 #include "core/nc/lint.h"
 #include "core/nc/parser.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
+#include <QCoreApplication>
 #include <QTest>
 
-using namespace burin;
+namespace burin::tst_lint {
 
 namespace {
 
@@ -245,5 +247,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLint)
+BURIN_TEST(TestLint, QCoreApplication)
+
+} // namespace burin::tst_lint
+
 #include "tst_lint.moc"

@@ -6,16 +6,18 @@
 #include "core/nc/post.h"
 #include "tests/oracles/canonical_program.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_linuxcnc {
 
 namespace {
 
@@ -230,5 +232,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLinuxCnc)
+BURIN_TEST(TestLinuxCnc, QCoreApplication)
+
+} // namespace burin::tst_linuxcnc
+
 #include "tst_linuxcnc.moc"

@@ -4,14 +4,16 @@
 #include "core/base/numbers.h"
 #include "core/nc/parser.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
+#include <QCoreApplication>
 #include <QTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_parser {
 
 namespace {
 
@@ -332,5 +334,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestParser)
+BURIN_TEST(TestParser, QCoreApplication)
+
+} // namespace burin::tst_parser
+
 #include "tst_parser.moc"

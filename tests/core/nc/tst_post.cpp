@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nc/post.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTest>
 
-using namespace burin;
+namespace burin::tst_post {
 
 namespace {
 
@@ -218,5 +220,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPost)
+BURIN_TEST(TestPost, QCoreApplication)
+
+} // namespace burin::tst_post
+
 #include "tst_post.moc"

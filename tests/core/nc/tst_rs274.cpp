@@ -5,14 +5,17 @@
 #include "tests/core/nc/beside_rs274.h"
 #include "tests/core/nc/random_program.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
+#include <QCoreApplication>
 #include <QTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_rs274 {
+
 using namespace burin::beside_rs274;
 
 namespace {
@@ -134,5 +137,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRs274)
+BURIN_TEST(TestRs274, QCoreApplication)
+
+} // namespace burin::tst_rs274
+
 #include "tst_rs274.moc"

@@ -7,13 +7,16 @@
 #include "tests/core/nc/texts_of_others.h"
 #include "tests/oracles/grbl_rules.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QRegularExpression>
 #include <QTest>
 
 #include <map>
 
-using namespace burin;
+namespace burin::tst_verdicts {
+
 using namespace burin::beside_rs274;
 
 namespace {
@@ -176,5 +179,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestVerdicts)
+BURIN_TEST(TestVerdicts, QCoreApplication)
+
+} // namespace burin::tst_verdicts
+
 #include "tst_verdicts.moc"

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nc/work_offset.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_work_offset {
 
 class TestWorkOffset : public QObject {
     Q_OBJECT
@@ -34,5 +35,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestWorkOffset)
+BURIN_TEST(TestWorkOffset, NoApplication)
+
+} // namespace burin::tst_work_offset
+
 #include "tst_work_offset.moc"

@@ -12,7 +12,7 @@ namespace burin::test {
 
 // Clearance of a ball-end cutter with a shank of its own radius from parts of which the distance is a closed formula.
 
-inline Tool ballTool(double diameter = 6.0, double flutes = 22.0) {
+inline Tool shankedBallTool(double diameter = 6.0, double flutes = 22.0) {
     Tool tool;
     tool.id = "ball";
     tool.maximumDepthOfCut = flutes;

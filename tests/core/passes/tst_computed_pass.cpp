@@ -5,11 +5,14 @@
 #include "core/passes/plan_pass.h"
 #include "core/passes/tip_drop.h"
 #include "tests/core/passes/plan_stage.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QtTest>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_computed_pass {
+
 using namespace burin::test;
 
 namespace {
@@ -45,7 +48,7 @@ TriangleMesh blockUnder(const std::function<double(double, double)>& top, double
 }
 
 Tool endMill(double diameter, double cornerRadius) {
-    Tool tool = ballTool(diameter, 40.0);
+    Tool tool = shankedBallTool(diameter, 40.0);
     tool.cutter.type = cornerRadius == 0.0              ? CutterType::flat
                        : cornerRadius == 0.5 * diameter ? CutterType::ball
                                                         : CutterType::bullNose;
@@ -878,5 +881,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ComputedPassTest)
+BURIN_TEST(ComputedPassTest, QCoreApplication)
+
+} // namespace burin::tst_computed_pass
+
 #include "tst_computed_pass.moc"

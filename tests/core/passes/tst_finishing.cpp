@@ -3,10 +3,12 @@
 #include "core/base/units.h"
 #include "tests/core/haptics/tip_proxy.h"
 #include "tests/core/passes/plan_stage.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_finishing {
+
 using namespace burin::test;
 
 class OperatorFinishingTest final : public QObject {
@@ -29,9 +31,9 @@ private slots:
 };
 
 void OperatorFinishingTest::finishingAimsBelowThePartEverywhere() {
-    WorkpieceHeights heights(mouseStock, ballTool().cutter);
-    QVERIFY(planRoughing(mouse, ballTool(), roughingRequest(), heights));
-    const auto points = planFinishing(mouse, ballTool(), finishingRequest(mouse.box()), heights);
+    WorkpieceHeights heights(mouseStock, shankedBallTool().cutter);
+    QVERIFY(planRoughing(mouse, shankedBallTool(), roughingRequest(), heights));
+    const auto points = planFinishing(mouse, shankedBallTool(), finishingRequest(mouse.box()), heights);
     QVERIFY(points);
     int over = 0, pressing = 0;
     for (const IntentPoint& point : *points) {
@@ -47,9 +49,9 @@ void OperatorFinishingTest::finishingAimsBelowThePartEverywhere() {
 }
 
 void OperatorFinishingTest::finishingStaysAboveTheFloorAndNearThePart() {
-    WorkpieceHeights heights(mouseStock, ballTool().cutter);
-    QVERIFY(planRoughing(mouse, ballTool(), roughingRequest(), heights));
-    const auto points = planFinishing(mouse, ballTool(), finishingRequest(mouse.box()), heights);
+    WorkpieceHeights heights(mouseStock, shankedBallTool().cutter);
+    QVERIFY(planRoughing(mouse, shankedBallTool(), roughingRequest(), heights));
+    const auto points = planFinishing(mouse, shankedBallTool(), finishingRequest(mouse.box()), heights);
     QVERIFY(points);
     for (const IntentPoint& point : *points) {
         QVERIFY(point.tip.z >= 0.0);
@@ -61,9 +63,9 @@ void OperatorFinishingTest::finishingStaysAboveTheFloorAndNearThePart() {
 }
 
 void OperatorFinishingTest::finishingLeavesLittleOnThePart() {
-    WorkpieceHeights heights(mouseStock, ballTool().cutter);
-    const auto roughing = planRoughing(mouse, ballTool(), roughingRequest(), heights);
-    const auto finishing = planFinishing(mouse, ballTool(), finishingRequest(mouse.box()), heights);
+    WorkpieceHeights heights(mouseStock, shankedBallTool().cutter);
+    const auto roughing = planRoughing(mouse, shankedBallTool(), roughingRequest(), heights);
+    const auto finishing = planFinishing(mouse, shankedBallTool(), finishingRequest(mouse.box()), heights);
     QVERIFY(roughing && finishing);
     StockRaster stock(mouseStock);
     const auto visit = [&](const glm::dvec3& aim) {
@@ -84,10 +86,10 @@ void OperatorFinishingTest::finishingLeavesLittleOnThePart() {
 void OperatorFinishingTest::crosswisePassesStayOnSteepWalls() {
     LyingCapsule part = mouse;
     part.answerGradients();
-    WorkpieceHeights heights(mouseStock, ballTool().cutter);
-    QVERIFY(planRoughing(part, ballTool(), roughingRequest(), heights));
-    QVERIFY(planFinishing(part, ballTool(), finishingRequest(part.box()), heights));
-    const auto points = planCrosswiseFinishing(part, ballTool(), finishingRequest(part.box()), heights);
+    WorkpieceHeights heights(mouseStock, shankedBallTool().cutter);
+    QVERIFY(planRoughing(part, shankedBallTool(), roughingRequest(), heights));
+    QVERIFY(planFinishing(part, shankedBallTool(), finishingRequest(part.box()), heights));
+    const auto points = planCrosswiseFinishing(part, shankedBallTool(), finishingRequest(part.box()), heights);
     QVERIFY(points && points->size() > 5000);
     int pressing = 0, cutting = 0, lifts = 0;
     for (std::size_t i = 1; i < points->size(); ++i) {
@@ -113,10 +115,10 @@ void OperatorFinishingTest::crosswisePassesStayOnSteepWalls() {
 void OperatorFinishingTest::crosswisePassesSmoothTheWalls() {
     LyingCapsule part = mouse;
     part.answerGradients();
-    WorkpieceHeights heights(mouseStock, ballTool().cutter);
-    QVERIFY(planRoughing(part, ballTool(), roughingRequest(), heights));
-    const auto rows = planFinishing(part, ballTool(), finishingRequest(part.box()), heights);
-    const auto crosswise = planCrosswiseFinishing(part, ballTool(), finishingRequest(part.box()), heights);
+    WorkpieceHeights heights(mouseStock, shankedBallTool().cutter);
+    QVERIFY(planRoughing(part, shankedBallTool(), roughingRequest(), heights));
+    const auto rows = planFinishing(part, shankedBallTool(), finishingRequest(part.box()), heights);
+    const auto crosswise = planCrosswiseFinishing(part, shankedBallTool(), finishingRequest(part.box()), heights);
     QVERIFY(rows && crosswise);
     // Places on the wall, up to 80 degrees: how far is the nearest ball that was rolled along it?
     std::vector<glm::dvec3> walls;
@@ -156,17 +158,17 @@ void OperatorFinishingTest::crosswisePassesNeedASteepPlace() {
     };
     Slope slope(3.0);
     slope.answerGradients();
-    WorkpieceHeights heights({{-10, -10, 0}, {10, 10, 40}}, ballTool().cutter);
+    WorkpieceHeights heights({{-10, -10, 0}, {10, 10, 40}}, shankedBallTool().cutter);
     FinishingRequest request = finishingRequest({{-8, -8, 10}, {8, 8, 35}});
-    const auto points = planCrosswiseFinishing(slope, ballTool(), request, heights);
+    const auto points = planCrosswiseFinishing(slope, shankedBallTool(), request, heights);
     QVERIFY(points && points->empty());
     request.crosswiseStepOver = -1.0;
-    QCOMPARE(planCrosswiseFinishing(slope, ballTool(), request, heights).error().subject,
+    QCOMPARE(planCrosswiseFinishing(slope, shankedBallTool(), request, heights).error().subject,
              std::string("crosswise step-over"));
 }
 
 void OperatorFinishingTest::finishingWithoutRoughingGoesNoDeeperThanTheFlutes() {
-    const Tool tool = ballTool(6.0, 9.0);
+    const Tool tool = shankedBallTool(6.0, 9.0);
     WorkpieceHeights heights(mouseStock, tool.cutter);
     FinishingRequest request = finishingRequest(mouse.box());
     request.stepOver = 2.0;
@@ -197,11 +199,12 @@ void OperatorFinishingTest::theToolFollowsTheHandOverSteps() {
     Blocks part(3.0, {{{-30, -20, 0}, {30, 20, 6}}, {{-12, -9, 0}, {15, 11, 6.0 + step}}});
     part.answerGradients();
     const Box box{{-30, -20, 0}, {30, 20, 6.0 + step}};
-    WorkpieceHeights heights({box.low - glm::dvec3(4.0, 4.0, 0.0), box.high + glm::dvec3(4.0)}, ballTool().cutter);
-    QVERIFY(planRoughing(part, ballTool(), roughingRequest(), heights));
+    WorkpieceHeights heights({box.low - glm::dvec3(4.0, 4.0, 0.0), box.high + glm::dvec3(4.0)},
+                             shankedBallTool().cutter);
+    QVERIFY(planRoughing(part, shankedBallTool(), roughingRequest(), heights));
     FinishingRequest request = finishingRequest(box);
     request.stepOver = 2.0;
-    const auto points = planFinishing(part, ballTool(), request, heights);
+    const auto points = planFinishing(part, shankedBallTool(), request, heights);
     QVERIFY(points && points->size() > 1000);
     TipProxy proxy(part);
     glm::dvec3 tip = points->front().tip;
@@ -223,7 +226,7 @@ void OperatorFinishingTest::theToolFollowsTheHandOverSteps() {
 /// hangs at the wall, as long as a pass is, when the hand goes back.
 void OperatorFinishingTest::aTurnAtARimPullsNoToolOverIt() {
     constexpr double radius = 5.0, top = 10.0;
-    Tool mill = ballTool(2.0 * radius);
+    Tool mill = shankedBallTool(2.0 * radius);
     mill.cutter.type = CutterType::flat;
     mill.cutter.cornerRadius = 0.0;
     const Box box{{-15, -8, 0}, {15, 8, top}};
@@ -263,11 +266,11 @@ void OperatorFinishingTest::aTurnAtARimPullsNoToolOverIt() {
 void OperatorFinishingTest::finishingIsEnteredDownARamp() {
     const Blocks part(3.0, {{{-30, -20, 0}, {30, 20, 6}}});
     const Box stockBox{{-40, -30, 0}, {40, 30, 7}};
-    WorkpieceHeights heights(stockBox, ballTool().cutter);
+    WorkpieceHeights heights(stockBox, shankedBallTool().cutter);
     FinishingRequest request = finishingRequest({{-30, -20, 0}, {30, 20, 6}});
     request.stepOver = 2.0;
     request.floor = 6.0;
-    const auto points = planFinishing(part, ballTool(), request, heights);
+    const auto points = planFinishing(part, shankedBallTool(), request, heights);
     QVERIFY(points && points->size() > 500);
     const auto [deepest, lowest] = deepestPlunge(*points, stockBox, 6.0);
     QCOMPARE(lowest, 6.0);
@@ -285,8 +288,8 @@ void OperatorFinishingTest::finishingSinksIntoAFullPocketInRamps() {
     request.stepOver = 1.0;
     request.press = 0.0;
     request.deepestBelow = 1.0;
-    WorkpieceHeights heights(stockBox, ballTool().cutter);
-    const auto points = planFinishing(part, ballTool(), request, heights);
+    WorkpieceHeights heights(stockBox, shankedBallTool().cutter);
+    const auto points = planFinishing(part, shankedBallTool(), request, heights);
     QVERIFY(points);
     const double deepest = deepestPlunge(*points, stockBox, -1e9).deepest;
     QVERIFY2(deepest < 1.3, qPrintable(QString::number(deepest))); // straight down: 8 mm
@@ -304,8 +307,8 @@ void OperatorFinishingTest::finishingTakesAWallInSteps() {
     request.stepOver = 1.0;
     request.press = 0.0;
     request.deepest = 3.0;
-    WorkpieceHeights heights(stockBox, ballTool().cutter);
-    const auto points = planFinishing(part, ballTool(), request, heights);
+    WorkpieceHeights heights(stockBox, shankedBallTool().cutter);
+    const auto points = planFinishing(part, shankedBallTool(), request, heights);
     QVERIFY(points);
     StockRaster stock(stockBox);
     double tallest = 0.0, lowest = 1e9;
@@ -319,5 +322,8 @@ void OperatorFinishingTest::finishingTakesAWallInSteps() {
     QVERIFY(std::abs(lowest) < 0.01);
 }
 
-QTEST_APPLESS_MAIN(OperatorFinishingTest)
+BURIN_TEST(OperatorFinishingTest, NoApplication)
+
+} // namespace burin::tst_finishing
+
 #include "tst_finishing.moc"

@@ -3,10 +3,12 @@
 #include "core/passes/scripted_intents.h"
 #include "tests/core/passes/plan_stage.h"
 #include "tests/long_run.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_milling_plan {
+
 using namespace burin::test;
 
 class OperatorPlanTest final : public QObject {
@@ -37,7 +39,7 @@ void OperatorPlanTest::whatIsRoughedInAShortTimeIsFinished() {
     request.roughing = roughingRequest();
     request.finishing = finishingRequest(mouse.box());
     request.timeLimit = limit;
-    const auto plan = planMilling(mouse, ballTool(), request);
+    const auto plan = planMilling(mouse, shankedBallTool(), request);
     QVERIFY(plan && plan->truncated);
     QVERIFY(plan->bottom > 0.0 && plan->bottom < mouse.box().high.z);
     const double rough = lengthOverPart(plan->roughing), fine = lengthOverPart(plan->finishing);
@@ -75,7 +77,7 @@ void OperatorPlanTest::roughingIsShortBesideFinishing() {
     request.roughing = roughingRequest();
     request.roughing.finishingDepth = finishingDepth;
     request.finishing = finishingRequest(mouse.box());
-    const auto plan = planMilling(mouse, ballTool(), request);
+    const auto plan = planMilling(mouse, shankedBallTool(), request);
     QVERIFY(plan);
     const double found = lengthOverPart(plan->roughing) / lengthOverPart(plan->finishing);
     qInfo("roughing over the part is %.1f %% of finishing; %.0f s and %.0f s, %zu and %zu points", 100.0 * found,
@@ -101,7 +103,7 @@ void OperatorPlanTest::timeLimitIsKept() {
     request.roughing = roughingRequest();
     request.finishing = finishingRequest(mouse.box());
     request.timeLimit = limit;
-    const auto plan = planMilling(mouse, ballTool(), request);
+    const auto plan = planMilling(mouse, shankedBallTool(), request);
     QVERIFY(plan);
     qInfo("%.1f s + %.1f s, speed x %.2f, step-over %.2f mm", plan->roughingSeconds, plan->finishingSeconds,
           plan->speedFactor, plan->finishingStepOver);
@@ -138,7 +140,7 @@ void OperatorPlanTest::onlyTheRestOfALargerToolIsMilled() {
             });
         return length;
     };
-    const auto whole = planMilling(part, ballTool(3.0, 14.0), request);
+    const auto whole = planMilling(part, shankedBallTool(3.0, 14.0), request);
     QVERIFY(whole);
     request.standing = {{-40, -30}, 0.5, 160, 120, {}};
     for (int row = 0; row < 120; ++row)
@@ -149,7 +151,7 @@ void OperatorPlanTest::onlyTheRestOfALargerToolIsMilled() {
                                                : at.x > left && at.y > behind ? 12.0
                                                                               : 0.0);
         }
-    const auto rest = planMilling(part, ballTool(3.0, 14.0), request);
+    const auto rest = planMilling(part, shankedBallTool(3.0, 14.0), request);
     QVERIFY(rest);
     double farthest = 0.0;
     StockRaster stock(stockBox);
@@ -166,21 +168,21 @@ void OperatorPlanTest::onlyTheRestOfALargerToolIsMilled() {
         [&](double x, double y) { return x > left && x < 20.0 && y > behind && y < 12.0 ? 0.0 : 100.0; }, 0.0);
     QVERIFY2(stands < 1.0, qPrintable(QString::number(stands)));
     request.standing.heights.assign(request.standing.heights.size(), WorkpieceHeights::nothing);
-    const auto nothing = planMilling(part, ballTool(3.0, 14.0), request);
+    const auto nothing = planMilling(part, shankedBallTool(3.0, 14.0), request);
     QVERIFY(nothing && nothing->roughing.empty() && nothing->finishing.empty());
 }
 
 void OperatorPlanTest::sensesWrongRequests() {
-    WorkpieceHeights heights(mouseStock, ballTool().cutter);
+    WorkpieceHeights heights(mouseStock, shankedBallTool().cutter);
     RoughingRequest roughing = roughingRequest();
     roughing.stepOver = std::nan("");
-    QCOMPARE(planRoughing(mouse, ballTool(), roughing, heights).error().subject, std::string("step-over"));
+    QCOMPARE(planRoughing(mouse, shankedBallTool(), roughing, heights).error().subject, std::string("step-over"));
     roughing = roughingRequest();
     roughing.speeds.plunging = 0.0;
-    QCOMPARE(planRoughing(mouse, ballTool(), roughing, heights).error().code, ErrorCode::argumentInvalid);
-    QVERIFY(!planFinishing(mouse, ballTool(), FinishingRequest{}, heights)); // an empty part
+    QCOMPARE(planRoughing(mouse, shankedBallTool(), roughing, heights).error().code, ErrorCode::argumentInvalid);
+    QVERIFY(!planFinishing(mouse, shankedBallTool(), FinishingRequest{}, heights)); // an empty part
     MillingRequest milling;
-    QVERIFY(!planMilling(mouse, ballTool(), milling)); // an empty stock
+    QVERIFY(!planMilling(mouse, shankedBallTool(), milling)); // an empty stock
 }
 
 /// A drill cuts downwards alone; a ball on a neck and a T-slot's disc would come down through stock that stands.
@@ -190,7 +192,7 @@ void OperatorPlanTest::toolsThatNoPassCanLeadAreRefused() {
     request.roughing = roughingRequest();
     request.finishing = finishingRequest(mouse.box());
     request.timeLimit = 20.0;
-    Tool tool = ballTool();
+    Tool tool = shankedBallTool();
     const auto refused = [&] {
         const auto plan = planMilling(mouse, tool, request);
         ContourRequest contour;
@@ -211,5 +213,8 @@ void OperatorPlanTest::toolsThatNoPassCanLeadAreRefused() {
     QVERIFY(!refused());
 }
 
-QTEST_APPLESS_MAIN(OperatorPlanTest)
+BURIN_TEST(OperatorPlanTest, NoApplication)
+
+} // namespace burin::tst_milling_plan
+
 #include "tst_milling_plan.moc"

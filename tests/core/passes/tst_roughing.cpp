@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/passes/plan_stage.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_roughing {
+
 using namespace burin::test;
 
 class OperatorRoughingTest final : public QObject {
@@ -44,8 +46,8 @@ void OperatorRoughingTest::aTipComingDownStopsAboveAnOverhang() {
 }
 
 void OperatorRoughingTest::roughingKeepsItsAllowanceAllTheWay() {
-    WorkpieceHeights heights(mouseStock, ballTool().cutter);
-    const Result<RoughingPlan> plan = planRoughing(mouse, ballTool(), roughingRequest(), heights);
+    WorkpieceHeights heights(mouseStock, shankedBallTool().cutter);
+    const Result<RoughingPlan> plan = planRoughing(mouse, shankedBallTool(), roughingRequest(), heights);
     QVERIFY(plan);
     QVERIFY(plan->points.size() > 100);
     double least = 1e9;
@@ -68,7 +70,7 @@ void OperatorRoughingTest::levelsAreNoDeeperThanAskedAndEndAtTheBottom() {
     QFETCH(double, asked);
     QFETCH(double, toolDepth);
     QFETCH(double, flutes);
-    Tool tool = ballTool(6.0, flutes);
+    Tool tool = shankedBallTool(6.0, flutes);
     tool.maximumDepthOfCut = toolDepth;
     RoughingRequest request = roughingRequest(0.25);
     request.levelDepth = asked;
@@ -89,8 +91,8 @@ void OperatorRoughingTest::levelsAreNoDeeperThanAskedAndEndAtTheBottom() {
 void OperatorRoughingTest::roughingLeavesNoMoreThanALevelAboveThePart() {
     RoughingRequest request = roughingRequest();
     request.levelDepth = 7.0;
-    WorkpieceHeights heights(mouseStock, ballTool().cutter);
-    const Result<RoughingPlan> plan = planRoughing(mouse, ballTool(), request, heights);
+    WorkpieceHeights heights(mouseStock, shankedBallTool().cutter);
+    const Result<RoughingPlan> plan = planRoughing(mouse, shankedBallTool(), request, heights);
     QVERIFY(plan);
     StockRaster stock(mouseStock);
     follow(plan->points, [&](const glm::dvec3& tip) { stock.cutBall(tip, 3.0); });
@@ -110,8 +112,8 @@ void OperatorRoughingTest::roughingLeavesNoMoreThanALevelAboveThePart() {
 }
 
 void OperatorRoughingTest::rowsEnterFromBesideTheStock() {
-    WorkpieceHeights heights(mouseStock, ballTool().cutter);
-    const Result<RoughingPlan> plan = planRoughing(mouse, ballTool(), roughingRequest(), heights);
+    WorkpieceHeights heights(mouseStock, shankedBallTool().cutter);
+    const Result<RoughingPlan> plan = planRoughing(mouse, shankedBallTool(), roughingRequest(), heights);
     QVERIFY(plan);
     StockRaster stock(mouseStock);
     double deepestPlunge = 0.0;
@@ -133,10 +135,10 @@ void OperatorRoughingTest::aPitIsEnteredDownARamp() {
                                  {{-40, 14, 0}, {40, 30, 12}}};
     const Blocks part(3.0, walls);
     const Box stockBox{{-40, -30, 0}, {40, 30, 12}};
-    WorkpieceHeights heights(stockBox, ballTool().cutter);
+    WorkpieceHeights heights(stockBox, shankedBallTool().cutter);
     RoughingRequest request = roughingRequest();
     request.levelDepth = 3.0;
-    const Result<RoughingPlan> plan = planRoughing(part, ballTool(), request, heights);
+    const Result<RoughingPlan> plan = planRoughing(part, shankedBallTool(), request, heights);
     QVERIFY(plan);
     const auto [deepest, lowest] = deepestPlunge(plan->points, stockBox, 0.0);
     QCOMPARE(lowest, 0.0);
@@ -151,7 +153,7 @@ void OperatorRoughingTest::shankNeverReachesStandingStock_data() {
 
 void OperatorRoughingTest::shankNeverReachesStandingStock() {
     QFETCH(double, flutes);
-    const Tool tool = ballTool(6.0, flutes);
+    const Tool tool = shankedBallTool(6.0, flutes);
     MillingRequest request;
     request.stock = mouseStock;
     request.roughing = roughingRequest();
@@ -180,8 +182,8 @@ void OperatorRoughingTest::rowsPassStandingStockOnlyWithRoomForTheShank() {
     for (double face = -2.0; face <= 2.0; face += 0.25) {
         const Blocks wall(3.0, {{{-40, -40, 0}, {40, face, 33}}});
         const Box stock{{-40, -40, -5}, {40, 25, 38}};
-        WorkpieceHeights heights(stock, ballTool().cutter);
-        const auto plan = planRoughing(wall, ballTool(), roughingRequest(), heights);
+        WorkpieceHeights heights(stock, shankedBallTool().cutter);
+        const auto plan = planRoughing(wall, shankedBallTool(), roughingRequest(), heights);
         QVERIFY(plan);
         StockRaster raster(stock);
         double most = 0.0, least = 1e9;
@@ -203,8 +205,8 @@ void OperatorRoughingTest::pocketIsRoughedFromAbove() {
                                     {{-15, 15, 0}, {15, 25, 12}}};
     const Blocks frame(3.0, walls);
     const Box stock{{-30, -30, -5}, {30, 30, 15}};
-    WorkpieceHeights heights(stock, ballTool().cutter);
-    const auto plan = planRoughing(frame, ballTool(), roughingRequest(), heights);
+    WorkpieceHeights heights(stock, shankedBallTool().cutter);
+    const auto plan = planRoughing(frame, shankedBallTool(), roughingRequest(), heights);
     QVERIFY(plan);
     StockRaster raster(stock);
     double least = 1e9;
@@ -218,5 +220,8 @@ void OperatorRoughingTest::pocketIsRoughedFromAbove() {
     QVERIFY2(inPocket < 1.5, qPrintable(QString::number(inPocket)));
 }
 
-QTEST_APPLESS_MAIN(OperatorRoughingTest)
+BURIN_TEST(OperatorRoughingTest, NoApplication)
+
+} // namespace burin::tst_roughing
+
 #include "tst_roughing.moc"

@@ -5,12 +5,14 @@
 #include "core/passes/scripted_intents.h"
 #include "tests/core/haptics/analytic_fields.h"
 #include "tests/core/haptics/haptic_rig.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <map>
 
-using namespace burin;
+namespace burin::tst_scripted_intents {
+
 using namespace burin::test;
 
 namespace {
@@ -125,5 +127,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOperatorIntents)
+BURIN_TEST(TestOperatorIntents, NoApplication)
+
+} // namespace burin::tst_scripted_intents
+
 #include "tst_scripted_intents.moc"

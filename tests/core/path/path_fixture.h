@@ -4,6 +4,7 @@
 
 #include "core/base/units.h"
 #include "core/path/evaluate.h"
+#include "tests/core/volume/shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,31 +85,6 @@ inline TriangleMesh boxMesh(const Box& box) {
     mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                       {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
     return mesh;
-}
-
-/// Vertices on the sphere, hence facets inside it.
-inline TriangleMesh sphereMesh(const glm::dvec3& centre, double radius, std::uint32_t rings) {
-    TriangleMesh mesh;
-    const std::uint32_t columns = 2 * rings;
-    for (std::uint32_t r = 0; r <= rings; ++r) {
-        for (std::uint32_t c = 0; c < columns; ++c) {
-            const double polar = pi * r / rings, around = 2.0 * pi * c / columns;
-            const bool pole = r == 0 || r == rings;
-            mesh.vertices.push_back(centre + radius * glm::dvec3(pole ? 0.0 : std::sin(polar) * std::cos(around),
-                                                                 pole ? 0.0 : std::sin(polar) * std::sin(around),
-                                                                 r == 0       ? 1.0
-                                                                 : r == rings ? -1.0
-                                                                              : std::cos(polar)));
-        }
-    }
-    const auto at = [&](std::uint32_t r, std::uint32_t c) { return r * columns + c % columns; };
-    for (std::uint32_t r = 0; r < rings; ++r) {
-        for (std::uint32_t c = 0; c < columns; ++c) {
-            mesh.triangles.push_back({at(r, c), at(r + 1, c), at(r + 1, c + 1)});
-            mesh.triangles.push_back({at(r, c), at(r + 1, c + 1), at(r, c + 1)});
-        }
-    }
-    return weldIdenticalVertices(mesh);
 }
 
 inline PathContext contextOf(const MeshDistance& part, const Tool& tool, const Box& stock) {

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/drawn_edit.h"
 #include "path_fixture.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
-using namespace burin;
+namespace burin::tst_arrange {
+
 using namespace burin::test;
 
 namespace {
@@ -266,5 +268,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestArrange)
+BURIN_TEST(TestArrange, NoApplication)
+
+} // namespace burin::tst_arrange
+
 #include "tst_arrange.moc"

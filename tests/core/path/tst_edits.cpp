@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/edit_step.h"
 #include "path_fixture.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -10,7 +11,8 @@
 #include <limits>
 #include <set>
 
-using namespace burin;
+namespace burin::tst_edits {
+
 using namespace burin::test;
 
 namespace {
@@ -305,5 +307,8 @@ private:
     const MeshDistance nothing_{TriangleMesh{}};
 };
 
-QTEST_APPLESS_MAIN(TestEdits)
+BURIN_TEST(TestEdits, NoApplication)
+
+} // namespace burin::tst_edits
+
 #include "tst_edits.moc"

@@ -3,12 +3,14 @@
 #include "core/base/units.h"
 #include "core/path/milling_side.h"
 #include "path_fixture.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
 #include <array>
 
-using namespace burin;
+namespace burin::tst_ends {
+
 using namespace burin::test;
 
 namespace {
@@ -322,5 +324,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestEnds)
+BURIN_TEST(TestEnds, NoApplication)
+
+} // namespace burin::tst_ends
+
 #include "tst_ends.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "block_fixture.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
@@ -8,7 +9,8 @@
 
 #include <optional>
 
-using namespace burin;
+namespace burin::tst_entries {
+
 using namespace burin::test;
 
 namespace {
@@ -328,5 +330,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestEntries)
+BURIN_TEST(TestEntries, NoApplication)
+
+} // namespace burin::tst_entries
+
 #include "tst_entries.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
 #include "path_fixture.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
@@ -9,7 +10,8 @@
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_filters {
+
 using namespace burin::test;
 
 namespace {
@@ -269,5 +271,8 @@ private:
     const Box stock_{{-50, -50, -20}, {50, 50, 0}};
 };
 
-QTEST_APPLESS_MAIN(TestFilters)
+BURIN_TEST(TestFilters, NoApplication)
+
+} // namespace burin::tst_filters
+
 #include "tst_filters.moc"

@@ -4,6 +4,7 @@
 #include "core/base/units.h"
 #include "path_fixture.h"
 #include "tests/random_cases.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
@@ -11,7 +12,8 @@
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_fit_arcs {
+
 using namespace burin::test;
 
 namespace {
@@ -263,5 +265,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFitArcs)
+BURIN_TEST(TestFitArcs, NoApplication)
+
+} // namespace burin::tst_fit_arcs
+
 #include "tst_fit_arcs.moc"

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/hand_stretch.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
 #include <numbers>
 
-using namespace burin;
+namespace burin::tst_hand_stretch {
 
 namespace {
 
@@ -112,5 +113,8 @@ void TestHandStretch::aMoveLeadsThroughWhatLiesBehindItsStart() {
     QCOMPARE(momentOf(drawn), Moment{});
 }
 
-QTEST_MAIN(TestHandStretch)
+BURIN_TEST(TestHandStretch, NoApplication)
+
+} // namespace burin::tst_hand_stretch
+
 #include "tst_hand_stretch.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "path_fixture.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
@@ -8,7 +9,8 @@
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_hold_out {
+
 using namespace burin::test;
 
 namespace {
@@ -201,5 +203,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestHoldOut)
+BURIN_TEST(TestHoldOut, NoApplication)
+
+} // namespace burin::tst_hold_out
+
 #include "tst_hold_out.moc"

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
 #include "path_fixture.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <array>
 
-using namespace burin;
+namespace burin::tst_level_feed {
+
 using namespace burin::test;
 
 namespace {
@@ -224,5 +226,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLevelFeed)
+BURIN_TEST(TestLevelFeed, NoApplication)
+
+} // namespace burin::tst_level_feed
+
 #include "tst_level_feed.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "block_fixture.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
@@ -8,7 +9,8 @@
 
 #include <vector>
 
-using namespace burin;
+namespace burin::tst_link {
+
 using namespace burin::test;
 
 namespace {
@@ -383,5 +385,8 @@ private:
     const MeshDistance nothing_{TriangleMesh{}};
 };
 
-QTEST_APPLESS_MAIN(TestLink)
+BURIN_TEST(TestLink, NoApplication)
+
+} // namespace burin::tst_link
+
 #include "tst_link.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "block_fixture.h"
 #include "tests/random_cases.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
@@ -11,7 +12,8 @@
 #include <cmath>
 #include <vector>
 
-using namespace burin;
+namespace burin::tst_omissions {
+
 using namespace burin::test;
 
 namespace {
@@ -212,5 +214,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOmissions)
+BURIN_TEST(TestOmissions, NoApplication)
+
+} // namespace burin::tst_omissions
+
 #include "tst_omissions.moc"

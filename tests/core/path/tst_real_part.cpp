@@ -5,12 +5,14 @@
 #include "random_edits.h"
 #include "tests/places.h"
 #include "tests/random_cases.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
 #include <fstream>
 
-using namespace burin;
+namespace burin::tst_real_part {
+
 using namespace burin::test;
 
 namespace {
@@ -133,5 +135,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRealPart)
+BURIN_TEST(TestRealPart, NoApplication)
+
+} // namespace burin::tst_real_part
+
 #include "tst_real_part.moc"

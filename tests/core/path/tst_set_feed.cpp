@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/evaluate.h"
 #include "tests/core/path/path_fixture.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_set_feed {
+
 using namespace burin::test;
 
 namespace {
@@ -105,5 +107,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSetFeed)
+BURIN_TEST(TestSetFeed, NoApplication)
+
+} // namespace burin::tst_set_feed
+
 #include "tst_set_feed.moc"

@@ -4,6 +4,7 @@
 #include "hands.h"
 #include "path_fixture.h"
 #include "tests/random_cases.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
@@ -11,7 +12,8 @@
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_smooth_shape {
+
 using namespace burin::test;
 
 namespace {
@@ -277,5 +279,8 @@ private:
     const MeshDistance nothing_{TriangleMesh{}};
 };
 
-QTEST_APPLESS_MAIN(TestSmoothShape)
+BURIN_TEST(TestSmoothShape, NoApplication)
+
+} // namespace burin::tst_smooth_shape
+
 #include "tst_smooth_shape.moc"

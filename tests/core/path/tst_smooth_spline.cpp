@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hands.h"
 #include "path_fixture.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
 #include <QTest>
 
-using namespace burin;
+namespace burin::tst_smooth_spline {
+
 using namespace burin::test;
 
 class TestSmoothSpline : public QObject {
@@ -100,5 +102,8 @@ private:
     const MeshDistance nothing_{TriangleMesh{}};
 };
 
-QTEST_APPLESS_MAIN(TestSmoothSpline)
+BURIN_TEST(TestSmoothSpline, NoApplication)
+
+} // namespace burin::tst_smooth_spline
+
 #include "tst_smooth_spline.moc"

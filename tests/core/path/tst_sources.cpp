@@ -3,7 +3,9 @@
 #include "block_fixture.h"
 
 #include "core/path/stroke.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTest>
 
 #include <algorithm>
@@ -11,7 +13,8 @@
 #include <set>
 #include <vector>
 
-using namespace burin;
+namespace burin::tst_sources {
+
 using namespace burin::test;
 
 namespace {
@@ -143,5 +146,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSources)
+BURIN_TEST(TestSources, QCoreApplication)
+
+} // namespace burin::tst_sources
+
 #include "tst_sources.moc"

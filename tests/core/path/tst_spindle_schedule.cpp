@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/spindle_schedule.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -9,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-using namespace burin;
+namespace burin::tst_spindle_schedule {
 
 namespace {
 
@@ -102,5 +103,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSpindleSchedule)
+BURIN_TEST(TestSpindleSchedule, NoApplication)
+
+} // namespace burin::tst_spindle_schedule
+
 #include "tst_spindle_schedule.moc"

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
 #include "random_edits.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_surface_edits {
+
 using namespace burin::test;
 
 namespace {
@@ -228,5 +230,8 @@ private:
     const MeshDistance nothing_{TriangleMesh{}};
 };
 
-QTEST_APPLESS_MAIN(TestSurfaceEdits)
+BURIN_TEST(TestSurfaceEdits, NoApplication)
+
+} // namespace burin::tst_surface_edits
+
 #include "tst_surface_edits.moc"

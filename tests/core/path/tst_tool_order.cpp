@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/tool_order.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
@@ -9,7 +10,7 @@
 #include <algorithm>
 #include <numeric>
 
-using namespace burin;
+namespace burin::tst_tool_order {
 
 namespace {
 
@@ -76,5 +77,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestToolOrder)
+BURIN_TEST(TestToolOrder, NoApplication)
+
+} // namespace burin::tst_tool_order
+
 #include "tst_tool_order.moc"

@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "core/recording/take_csv.h"
 #include "core/recording/trace_file.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -11,7 +12,7 @@
 #include <span>
 #include <utility>
 
-using namespace burin;
+namespace burin::tst_take {
 
 namespace {
 
@@ -145,5 +146,8 @@ void TakeTest::aFolderThatIsMissingIsNamed() {
     QCOMPARE(written.error().subject, std::string("/nowhere/at/all/take.csv"));
 }
 
-QTEST_APPLESS_MAIN(TakeTest)
+BURIN_TEST(TakeTest, NoApplication)
+
+} // namespace burin::tst_take
+
 #include "tst_take.moc"

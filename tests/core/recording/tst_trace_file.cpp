@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recording/trace_file.h"
 #include "core/recording/trace_playback.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -12,7 +13,7 @@
 #include <random>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_trace_file {
 
 namespace {
 
@@ -378,5 +379,8 @@ void TraceFileTest::aFileThatShrinksWhileItIsPlayedIsTold() {
     QVERIFY(!opened->readings->outcome());
 }
 
-QTEST_APPLESS_MAIN(TraceFileTest)
+BURIN_TEST(TraceFileTest, NoApplication)
+
+} // namespace burin::tst_trace_file
+
 #include "tst_trace_file.moc"

@@ -5,11 +5,14 @@
 #include "core/setup/material_change.h"
 #include "core/setup/setup.h"
 #include "tests/core/volume/shapes.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_embedding {
+
 using namespace burin::test;
 
 namespace {
@@ -295,5 +298,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestEmbedding)
+BURIN_TEST(TestEmbedding, QCoreApplication)
+
+} // namespace burin::tst_embedding
+
 #include "tst_embedding.moc"

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/setup/face_alignment.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_face_alignment {
 
 namespace {
 
@@ -51,5 +52,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFaceAlignment)
+BURIN_TEST(TestFaceAlignment, NoApplication)
+
+} // namespace burin::tst_face_alignment
+
 #include "tst_face_alignment.moc"

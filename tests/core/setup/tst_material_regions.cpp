@@ -3,12 +3,15 @@
 #include "core/setup/formula.h"
 #include "core/setup/material_region.h"
 #include "tests/core/setup/stock_bodies.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_material_regions {
+
 using namespace burin::test;
 
 namespace {
@@ -223,5 +226,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMaterialRegions)
+BURIN_TEST(TestMaterialRegions, QCoreApplication)
+
+} // namespace burin::tst_material_regions
+
 #include "tst_material_regions.moc"

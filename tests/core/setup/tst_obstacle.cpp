@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/setup/obstacle.h"
 #include "tests/core/geometry/shapes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_obstacle {
 
 namespace {
 
@@ -92,5 +93,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestObstacle)
+BURIN_TEST(TestObstacle, NoApplication)
+
+} // namespace burin::tst_obstacle
+
 #include "tst_obstacle.moc"

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/setup/setup.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
-using namespace burin;
+namespace burin::tst_program_zero {
 
 namespace {
 
@@ -87,5 +88,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestProgramZero)
+BURIN_TEST(TestProgramZero, NoApplication)
+
+} // namespace burin::tst_program_zero
+
 #include "tst_program_zero.moc"

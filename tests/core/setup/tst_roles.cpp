@@ -4,12 +4,15 @@
 #include "core/setup/cylinder_stock.h"
 #include "core/setup/setup.h"
 #include "tests/core/setup/stock_bodies.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QtTest>
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_roles {
+
 using namespace burin::test;
 
 namespace {
@@ -242,5 +245,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRoles)
+BURIN_TEST(TestRoles, QCoreApplication)
+
+} // namespace burin::tst_roles
+
 #include "tst_roles.moc"

@@ -3,11 +3,12 @@
 #include "core/base/units.h"
 #include "core/tool/cutter_shape.h"
 #include "core/tool/holder_library.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_cutter_shape {
 
 namespace {
 
@@ -105,5 +106,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCutterShape)
+BURIN_TEST(TestCutterShape, NoApplication)
+
+} // namespace burin::tst_cutter_shape
+
 #include "tst_cutter_shape.moc"

@@ -3,13 +3,14 @@
 #include "core/tool/tool.h"
 #include "tests/core/tool/cutters.h"
 #include "tests/core/tool/random_sweeps.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
 #include <optional>
 
-using namespace burin;
+namespace burin::tst_flute_form {
 
 namespace {
 
@@ -264,5 +265,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FluteFormTest)
+BURIN_TEST(FluteFormTest, NoApplication)
+
+} // namespace burin::tst_flute_form
+
 #include "tst_flute_form.moc"

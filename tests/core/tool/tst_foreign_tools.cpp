@@ -4,7 +4,9 @@
 #include "core/tool/tool_exchange.h"
 #include "core/tool/tool_library.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -12,7 +14,7 @@
 
 #include <algorithm>
 
-using namespace burin;
+namespace burin::tst_foreign_tools {
 
 namespace {
 
@@ -227,5 +229,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestForeignTools)
+BURIN_TEST(TestForeignTools, QCoreApplication)
+
+} // namespace burin::tst_foreign_tools
+
 #include "tst_foreign_tools.moc"

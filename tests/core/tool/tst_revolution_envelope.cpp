@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tool/revolution_envelope.h"
 #include "tests/core/geometry/shapes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -9,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-using namespace burin;
+namespace burin::tst_revolution_envelope {
 
 namespace {
 
@@ -109,5 +110,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RevolutionEnvelopeTest)
+BURIN_TEST(RevolutionEnvelopeTest, NoApplication)
+
+} // namespace burin::tst_revolution_envelope
+
 #include "tst_revolution_envelope.moc"

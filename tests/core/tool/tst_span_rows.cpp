@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tool/span_rows_kernels.h"
 #include "core/tool/swept_span.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <array>
 #include <cstring>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_span_rows {
 
 namespace {
 
@@ -185,5 +186,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SpanRowsTest)
+BURIN_TEST(SpanRowsTest, NoApplication)
+
+} // namespace burin::tst_span_rows
+
 #include "tst_span_rows.moc"

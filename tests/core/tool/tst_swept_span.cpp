@@ -3,11 +3,13 @@
 #include "core/tool/swept_span.h"
 #include "tests/core/tool/random_sweeps.h"
 #include "tests/oracles/moved_piece.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_swept_span {
+
 using random::real;
 
 namespace {
@@ -142,5 +144,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SweptSpanTest)
+BURIN_TEST(SweptSpanTest, NoApplication)
+
+} // namespace burin::tst_swept_span
+
 #include "tst_swept_span.moc"

@@ -3,13 +3,15 @@
 #include "core/tool/swept_span.h"
 #include "tests/core/tool/random_sweeps.h"
 #include "tests/oracles/tilted_piece.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <array>
 #include <rapidcheck.h>
 #include <vector>
 
-using namespace burin;
+namespace burin::tst_tilted_span {
+
 using random::real;
 
 namespace {
@@ -414,5 +416,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TiltedSpanTest)
+BURIN_TEST(TiltedSpanTest, NoApplication)
+
+} // namespace burin::tst_tilted_span
+
 #include "tst_tilted_span.moc"

@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "core/base/resource_folder.h"
 #include "core/tool/tool.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -10,7 +11,7 @@
 #include <algorithm>
 #include <filesystem>
 
-using namespace burin;
+namespace burin::tst_tool {
 
 namespace {
 
@@ -190,5 +191,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ToolTest)
+BURIN_TEST(ToolTest, NoApplication)
+
+} // namespace burin::tst_tool
+
 #include "tst_tool.moc"

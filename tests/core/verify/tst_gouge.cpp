@@ -3,6 +3,7 @@
 #include "core/setup/setup.h"
 #include "core/verify/gouge.h"
 #include "core/verify/gouge_samples.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -11,7 +12,7 @@
 #include <map>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_gouge {
 
 namespace {
 
@@ -234,5 +235,8 @@ void GougeTest::theDeepestAreFound() {
     }
 }
 
-QTEST_APPLESS_MAIN(GougeTest)
+BURIN_TEST(GougeTest, NoApplication)
+
+} // namespace burin::tst_gouge
+
 #include "tst_gouge.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
 #include "core/verify/machine_time.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 #include <rapidcheck.h>
@@ -9,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-using namespace burin;
+namespace burin::tst_machine_time {
 
 namespace {
 
@@ -338,5 +339,8 @@ void MachineTimeTest::aControlCarriesOutSoManyBlocks() {
     QVERIFY(near(secondsFrom(read(begin + "G1 X50 F6000\n"), firstLine, machine), 0.5)); // one block, long enough
 }
 
-QTEST_APPLESS_MAIN(MachineTimeTest)
+BURIN_TEST(MachineTimeTest, NoApplication)
+
+} // namespace burin::tst_machine_time
+
 #include "tst_machine_time.moc"

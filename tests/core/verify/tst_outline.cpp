@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/outline.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 #include <rapidcheck.h>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_outline {
 
 namespace {
 
@@ -66,5 +67,8 @@ void OutlineTest::shrinksAsTheDefinitionSays() {
     QVERIFY(holds);
 }
 
-QTEST_APPLESS_MAIN(OutlineTest)
+BURIN_TEST(OutlineTest, NoApplication)
+
+} // namespace burin::tst_outline
+
 #include "tst_outline.moc"

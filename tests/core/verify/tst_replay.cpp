@@ -5,6 +5,7 @@
 #include "core/cutting/removal.h"
 #include "core/verify/cut_filter.h"
 #include "core/verify/replay.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 #include <oneapi/tbb/global_control.h>
@@ -13,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_replay {
 
 namespace {
 
@@ -315,5 +316,8 @@ void ReplayTest::neverLeavesOutALineThatIsCut() {
     QVERIFY(holds);
 }
 
-QTEST_APPLESS_MAIN(ReplayTest)
+BURIN_TEST(ReplayTest, NoApplication)
+
+} // namespace burin::tst_replay
+
 #include "tst_replay.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/speed_ramp.h"
+#include "tests/test_program.h"
 
 #include <rapidcheck.h>
 
@@ -9,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_speed_ramp {
 
 namespace {
 
@@ -75,5 +76,8 @@ void SpeedRampTest::withoutALimitToJerkItIsATrapezoid() {
     QVERIFY(std::abs(without.seconds - (0.1 + 0.07 + (80.0 - 3.5 - 2.975) / 60.0)) < 1e-12);
 }
 
-QTEST_APPLESS_MAIN(SpeedRampTest)
+BURIN_TEST(SpeedRampTest, NoApplication)
+
+} // namespace burin::tst_speed_ramp
+
 #include "tst_speed_ramp.moc"

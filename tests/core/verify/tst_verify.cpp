@@ -8,6 +8,7 @@
 #include "core/verify/report_json.h"
 #include "core/verify/tool_moves.h"
 #include "core/verify/verify.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -16,7 +17,7 @@
 #include <memory>
 #include <tuple>
 
-using namespace burin;
+namespace burin::tst_verify {
 
 namespace {
 
@@ -1171,5 +1172,8 @@ void VerifyTest::aPointOfThePartHasTheValuesOfItsFace() {
     QVERIFY(!map.at({20.0, 0.0, 0.0}, up)); // nothing was measured there
 }
 
-QTEST_APPLESS_MAIN(VerifyTest)
+BURIN_TEST(VerifyTest, NoApplication)
+
+} // namespace burin::tst_verify
+
 #include "tst_verify.moc"

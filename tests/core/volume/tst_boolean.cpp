@@ -3,13 +3,15 @@
 #include "core/volume/operations/boolean.h"
 #include "tests/core/volume/volumes.h"
 #include "tests/oracles/dense_grid.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_boolean {
+
 using namespace burin::test;
 using burin::oracles::DenseGrid;
 
@@ -318,5 +320,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBoolean)
+BURIN_TEST(TestBoolean, NoApplication)
+
+} // namespace burin::tst_boolean
+
 #include "tst_boolean.moc"

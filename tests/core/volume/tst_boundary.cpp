@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/operations/boundary.h"
 #include "tests/core/volume/volumes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_boundary {
+
 using namespace burin::test;
 
 namespace {
@@ -111,5 +113,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBoundary)
+BURIN_TEST(TestBoundary, NoApplication)
+
+} // namespace burin::tst_boundary
+
 #include "tst_boundary.moc"

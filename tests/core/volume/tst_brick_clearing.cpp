@@ -3,11 +3,13 @@
 #include "core/volume/runs/run_volume.h"
 #include "tests/core/volume/volumes.h"
 #include "tests/oracles/dense_grid.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_brick_clearing {
+
 using namespace burin::test;
 using burin::oracles::DenseGrid;
 
@@ -94,5 +96,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BrickClearingTest)
+BURIN_TEST(BrickClearingTest, NoApplication)
+
+} // namespace burin::tst_brick_clearing
+
 #include "tst_brick_clearing.moc"

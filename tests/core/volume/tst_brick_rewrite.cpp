@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/runs/assembly.h"
 #include "tests/core/volume/volumes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -10,7 +11,8 @@
 #include <random>
 #include <stdexcept>
 
-using namespace burin;
+namespace burin::tst_brick_rewrite {
+
 using namespace burin::test;
 
 namespace {
@@ -229,5 +231,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBrickRewrite)
+BURIN_TEST(TestBrickRewrite, NoApplication)
+
+} // namespace burin::tst_brick_rewrite
+
 #include "tst_brick_rewrite.moc"

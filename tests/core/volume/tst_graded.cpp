@@ -3,13 +3,15 @@
 #include "core/volume/operations/graded.h"
 #include "core/volume/operations/moments.h"
 #include "tests/core/volume/volumes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
 #include <limits>
 
-using namespace burin;
+namespace burin::tst_graded {
+
 using namespace burin::test;
 
 namespace {
@@ -224,5 +226,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestGraded)
+BURIN_TEST(TestGraded, NoApplication)
+
+} // namespace burin::tst_graded
+
 #include "tst_graded.moc"

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/runs/grid.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_grid {
 
 class TestGrid : public QObject {
     Q_OBJECT
@@ -61,5 +62,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestGrid)
+BURIN_TEST(TestGrid, NoApplication)
+
+} // namespace burin::tst_grid
+
 #include "tst_grid.moc"

@@ -5,11 +5,13 @@
 #include "tests/core/volume/surfaces.h"
 #include "tests/core/volume/volumes.h"
 #include "tests/oracles/dense_grid.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_moments {
+
 using namespace burin::test;
 using burin::oracles::DenseGrid;
 
@@ -169,5 +171,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMoments)
+BURIN_TEST(TestMoments, NoApplication)
+
+} // namespace burin::tst_moments
+
 #include "tst_moments.moc"

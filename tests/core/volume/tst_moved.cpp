@@ -5,6 +5,7 @@
 #include "core/volume/operations/moved.h"
 #include "tests/core/volume/shapes.h"
 #include "tests/core/volume/voxelised.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -12,7 +13,8 @@
 #include <cmath>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_moved {
+
 using namespace burin::test;
 
 namespace {
@@ -160,5 +162,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMoved)
+BURIN_TEST(TestMoved, NoApplication)
+
+} // namespace burin::tst_moved
+
 #include "tst_moved.moc"

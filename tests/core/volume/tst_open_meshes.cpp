@@ -6,6 +6,7 @@
 #include "tests/core/volume/voxelised.h"
 #include "tests/places.h"
 #include "tests/random_cases.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -15,7 +16,8 @@
 #include <iterator>
 #include <random>
 
-using namespace burin;
+namespace burin::tst_open_meshes {
+
 using namespace burin::test;
 
 namespace {
@@ -364,5 +366,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOpenMeshes)
+BURIN_TEST(TestOpenMeshes, NoApplication)
+
+} // namespace burin::tst_open_meshes
+
 #include "tst_open_meshes.moc"

@@ -3,11 +3,13 @@
 #include "core/volume/packed/packed_volume.h"
 #include "core/volume/runs/volume_memory.h"
 #include "tests/core/volume/random_volumes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_packed_volume {
+
 using namespace burin::test;
 
 namespace {
@@ -241,5 +243,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPackedVolume)
+BURIN_TEST(TestPackedVolume, NoApplication)
+
+} // namespace burin::tst_packed_volume
+
 #include "tst_packed_volume.moc"

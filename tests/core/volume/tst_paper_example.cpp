@@ -5,12 +5,14 @@
 #include "core/volume/operations/dense.h"
 #include "core/volume/operations/relation.h"
 #include "tests/core/volume/volumes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 
 #include <string_view>
 
-using namespace burin;
+namespace burin::tst_paper_example {
+
 using namespace burin::test;
 
 // The example slice of Chen & Yang 2004, section 3, and what each of the paper's operations makes of it, written out by
@@ -331,5 +333,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPaperExample)
+BURIN_TEST(TestPaperExample, NoApplication)
+
+} // namespace burin::tst_paper_example
+
 #include "tst_paper_example.moc"

@@ -6,11 +6,13 @@
 #include "tests/core/volume/dense_voxels.h"
 #include "tests/core/volume/volumes.h"
 #include "tests/oracles/dense_grid.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_paper_operations {
+
 using namespace burin::test;
 using burin::oracles::DenseGrid;
 
@@ -187,5 +189,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPaperOperations)
+BURIN_TEST(TestPaperOperations, NoApplication)
+
+} // namespace burin::tst_paper_operations
+
 #include "tst_paper_operations.moc"

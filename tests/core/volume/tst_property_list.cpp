@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "core/volume/runs/grid.h"
 #include "core/volume/runs/property_list.h"
+#include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -10,7 +11,7 @@
 #include <clocale>
 #include <cmath>
 
-using namespace burin;
+namespace burin::tst_property_list {
 
 namespace {
 
@@ -178,5 +179,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPropertyList)
+BURIN_TEST(TestPropertyList, NoApplication)
+
+} // namespace burin::tst_property_list
+
 #include "tst_property_list.moc"

@@ -5,11 +5,13 @@
 #include "tests/core/volume/surfaces.h"
 #include "tests/core/volume/volumes.h"
 #include "tests/oracles/dense_grid.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_ray_cast {
+
 using namespace burin::test;
 
 namespace {
@@ -258,5 +260,8 @@ void RayCastTest::aSectionIsWhatThePlaneMeets() {
     }));
 }
 
-QTEST_APPLESS_MAIN(RayCastTest)
+BURIN_TEST(RayCastTest, NoApplication)
+
+} // namespace burin::tst_ray_cast
+
 #include "tst_ray_cast.moc"

@@ -7,13 +7,15 @@
 #include "tests/core/volume/shapes.h"
 #include "tests/core/volume/volumes.h"
 #include "tests/oracles/dense_grid.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
 #include <map>
 
-using namespace burin;
+namespace burin::tst_relation {
+
 using namespace burin::test;
 using burin::oracles::DenseGrid;
 
@@ -286,5 +288,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRelation)
+BURIN_TEST(TestRelation, NoApplication)
+
+} // namespace burin::tst_relation
+
 #include "tst_relation.moc"

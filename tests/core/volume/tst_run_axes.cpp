@@ -6,6 +6,7 @@
 #include "core/volume/operations/ray_cast.h"
 #include "core/volume/operations/relation.h"
 #include "tests/core/volume/voxelised.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -13,7 +14,8 @@
 #include <random>
 #include <set>
 
-using namespace burin;
+namespace burin::tst_run_axes {
+
 using namespace burin::test;
 
 namespace {
@@ -110,5 +112,8 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRunAxes)
+BURIN_TEST(TestRunAxes, NoApplication)
+
+} // namespace burin::tst_run_axes
+
 #include "tst_run_axes.moc"

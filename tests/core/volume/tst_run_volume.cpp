@@ -4,6 +4,7 @@
 #include "tests/core/volume/volumes.h"
 #include "tests/oracles/allocation_count.h"
 #include "tests/oracles/dense_grid.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -14,7 +15,8 @@
 #include <new>
 #include <thread>
 
-using namespace burin;
+namespace burin::tst_run_volume {
+
 using namespace burin::test;
 using burin::oracles::DenseGrid;
 
@@ -345,5 +347,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRunVolume)
+BURIN_TEST(TestRunVolume, NoApplication)
+
+} // namespace burin::tst_run_volume
+
 #include "tst_run_volume.moc"

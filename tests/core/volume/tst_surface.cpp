@@ -6,13 +6,15 @@
 #include "tests/core/volume/surfaces.h"
 #include "tests/core/volume/volumes.h"
 #include "tests/random_cases.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_surface {
+
 using namespace burin::test;
 
 namespace {
@@ -381,5 +383,8 @@ void SurfaceTest::bareWithinAVoxelIsPart() {
     }
 }
 
-QTEST_APPLESS_MAIN(SurfaceTest)
+BURIN_TEST(SurfaceTest, NoApplication)
+
+} // namespace burin::tst_surface
+
 #include "tst_surface.moc"

@@ -3,11 +3,13 @@
 #include "core/volume/surface/surface.h"
 #include "tests/core/volume/random_surfaces.h"
 #include "tests/random_cases.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_surface_bricks {
+
 using namespace burin::test;
 
 namespace {
@@ -163,5 +165,8 @@ void TestSurfaceBricks::slantedPlanesAreFlat() {
     QVERIFY(turn < 2.5);
 }
 
-QTEST_APPLESS_MAIN(TestSurfaceBricks)
+BURIN_TEST(TestSurfaceBricks, NoApplication)
+
+} // namespace burin::tst_surface_bricks
+
 #include "tst_surface_bricks.moc"

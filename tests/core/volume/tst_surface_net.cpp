@@ -4,11 +4,13 @@
 #include "tests/core/volume/random_surfaces.h"
 #include "tests/oracles/surface_net.h"
 #include "tests/random_cases.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_surface_net {
+
 using namespace burin::test;
 
 namespace {
@@ -87,5 +89,8 @@ void TestSurfaceNet::bricksAreTheDenseNet() {
     }));
 }
 
-QTEST_APPLESS_MAIN(TestSurfaceNet)
+BURIN_TEST(TestSurfaceNet, NoApplication)
+
+} // namespace burin::tst_surface_net
+
 #include "tst_surface_net.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/surface/surface_cubes.h"
 #include "core/volume/surface/surface_points.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -10,7 +11,7 @@
 #include <cstring>
 #include <vector>
 
-using namespace burin;
+namespace burin::tst_surface_points {
 
 namespace {
 
@@ -130,5 +131,8 @@ void TestSurfacePoints::edgesAreTheirCubesOwn() {
     }));
 }
 
-QTEST_APPLESS_MAIN(TestSurfacePoints)
+BURIN_TEST(TestSurfacePoints, NoApplication)
+
+} // namespace burin::tst_surface_points
+
 #include "tst_surface_points.moc"

@@ -4,13 +4,15 @@
 #include "core/volume/operations/turn.h"
 #include "tests/core/volume/shapes.h"
 #include "tests/core/volume/voxelised.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_turn {
+
 using namespace burin::test;
 
 namespace {
@@ -171,5 +173,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTurn)
+BURIN_TEST(TestTurn, NoApplication)
+
+} // namespace burin::tst_turn
+
 #include "tst_turn.moc"

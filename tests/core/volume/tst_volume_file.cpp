@@ -3,6 +3,7 @@
 #include "core/base/checksum.h"
 #include "core/volume/packed/volume_file.h"
 #include "tests/core/volume/random_volumes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -10,7 +11,8 @@
 #include <fstream>
 #include <sstream>
 
-using namespace burin;
+namespace burin::tst_volume_file {
+
 using namespace burin::test;
 
 namespace {
@@ -320,5 +322,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestVolumeFile)
+BURIN_TEST(TestVolumeFile, NoApplication)
+
+} // namespace burin::tst_volume_file
+
 #include "tst_volume_file.moc"

@@ -5,6 +5,7 @@
 #include "tests/core/volume/volume_fixtures.h"
 #include "tests/oracles/volume_file_form.h"
 #include "tests/places.h"
+#include "tests/test_program.h"
 
 #include <QFile>
 #include <QtTest>
@@ -12,7 +13,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-using namespace burin;
+namespace burin::tst_volume_file_form {
+
 using namespace burin::oracles;
 using fixture::VolumeFixture;
 
@@ -221,5 +223,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestVolumeFileForm)
+BURIN_TEST(TestVolumeFileForm, NoApplication)
+
+} // namespace burin::tst_volume_file_form
+
 #include "tst_volume_file_form.moc"

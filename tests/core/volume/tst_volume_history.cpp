@@ -3,11 +3,13 @@
 #include "core/volume/packed/volume_history.h"
 #include "core/volume/runs/volume_memory.h"
 #include "tests/core/volume/random_volumes.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
-using namespace burin;
+namespace burin::tst_volume_history {
+
 using namespace burin::test;
 
 namespace {
@@ -308,5 +310,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestVolumeHistory)
+BURIN_TEST(TestVolumeHistory, NoApplication)
+
+} // namespace burin::tst_volume_history
+
 #include "tst_volume_history.moc"

@@ -4,13 +4,15 @@
 #include "tests/core/volume/shapes.h"
 #include "tests/core/volume/voxelised.h"
 #include "tests/oracles/line_scatter.h"
+#include "tests/test_program.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
 #include <random>
 
-using namespace burin;
+namespace burin::tst_voxelisation {
+
 using namespace burin::test;
 
 namespace {
@@ -67,8 +69,6 @@ double windingNumber(const TriangleMesh& mesh, const glm::dvec3& point) {
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(burin::TriangleMesh)
 
 class TestVoxelisation : public QObject {
     Q_OBJECT
@@ -292,5 +292,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestVoxelisation)
+BURIN_TEST(TestVoxelisation, NoApplication)
+
+} // namespace burin::tst_voxelisation
+
 #include "tst_voxelisation.moc"
