@@ -1745,6 +1745,10 @@
         <source>no value, unless --stylus is a device or a trace that does not state how much of the cutting force was felt</source>
         <translation>kein Wert, außer wenn --stylus ein Gerät ist oder eine Spur, die nicht angibt, wie viel der Schnittkraft zu spüren war</translation>
     </message>
+    <message>
+        <source>; heaviest cut: %1 mm^2 of %2, engagement %3 degrees, depth %4 mm; feed for it: %5 mm/min at %6 rpm</source>
+        <translation>; schwerster Schnitt: %1 mm^2 %2, Eingriff %3 Grad, Tiefe %4 mm; Vorschub dafür: %5 mm/min bei %6 1/min</translation>
+    </message>
 </context>
 <context>
     <name>Detail</name>
@@ -6639,6 +6643,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>%1, form tools</source>
         <translation>%1, Formwerkzeuge</translation>
     </message>
+    <message>
+        <source>rpm</source>
+        <translation>1/min</translation>
+    </message>
 </context>
 <context>
     <name>Pass</name>
@@ -10309,6 +10317,26 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>the tool may break</source>
         <translation>das Werkzeug kann brechen</translation>
     </message>
+    <message>
+        <source>The tool goes down into material</source>
+        <translation>Das Werkzeug taucht in Material ein</translation>
+    </message>
+    <message>
+        <source>The chip is thin: twice the feed of the tables, and not more</source>
+        <translation>Der Span ist dünn: das Doppelte des Vorschubs der Tabellen, mehr nicht</translation>
+    </message>
+    <message>
+        <source>Tool and spindle bear no more</source>
+        <translation>Mehr halten Werkzeug und Spindel nicht aus</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s largest chip or the machine&apos;s feed allows no more</source>
+        <translation>Mehr lässt der größte Span des Werkzeugs oder der Vorschub der Maschine nicht zu</translation>
+    </message>
+    <message>
+        <source>The chip is as thick as the tables give it</source>
+        <translation>Der Span ist so dick, wie die Tabellen ihn angeben</translation>
+    </message>
 </context>
 <context>
     <name>burin::Meters</name>
@@ -10427,6 +10455,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Scheduling that the system grants the haptic loop; the rtprio limit or RealtimeKit gives real time</source>
         <translation>Zeitplanung, die das System der Haptikschleife gewährt; die Grenze rtprio oder RealtimeKit gibt Echtzeit</translation>
+    </message>
+    <message>
+        <source>Feed for this cut</source>
+        <translation>Vorschub für diesen Schnitt</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>Feed and spindle speed for the material under the tool at its engagement, by the tables. Feeds of a path are set by its edits</source>
+        <translation>Vorschub und Drehzahl für das Material unter dem Werkzeug bei seinem Eingriff, nach den Tabellen. Vorschübe eines Pfads setzen seine Bearbeitungen</translation>
+    </message>
+    <message>
+        <source>%1, engagement %2°, depth %3. %4</source>
+        <translation>%1, Eingriff %2°, Tiefe %3. %4</translation>
     </message>
 </context>
 <context>
@@ -13623,10 +13667,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>%1, %2 long</source>
         <translation>%1, %2 lang</translation>
-    </message>
-    <message>
-        <source>rpm</source>
-        <translation>1/min</translation>
     </message>
     <message>
         <source>Feed and speed come from values that are estimates.</source>

@@ -8,6 +8,7 @@
 #include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/base/staged_file.h"
+#include "core/base/units.h"
 #include "core/device/device_registry.h"
 #include "core/document/companions.h"
 #include "core/haptics/trace/trace_stylus.h"
@@ -27,7 +28,34 @@ using nlohmann::json;
 constexpr std::string_view tracePrefix = "trace:";
 constexpr std::string_view devicePrefix = "device:";
 
-json jsonOf(const TakeOutcome& outcome, const ToolBounds& bounds) {
+const char* nameOf(FeedBound bound) {
+    switch (bound) {
+    case FeedBound::chip:
+        return "chip";
+    case FeedBound::plunge:
+        return "plunge";
+    case FeedBound::thinned:
+        return "thin-chip";
+    case FeedBound::load:
+        return "load";
+    case FeedBound::limit:
+        break;
+    }
+    return "limit";
+}
+
+/// The cut of a take that asks for most, and the feed for it; null: nothing was cut, or the tables lack values.
+json heaviestCutOf(const TakeOutcome& outcome, const PropertyList& properties) {
+    if (!outcome.heaviestFeed) return nullptr;
+    const SmoothedCut& cut = outcome.heaviestCut;
+    const FeedProposal& feed = *outcome.heaviestFeed;
+    return {{"area_mm2", cut.area},       {"engagement_rad", cut.arc},
+            {"depth_mm", cut.depth},      {"material", properties[feed.material].id},
+            {"feed_mm_min", feed.feed},   {"spindle_speed_rpm", feed.spindleSpeed},
+            {"bound", nameOf(feed.bound)}};
+}
+
+json jsonOf(const TakeOutcome& outcome, const ToolBounds& bounds, const PropertyList& properties) {
     json layers = jsonOf(bounds.layers());
     for (std::size_t i = 0; i < layers.size(); ++i) layers[i]["ticks_held"] = outcome.layerTicks[i];
     return {{"take", outcome.take},
@@ -53,7 +81,8 @@ json jsonOf(const TakeOutcome& outcome, const ToolBounds& bounds) {
             {"workpiece_drop_mm3", outcome.drop},
             {"shank_contact_ticks", outcome.shankTicks},
             {"force_max_n", outcome.largestForce},
-            {"cutting_force_max_n", outcome.largestCuttingForce}};
+            {"cutting_force_max_n", outcome.largestCuttingForce},
+            {"heaviest_cut", heaviestCutOf(outcome, properties)}};
 }
 
 /// What held the tool besides the part, and what could not follow the hand.
@@ -69,14 +98,25 @@ std::string alarmsOf(const TakeOutcome& outcome, const ToolBounds& bounds) {
     return text;
 }
 
-std::string textOf(const TakeOutcome& outcome, const ToolBounds& bounds) {
+std::string heaviestText(const TakeOutcome& outcome, const PropertyList& properties) {
+    if (!outcome.heaviestFeed) return {};
+    const SmoothedCut& cut = outcome.heaviestCut;
+    const FeedProposal& feed = *outcome.heaviestFeed;
+    return worded(BURIN_TEXT("Command",
+                             "; heaviest cut: %1 mm^2 of %2, engagement %3 degrees, depth %4 mm; feed for it: "
+                             "%5 mm/min at %6 rpm"),
+                  {formatFixed(cut.area, 2), properties[feed.material].id, formatFixed(cut.arc * 180.0 / pi, 0),
+                   formatFixed(cut.depth, 2), formatFixed(feed.feed, 0), formatFixed(feed.spindleSpeed, 0)});
+}
+
+std::string textOf(const TakeOutcome& outcome, const ToolBounds& bounds, const PropertyList& properties) {
     return worded(BURIN_TEXT("Command", "take %1: %2 samples, %3 s, removed %4 mm^3; tick %5 us (p50), %6 us (p99.9), "
                                         "%7 Hz"),
                   {std::to_string(outcome.take), std::to_string(outcome.samples),
                    formatFixed(outcome.loop.simulatedSeconds, 1), formatFixed(outcome.removed, 1),
                    formatFixed(outcome.loop.workP50, 1), formatFixed(outcome.loop.workP999, 1),
                    formatFixed(outcome.loop.rateHz, 0)}) +
-           alarmsOf(outcome, bounds);
+           heaviestText(outcome, properties) + alarmsOf(outcome, bounds);
 }
 
 /// What one stylus is to make of a project.
@@ -332,11 +372,12 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     double removed = 0.0;
     std::uint64_t samples = 0;
     std::string text;
+    const PropertyList& properties = milling->embedded.workpiece.properties();
     for (const TakeOutcome& take : *outcome) {
-        answer["takes"].push_back(jsonOf(take, *bounds));
+        answer["takes"].push_back(jsonOf(take, *bounds, properties));
         removed += take.removed;
         samples += take.samples;
-        text += (text.empty() ? "" : "\n") + textOf(take, *bounds);
+        text += (text.empty() ? "" : "\n") + textOf(take, *bounds, properties);
     }
     answer["samples"] = samples;
     answer["removed_mm3"] = removed;

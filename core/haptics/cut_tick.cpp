@@ -73,6 +73,7 @@ CuttingForce CutTick::cut(ToolMotion& motion, double period, Sample& sample) noe
     const CutResult cut = take(motion.from, motion.to);
     recordRemoval(cut, workpiece_->properties(), sample);
     sample.reportedRemoval = cut.reported;
+    if (cut.engagement.area > 0.0) engagement_ = cut.engagement;
     const glm::dvec3 way = motion.way();
     travelSinceRemoval_ = cut.volume > 0.0 ? 0.0 : travelSinceRemoval_ + glm::length(way);
     CuttingForce force = cuttingForce(cut, coefficients_, tool_, motion.from, motion.to, period);

@@ -6,6 +6,7 @@
 #include "core/cutting/removal.h"
 #include "core/haptics/engaged_area.h"
 #include "core/haptics/haptic_settings.h"
+#include "core/haptics/met_material.h"
 #include "core/haptics/tool_motion.h"
 #include "core/recording/sample.h"
 
@@ -40,6 +41,8 @@ public:
     /// It changed otherwise than by `cut`, between two ticks.
     void workpieceChanged() noexcept;
     const RunVolume& workpiece() const noexcept { return *workpiece_; }
+    /// What the flutes stand in after the last tick; its area fades where they meet nothing.
+    MetMaterial met() const noexcept { return {engagement_, area_.value(), felt_.energy}; }
     /// What the workpiece is owed: gone, though it may show it still.
     const GapWindow* owed() const noexcept { return removal_.window(); }
 
@@ -53,6 +56,7 @@ private:
     SpinningTool tool_;
     EngagedArea area_;
     CuttingForce felt_;             ///< area and mix as they are felt
+    Engagement engagement_;         ///< of the last tick that told it
     double travelSinceRemoval_ = 0; ///< mm
     bool onButton_;
     bool released_ = true, buttonDown_ = false;

@@ -102,6 +102,9 @@ public:
     /// What shank or holder touched in the last tick; meaningful with sampleShankContact.
     const ShankContact& shankContact() const noexcept { return mover_.shankContact(); }
 
+    /// What the flutes stand in after the last tick.
+    MetMaterial met() const noexcept { return cut_.met(); }
+
     /// What the limits were made from, for meters and tests.
     double couplingStiffness() const noexcept { return output_.couplingStiffness(); } ///< N/m, device space
     const ForceLimiter& limiter() const noexcept { return output_.limiter(); }

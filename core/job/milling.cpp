@@ -249,8 +249,12 @@ Result<TakeOutcome> recordTake(Project& project, MillingContext& milling, const 
     outcome->loop = *loop;
     outcome->drop = volumeBefore - milling.workpieceVolume();
     outcome->layerTicks.assign(bounds.layers().size(), 0);
-    if (SessionState last; (*live)->newest(last))
+    if (SessionState last; (*live)->newest(last)) {
         std::ranges::transform(last.layers, outcome->layerTicks.begin(), &LayerNews::ticksHeld);
+        outcome->heaviestCut = last.heaviestCut;
+        outcome->heaviestFeed =
+            proposeFeed(last.heaviestCut, milling.tool, milling.machine, milling.embedded.workpiece.properties());
+    }
     return outcome;
 }
 

@@ -8,6 +8,7 @@
 #include "core/haptics/loop/servo_loop.h"
 #include "core/haptics/operator/virtual_operator.h"
 #include "core/haptics/trace/session_trace.h"
+#include "core/job/feed_proposal.h"
 #include "core/job/milling_context.h"
 #include "core/job/tool_bounds.h"
 #include "core/passes/milling_plan.h"
@@ -53,6 +54,8 @@ struct TakeOutcome {
     std::vector<std::uint64_t> layerTicks; ///< in which each layer held the tool, by its number in ToolBounds::layers
     double largestForce = 0.0;             ///< N, rendered
     double largestCuttingForce = 0.0;      ///< N, unscaled
+    SmoothedCut heaviestCut;               ///< none: nothing was cut for 0.1 s
+    std::optional<FeedProposal> heaviestFeed; ///< for the heaviest cut
 };
 
 /// Mills with a stylus and records every tick into the project while it is made; saves the project at the end.

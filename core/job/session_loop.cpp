@@ -42,6 +42,7 @@ void SessionLoop::begin() noexcept {
     recording_ = wished_;
     recorded_ = 0;
     layers_.ticksHeld = {};
+    recentCut_.beginTake();
     step_.beginTake();
     step_.releaseSpindle(true);
 }
@@ -84,9 +85,19 @@ void SessionLoop::tick(const Sample& sample, const TickTiming& timing) noexcept 
     if (hot && !hot_) heated_.store(true, std::memory_order_relaxed);
     hot_ = hot;
     rate_.add(units, timing.period);
+    recentCut_.add(sample, step_.met(), timing.period);
     noteLayers();
     if (figures_.add(timing)) figuresOut_.post(figures_.newest());
-    TickNews news{sample, timing, ++ticks_, recording_.take, rate_.unitsPerSecond(), cutting, step_.shankContact()};
+    TickNews news;
+    news.sample = sample;
+    news.timing = timing;
+    news.ticks = ++ticks_;
+    news.take = recording_.take;
+    news.removalRate = rate_.unitsPerSecond();
+    news.cut = recentCut_.newest();
+    news.heaviestCut = recentCut_.heaviest();
+    news.cutting = cutting;
+    news.shank = step_.shankContact();
     for (std::size_t i = 0; i < news.guides.size(); ++i) news.guides[i] = step_.guides().news(i);
     news.workspaceScale = step_.workspace().mapping().scale;
     news.clutched = step_.workspace().clutched();

@@ -6,6 +6,7 @@
 #include "core/base/mailbox.h"
 #include "core/haptics/haptic_step.h"
 #include "core/haptics/loop/loop_figures.h"
+#include "core/job/recent_cut.h"
 #include "core/job/recorder.h"
 #include "core/job/removal_rate.h"
 #include "core/job/session_state.h"
@@ -39,6 +40,8 @@ struct TickNews {
     std::uint64_t ticks = 0;
     std::int64_t take = 0;
     double removalRate = 0.0; ///< run units (Grid::unitVolume) a second
+    SmoothedCut cut;          ///< as it is now
+    SmoothedCut heaviestCut;  ///< of the take
     bool cutting = false;
     ShankContact shank;
     std::array<GuideNews, GuideSettings::capacity> guides{};
@@ -143,6 +146,7 @@ private:
     bool hot_ = false;           ///< in the newest tick
     std::uint64_t ticks_ = 0;
     RemovalRate rate_;
+    RecentCut recentCut_;
     LayersNews layers_;
     LoopFigures figures_;
 };

@@ -63,6 +63,8 @@ SessionState sessionState(const TickNews& news, const LiveFigures& figures, std:
     state.missed = news.timing.missed;
     state.scheduling = news.timing.scheduling;
     state.removalRate = news.removalRate * unitVolume;
+    state.cut = news.cut;
+    state.heaviestCut = news.heaviestCut;
     state.shankPiece = news.shank.piece;
     state.shankTouches = news.shank.property;
     state.guides = news.guides;

@@ -5,6 +5,7 @@
 #include "core/haptics/boundary/boundary_layers.h"
 #include "core/haptics/guides/guide_reach.h"
 #include "core/haptics/loop/tick_sink.h"
+#include "core/job/recent_cut.h"
 #include "core/recording/sample.h"
 #include "core/setup/guide.h"
 #include "core/volume/runs/run_volume.h"
@@ -41,6 +42,8 @@ struct SessionState {
     std::uint64_t late = 0;   ///< ticks whose force was withheld, as it came too late
     SchedulingClass scheduling = SchedulingClass::normal;
     double removalRate = 0.0;     ///< mm³/s, mean of the last 100 ms
+    SmoothedCut cut;              ///< as it is now
+    SmoothedCut heaviestCut;      ///< of the take
     std::uint32_t shankPiece = 0; ///< place in pieces(cutter) of what touches; meaningful with sampleShankContact
     PropertyIndex shankTouches = airProperty; ///< what it touches
     std::array<GuideNews, GuideSettings::capacity> guides{};

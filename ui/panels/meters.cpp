@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/meters.h"
 
+#include "core/base/units.h"
 #include "ui/panels/meter_bar.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/texts.h"
@@ -47,10 +48,12 @@ private:
     void addTitle();
     void addPosition();
     void showForce();
+    void showFeed();
 
     Meters* meters_;
     QVBoxLayout* column_;
-    ValueRow *stylus_, *force_, *removal_, *rate_, *interval_, *work_, *missed_, *late_, *scheduling_, *x_, *y_, *z_;
+    ValueRow *stylus_, *force_, *removal_, *feed_, *rate_, *interval_, *work_, *missed_, *late_, *scheduling_, *x_, *y_,
+        *z_;
     MeterBar *forceBar_, *removalBar_;
     QToolButton* unfold_;
 };
@@ -63,6 +66,7 @@ Meters::Fields::Fields(Meters* meters) : QObject(meters), meters_(meters), colum
     forceBar_ = addBar(&Palette::force);
     removal_ = addRow(Meters::tr("Removal"), "removalMeter", Meters::tr("Material removed per second"));
     removalBar_ = addBar(&Palette::accent);
+    feed_ = addRow(Meters::tr("Feed for this cut"), "feedMeter", {});
     addPosition();
     rate_ = addRow(Meters::tr("Haptic rate"), "rateMeter", Meters::tr("Ticks per second that are reached"));
     interval_ = addRow(Meters::tr("Interval, p99.9"), "intervalMeter",
@@ -150,11 +154,29 @@ void Meters::Fields::showForce() {
                                : Meters::tr("Cutting force, not scaled; next to it the highest so far"));
 }
 
+void Meters::Fields::showFeed() {
+    const bool proposes = state.running && state.proposed;
+    QString toolTip =
+        Meters::tr("Feed and spindle speed for the material under the tool at its engagement, by the tables. "
+                   "Feeds of a path are set by its edits");
+    if (proposes) {
+        const ProposedFeed& proposed = *state.proposed;
+        feed_->setValue(
+            Meters::tr("%1 at %2").arg(feedText(proposed.feed, unit), spindleSpeedText(proposed.spindleSpeed)));
+        toolTip = Meters::tr("%1, engagement %2°, depth %3. %4")
+                      .arg(proposed.material, QLocale().toString(proposed.arc * 180.0 / pi, 'f', 0),
+                           lengthText(proposed.depth, unit), proposed.bound);
+    } else
+        feed_->setValue(QStringLiteral("–"));
+    feed_->setToolTip(toolTip);
+}
+
 void Meters::Fields::refresh() {
     const QString none = QStringLiteral("–");
     const bool runs = state.running;
     const QLocale locale;
     showForce();
+    showFeed();
     removal_->setValue(runs ? rateText(state.removalRate, unit) : none);
     removalBar_->setShare(runs && state.removalScale > 0.0 ? state.removalRate / state.removalScale : 0.0);
     rate_->setValue(runs ? locale.toString(state.rateHz, 'f', 0) + QStringLiteral(" Hz") : none);

@@ -77,6 +77,14 @@ struct HandState {
     bool charging = false;
 };
 
+/// A feed proposed for what the flutes stand in.
+struct ProposedFeed {
+    double feed = 0.0, spindleSpeed = 0.0; ///< mm/min, 1/min
+    double arc = 0.0, depth = 0.0;         ///< rad, mm, of the engagement
+    QString material;                      ///< that asks for it
+    QString bound;                         ///< why it is not higher, a sentence
+};
+
 /// What the meters and the status line show.
 struct MeterState {
     bool running = false; ///< the haptic loop runs
@@ -92,8 +100,9 @@ struct MeterState {
     QString forceLimitOf;     ///< what bears no more
     double removalRate = 0.0; ///< mm³/s
     double removalScale = 100.0;
-    glm::dvec3 tip{0.0}; ///< mm, program coordinates
-    QString stylus;      ///< "Mouse", "Virtual operator 8 ×"
+    std::optional<ProposedFeed> proposed; ///< for the newest cut; none: nothing was cut yet
+    glm::dvec3 tip{0.0};                  ///< mm, program coordinates
+    QString stylus;                       ///< "Mouse", "Virtual operator 8 ×"
 };
 
 } // namespace burin

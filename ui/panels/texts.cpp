@@ -170,6 +170,19 @@ QString rateText(double cubicMillimetresPerSecond, LengthUnit unit) {
     return withUnit(QLocale().toString(cubicMillimetresPerSecond, 'f', 0), QStringLiteral("mm³/s"));
 }
 
+QString feedText(double millimetresPerMinute, LengthUnit unit) {
+    if (!(millimetresPerMinute > 0.0)) return QStringLiteral("–");
+    const bool inch = unit == LengthUnit::inch;
+    const double shown = inch ? millimetresPerMinute / millimetresPerInch : millimetresPerMinute;
+    return withUnit(QLocale().toString(shown, 'f', inch ? 1 : 0),
+                    inch ? QStringLiteral("in/min") : QStringLiteral("mm/min"));
+}
+
+QString spindleSpeedText(double perMinute) {
+    if (!(perMinute > 0.0)) return QStringLiteral("–");
+    return withUnit(QLocale().toString(perMinute, 'f', 0), PanelTexts::tr("rpm"));
+}
+
 QString shareText(double share) {
     return withUnit(QLocale().toString(100.0 * share, 'f', 0), QStringLiteral("%"));
 }

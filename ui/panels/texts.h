@@ -34,6 +34,8 @@ QString sizeText(const glm::dvec3& size, LengthUnit unit);           ///< "120 �
 QString areaText(double squareMillimetres, LengthUnit unit);         ///< "412 mm²", "0.64 in²"
 QString volumeText(double cubicMillimetres, LengthUnit unit);        ///< "24.51 cm³", "1.496 in³"
 QString rateText(double cubicMillimetresPerSecond, LengthUnit unit); ///< "412 mm³/s"
+QString feedText(double millimetresPerMinute, LengthUnit unit);      ///< "640 mm/min", "25.2 in/min"; "–" of 0
+QString spindleSpeedText(double perMinute);                          ///< "12,000 rpm"; "–" of 0
 QString shareText(double share);                                     ///< "42 %", of 0.42
 QString durationText(double seconds);                                ///< "01:42", "1:02:07"
 

@@ -100,18 +100,9 @@ void ToolPanel::Fields::showMeasures(const Tool& tool) {
 }
 
 void ToolPanel::Fields::showConditions() {
-    const bool inch = unit == LengthUnit::inch;
-    const auto feedText = [inch](double millimetresPerMinute) {
-        if (!(millimetresPerMinute > 0.0)) return QStringLiteral("–");
-        const double shown = inch ? millimetresPerMinute / millimetresPerInch : millimetresPerMinute;
-        return QLocale().toString(shown, 'f', inch ? 1 : 0) + QChar(QChar::Nbsp) +
-               (inch ? QStringLiteral("in/min") : QStringLiteral("mm/min"));
-    };
-    feed_->setValue(feedText(state.feed));
-    plunge_->setValue(feedText(state.plungeFeed));
-    speed_->setValue(state.spindleSpeed > 0.0
-                         ? QLocale().toString(state.spindleSpeed, 'f', 0) + QChar(QChar::Nbsp) + ToolPanel::tr("rpm")
-                         : QStringLiteral("–"));
+    feed_->setValue(feedText(state.feed, unit));
+    plunge_->setValue(feedText(state.plungeFeed, unit));
+    speed_->setValue(spindleSpeedText(state.spindleSpeed));
     estimate_->tell(Notice::Kind::warning, state.conditionsEstimated && state.feed > 0.0
                                                ? ToolPanel::tr("Feed and speed come from values that are estimates.")
                                                : QString());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/mill_presenter.h"
 
+#include "core/job/feed_proposal.h"
 #include "core/verify/load_limits.h"
 #include "ui/panels/texts.h"
 #include "ui/window/session_words.h"
@@ -14,6 +15,22 @@ namespace burin {
 namespace {
 
 constexpr int hintStays = 1200; // ms: a flag that comes and goes must not make the panel jump
+
+QString feedBoundText(FeedBound bound) {
+    switch (bound) {
+    case FeedBound::chip:
+        break;
+    case FeedBound::plunge:
+        return MeterPresenter::tr("The tool goes down into material");
+    case FeedBound::thinned:
+        return MeterPresenter::tr("The chip is thin: twice the feed of the tables, and not more");
+    case FeedBound::load:
+        return MeterPresenter::tr("Tool and spindle bear no more");
+    case FeedBound::limit:
+        return MeterPresenter::tr("The tool's largest chip or the machine's feed allows no more");
+    }
+    return MeterPresenter::tr("The chip is as thick as the tables give it");
+}
 
 } // namespace
 
@@ -207,6 +224,7 @@ void MeterPresenter::tick() {
     state_.force = glm::length(session.sample.cuttingForce);
     state_.forceScale = std::max(state_.forceScale, state_.force);
     takeForceLimit();
+    takeProposedFeed();
     state_.removalRate = session.removalRate;
     state_.removalScale = std::max(state_.removalScale, state_.removalRate);
     if (workbench_.workpiece.milling())
@@ -223,6 +241,23 @@ void MeterPresenter::takeForceLimit() {
     state_.forceLimitOf = limit.kind == FindingKind::spindlePower    ? tr("the spindle's power")
                           : limit.kind == FindingKind::spindleTorque ? tr("the spindle's torque")
                                                                      : tr("the tool may break");
+}
+
+/// Stays as it was for the last cut, so that one can read it after a stroke.
+void MeterPresenter::takeProposedFeed() {
+    const auto milling = workbench_.workpiece.milling();
+    const SmoothedCut& cut = workbench_.session.state().cut;
+    if (!milling || !cut.cuts()) return;
+    const PropertyList& materials = milling->embedded.workpiece.properties();
+    const auto proposal = proposeFeed(cut, milling->tool, milling->machine, materials);
+    state_.proposed.reset();
+    if (!proposal) return;
+    state_.proposed = ProposedFeed{proposal->feed,
+                                   proposal->spindleSpeed,
+                                   cut.arc,
+                                   cut.depth,
+                                   materialName(materials[proposal->material]),
+                                   feedBoundText(proposal->bound)};
 }
 
 void MeterPresenter::present() {

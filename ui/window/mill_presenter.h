@@ -53,6 +53,7 @@ private:
     void present() override;
     void tick();
     void takeForceLimit();
+    void takeProposedFeed();
     Meters& meters_;
     MeterState state_;
 };
