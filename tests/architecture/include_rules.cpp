@@ -14,22 +14,30 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The headers that a plugin stands on, beside its own.
-constexpr std::array<std::string_view, 16> pluginInterface{
-    "core/base/error.h",           "core/base/progress.h",
-    "core/base/result.h",          "core/base/text.h",
-    "core/base/units.h",           "core/device/deflection.h",
-    "core/device/device_driver.h", "core/device/device_fault.h",
-    "core/device/device_thread.h", "core/device/figure.h",
-    "core/device/stylus.h",        "core/geometry/box.h",
-    "core/geometry/pose.h",        "core/machine/machine_profile.h",
-    "core/nc/dialect.h",           "core/nc/program.h"};
+constexpr std::array<std::string_view, 17> pluginInterface{"core/base/mailbox.h",
+                                                           "core/base/error.h",
+                                                           "core/base/progress.h",
+                                                           "core/base/result.h",
+                                                           "core/base/text.h",
+                                                           "core/base/units.h",
+                                                           "core/device/deflection.h",
+                                                           "core/device/device_driver.h",
+                                                           "core/device/device_fault.h",
+                                                           "core/device/device_thread.h",
+                                                           "core/device/figure.h",
+                                                           "core/device/stylus.h",
+                                                           "core/geometry/box.h",
+                                                           "core/geometry/pose.h",
+                                                           "core/machine/machine_profile.h",
+                                                           "core/nc/dialect.h",
+                                                           "core/nc/program.h"};
 
 /// What others take as it is, without our tree: its files name each other by their names alone.
 constexpr std::array<std::string_view, 1> handedOut{"plugins/devices/open_stylus/firmware"};
 
 /// What the plugins of one kind share, and build into each of them.
-constexpr std::array<std::string_view, 3> sharedByPlugins{"plugins/devices/cap", "plugins/devices/hid",
-                                                          "plugins/devices/vendor"};
+constexpr std::array<std::string_view, 4> sharedByPlugins{"plugins/devices/cap", "plugins/devices/hid",
+                                                          "plugins/devices/polled", "plugins/devices/vendor"};
 
 /// A library of others; core/README.md says who may include it.
 struct Foreign {

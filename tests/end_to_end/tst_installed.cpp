@@ -151,7 +151,7 @@ private slots:
         QStringList ids;
         for (const QJsonValue& driver : drivers) ids << driver["id"].toString();
         QCOMPARE(ids.join(' '),
-                 QString("simulated force_dimension haply open_stylus openhaptics spacemouse spacenav"));
+                 QString("simulated force_dimension haply input open_stylus openhaptics spacemouse spacenav"));
         for (const QJsonValue& driver : drivers) // no maker's library is in the bare system
             QCOMPARE(driver["ready"].toBool(), !driver["id"].toString().contains(QRegularExpression("^(force|openh)")));
     }

@@ -53,6 +53,19 @@ inline constexpr std::string_view enterpriseDescriptor = R"(
 46 ff 00 75 10 95 06 81 00 c0 a1 02 85 04 05 08 09 4b 09 4c 15 00 25 01 95 02 75 01 91 02 95 01
 75 06 91 03 c0 c0)";
 
+/// A gamepad: X, Y, Rx, Ry of 16 bits, Z and Rz of 8, twelve buttons (HID 1.11, appendix E, as pads lay it out).
+inline constexpr std::string_view gamepadDescriptor = R"(
+05 01 09 05 a1 01 16 00 80 26 ff 7f 09 30 09 31 09 33 09 34 75 10 95 04 81 02 15 00 26 ff 00 09
+32 09 35 75 08 95 02 81 02 05 09 19 01 29 0c 15 00 25 01 75 01 95 0c 81 02 75 04 95 01 81 03 c0)";
+
+/// A pen tablet, 300 by 200 mm in steps of 0.01 mm, 2048 steps of pressure, tilt in degrees (HID Usage Tables,
+/// Digitizers): tip, two buttons on the barrel, in range; x, y, pressure; tilts.
+inline constexpr std::string_view tabletDescriptor = R"(
+05 0d 09 02 a1 01 09 20 a1 00 09 42 09 44 09 5a 09 32 15 00 25 01 75 01 95 04 81 02 95 04 81 03
+05 01 09 30 15 00 27 30 75 00 00 35 00 46 2c 01 55 0f 65 11 75 20 95 01 81 02 09 31 27 20 4e 00
+00 46 c8 00 81 02 05 0d 09 30 15 00 26 ff 07 35 00 45 00 55 00 65 00 75 10 81 02 09 3d 09 3e 15
+c4 25 3c 35 c4 45 3c 65 14 75 08 95 02 81 02 c0 c0)";
+
 /// A mouse with two buttons and a wheel (HID 1.11, appendix E.10, with a wheel).
 inline constexpr std::string_view mouseDescriptor = R"(
 05 01 09 02 a1 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 75 01 81 02 95 01 75 05 81 01

@@ -61,5 +61,5 @@ int main(int count, char** arguments) {
         return run({roundTripChecks(), reports > 0 ? hostileChecks() : std::vector<GuestCheck>()}) ? 0 : 1;
     }
     if (count > 1) return runAs(arguments[1]);
-    return run({spaceMouseChecks(), openStylusChecks(), millingChecks(), hostileChecks()}) ? 0 : 1;
+    return run({spaceMouseChecks(), inputEventChecks(), openStylusChecks(), millingChecks(), hostileChecks()}) ? 0 : 1;
 }

@@ -28,6 +28,7 @@ int runAs(const std::string& role);
 
 std::vector<GuestCheck> openStylusChecks();
 std::vector<GuestCheck> spaceMouseChecks();
+std::vector<GuestCheck> inputEventChecks();
 std::vector<GuestCheck> millingChecks();
 std::vector<GuestCheck> hostileChecks();
 

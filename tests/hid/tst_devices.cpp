@@ -41,18 +41,28 @@ private slots:
 
     void inTheVirtualMachine_data() {
         QTest::addColumn<QString>("fact");
-        for (const char* fact :
-             {"3D mice are found and other devices are not", "a SpaceMouse Compact moves and presses",
-              "a SpaceMouse Wireless moves and tells its battery", "a SpaceMouse Enterprise has many buttons",
-              "the LED of a 3D mouse shines while it is open",
-              "an unplugged 3D mouse says so and goes on when it is back", "an open stylus tells its limits",
-              "the hand at an open stylus feels the wall",
-              "an open stylus unplugged in mid stroke goes on when it is back",
-              "the watchdog cuts the motors of a host that died", "motors are cut while a tick hangs",
-              "an open stylus of another version is refused", "who has no right to a device is told",
-              "the watch tells of plugging in and out",
-              "an open stylus pulled out in mid stroke mills on when it is back",
-              "a 3D mouse pulled out in mid stroke mills on when it is back", "hostile reports do no harm"})
+        for (const char* fact : {"3D mice are found and other devices are not",
+                                 "a SpaceMouse Compact moves and presses",
+                                 "a SpaceMouse Wireless moves and tells its battery",
+                                 "a SpaceMouse Enterprise has many buttons",
+                                 "the LED of a 3D mouse shines while it is open",
+                                 "an unplugged 3D mouse says so and goes on when it is back",
+                                 "gamepads and tablets are found",
+                                 "the sticks of a gamepad move the tool",
+                                 "a pen is where it is, as deep as it is pressed",
+                                 "an unplugged tablet says so and goes on when it is back",
+                                 "who may not read a tablet is told",
+                                 "an open stylus tells its limits",
+                                 "the hand at an open stylus feels the wall",
+                                 "an open stylus unplugged in mid stroke goes on when it is back",
+                                 "the watchdog cuts the motors of a host that died",
+                                 "motors are cut while a tick hangs",
+                                 "an open stylus of another version is refused",
+                                 "who has no right to a device is told",
+                                 "the watch tells of plugging in and out",
+                                 "an open stylus pulled out in mid stroke mills on when it is back",
+                                 "a 3D mouse pulled out in mid stroke mills on when it is back",
+                                 "hostile reports do no harm"})
             QTest::newRow(fact) << QString::fromLatin1(fact);
     }
     void inTheVirtualMachine() {

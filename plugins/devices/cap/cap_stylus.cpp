@@ -2,16 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/devices/cap/cap_stylus.h"
 
-#include "core/device/device_thread.h"
-
 #include <algorithm>
-#include <chrono>
-#include <system_error>
 
 namespace burin::cap {
 namespace {
 
-constexpr int waitMilliseconds = 20; // so long `close` may have to wait
 constexpr double percent = 0.01;
 
 std::uint64_t packed(const std::array<std::int16_t, 6>& axes, std::size_t first) noexcept {
@@ -44,7 +39,10 @@ std::array<std::int16_t, 6> SharedControls::axes() const noexcept {
 }
 
 CapStylus::CapStylus(std::unique_ptr<ControlSource> source, CapStylusSettings settings)
-    : source_(std::move(source)), settings_(std::move(settings)), mapping_(settings_.mode) {}
+    : settings_(std::move(settings))
+    , device_(std::move(source))
+    , thread_(device_, settings_.name)
+    , mapping_(settings_.mode) {}
 
 StylusDescription CapStylus::description() const {
     const std::string mapping = "Burin's mapping of the cap";
@@ -58,43 +56,24 @@ StylusDescription CapStylus::description() const {
 }
 
 Result<void> CapStylus::open() {
-    if (thread_.joinable()) return Error{ErrorCode::argumentInvalid, "stylus", "open", "a stylus that is closed"};
-    stop_.store(false, std::memory_order_relaxed);
+    const std::uint64_t motions = device_.shared().motions(); // what is heard from now on is news
+    if (Result<void> started = thread_.start(); !started) return started;
     mapping_.reset();
     readAt_.reset();
-    motions_ = shared_.motions();
+    motions_ = motions;
     movedAt_ = -2.0 * settings_.staleAfter;
-    try {
-        thread_ = std::thread([this] { run(); });
-    } catch (const std::system_error&) {
-        return Error{ErrorCode::outOfMemory, settings_.name, {}, "no thread"};
-    }
     return {};
 }
 
-void CapStylus::close() noexcept {
-    if (!thread_.joinable()) return;
-    stop_.store(true, std::memory_order_relaxed);
-    thread_.join();
-}
-
-std::optional<Error> CapStylus::takeFault() {
-    const std::optional<DeviceFault> fault = faults_.take();
-    if (!fault) return std::nullopt;
-    return errorOf(*fault, settings_.name);
-}
-
 DeviceHealth CapStylus::health() const noexcept {
-    DeviceHealth health;
-    health.connected = connected_.load(std::memory_order_relaxed);
-    health.readings = readings_.load(std::memory_order_relaxed);
-    if (const int battery = shared_.batteryPercent(); battery >= 0) health.batteryShare = percent * battery;
-    health.charging = shared_.charging();
+    DeviceHealth health = thread_.health();
+    if (const int battery = device_.shared().batteryPercent(); battery >= 0) health.batteryShare = percent * battery;
+    health.charging = device_.shared().charging();
     return health;
 }
 
 StylusState CapStylus::read(double time) noexcept {
-    if (const std::uint64_t motions = shared_.motions(); motions != motions_) {
+    if (const std::uint64_t motions = device_.shared().motions(); motions != motions_) {
         motions_ = motions;
         movedAt_ = time;
     }
@@ -103,49 +82,29 @@ StylusState CapStylus::read(double time) noexcept {
     readAt_ = time;
     StylusState state;
     state.time = time;
-    state.pose = mapping_.advance(stale ? std::array<std::int16_t, 6>{} : shared_.axes(), elapsed);
-    state.buttons = shared_.buttons();
-    state.valid = connected_.load(std::memory_order_relaxed);
+    state.pose = mapping_.advance(stale ? std::array<std::int16_t, 6>{} : device_.shared().axes(), elapsed);
+    state.buttons = device_.shared().buttons();
+    state.valid = thread_.connected();
     return state;
 }
 
 void CapStylus::write(const Wrench& /*wrench*/) noexcept {}
 
-void CapStylus::run() noexcept {
-    blockSignals();
-    while (runs()) {
-        if (source_->connect()) {
-            connected_.store(true, std::memory_order_relaxed);
-            receive();
-            continue;
-        }
-        const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(lookEvery);
-        while (runs() && std::chrono::steady_clock::now() < until)
-            std::this_thread::sleep_for(std::chrono::milliseconds(waitMilliseconds));
-    }
-    source_->disconnect();
+polled::PolledDevice::Heard CapStylus::Published::receive(int milliseconds) noexcept {
+    const ControlSource::Heard heard = source_->receive(controls_, milliseconds);
+    if (heard == ControlSource::Heard::nothing) return Heard::nothing;
+    if (heard == ControlSource::Heard::gone) return Heard::gone;
+    shared_.publish(controls_);
+    if (heard == ControlSource::Heard::motion) shared_.heardMotion();
+    return Heard::news;
 }
 
-/// Until the device is gone, or nobody wants it any more.
-void CapStylus::receive() noexcept {
-    Controls controls;
-    while (runs()) {
-        const ControlSource::Heard heard = source_->receive(controls, waitMilliseconds);
-        if (heard == ControlSource::Heard::nothing) continue;
-        if (heard == ControlSource::Heard::gone) break;
-        readings_.fetch_add(1, std::memory_order_relaxed);
-        shared_.publish(controls);
-        if (heard == ControlSource::Heard::motion) shared_.heardMotion();
-    }
-    if (!runs()) return;
-    source_->disconnect();
-    Controls rest = controls; // the battery's charge is known as before
-    rest.axes = {};
-    rest.buttons = 0;
-    rest.keys = {};
-    shared_.publish(rest);
-    connected_.store(false, std::memory_order_relaxed);
-    faults_.raise(DeviceFault::unplugged);
+void CapStylus::Published::rest() noexcept {
+    // The battery's charge is known as before.
+    controls_.axes = {};
+    controls_.buttons = 0;
+    controls_.keys = {};
+    shared_.publish(controls_);
 }
 
 } // namespace burin::cap

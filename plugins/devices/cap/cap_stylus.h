@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/device/device_fault.h"
 #include "core/device/stylus.h"
 #include "plugins/devices/cap/cap_mapping.h"
 #include "plugins/devices/cap/controls.h"
+#include "plugins/devices/polled/polling_thread.h"
 
 #include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 
 namespace burin::cap {
 
@@ -62,8 +61,6 @@ struct CapStylusSettings {
 /// any.
 class CapStylus final : public Stylus {
 public:
-    static constexpr double lookEvery = 0.5; ///< s
-
     CapStylus(std::unique_ptr<ControlSource> source, CapStylusSettings settings);
     ~CapStylus() override { close(); }
     CapStylus(const CapStylus&) = delete;
@@ -72,24 +69,32 @@ public:
     StylusDescription description() const override;
     /// Errors: argumentInvalid (it is open), outOfMemory.
     Result<void> open() override;
-    void close() noexcept override;
-    std::optional<Error> takeFault() override;
+    void close() noexcept override { thread_.stop(); }
+    std::optional<Error> takeFault() override { return thread_.takeFault(); }
     DeviceHealth health() const noexcept override;
     StylusState read(double time) noexcept override;
     void write(const Wrench& wrench) noexcept override;
 
 private:
-    void run() noexcept;
-    void receive() noexcept;
-    bool runs() const noexcept { return !stop_.load(std::memory_order_relaxed); }
+    /// The polling thread's side.
+    class Published final : public polled::PolledDevice {
+    public:
+        explicit Published(std::unique_ptr<ControlSource> source) : source_(std::move(source)) {}
+        bool connect() noexcept override { return source_->connect(); }
+        Heard receive(int milliseconds) noexcept override;
+        void disconnect() noexcept override { source_->disconnect(); }
+        void rest() noexcept override;
+        const SharedControls& shared() const noexcept { return shared_; }
 
-    std::unique_ptr<ControlSource> source_; ///< the device's thread while it runs
+    private:
+        std::unique_ptr<ControlSource> source_;
+        Controls controls_;
+        SharedControls shared_;
+    };
+
     CapStylusSettings settings_;
-    SharedControls shared_;
-    FaultBox faults_;
-    std::atomic<std::uint64_t> readings_{0};
-    std::atomic<bool> connected_{true}, stop_{false};
-    std::thread thread_;
+    Published device_;
+    polled::PollingThread thread_; ///< after what it reads
 
     CapMapping mapping_; ///< from here on the loop's
     std::optional<double> readAt_;

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/device/device_driver.h"
+
+#include <memory>
+
+namespace burin::input_events {
+
+/// Finds the gamepads, joysticks and pen tablets that the kernel has as input devices.
+std::unique_ptr<DeviceDriver> makeDriver();
+
+} // namespace burin::input_events

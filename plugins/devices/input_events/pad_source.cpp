@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "plugins/devices/input_events/pad_source.h"
+
+#include <new>
+
+namespace burin::input_events {
+
+bool PadSource::connect() noexcept {
+    const bool again = port_.connect();
+    if (!again) return false;
+    try {
+        reader_ = PadReader(port_.device()); // what was pressed when it was pulled out is not any more
+        return true;
+    } catch (const std::bad_alloc&) {
+        return false;
+    }
+}
+
+cap::ControlSource::Heard PadSource::receive(cap::Controls& controls, int milliseconds) noexcept {
+    input_event event;
+    switch (port_.next(event, milliseconds)) {
+    case EventPort::Heard::gone:
+        return Heard::gone;
+    case EventPort::Heard::nothing:
+        return Heard::nothing;
+    case EventPort::Heard::event:
+        break;
+    }
+    const PadReader::Kind kind = reader_.take(event);
+    if (kind == PadReader::Kind::none) return Heard::nothing;
+    controls = reader_.controls();
+    return kind == PadReader::Kind::motion ? Heard::motion : Heard::other;
+}
+
+} // namespace burin::input_events

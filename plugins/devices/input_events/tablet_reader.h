@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <libevdev/libevdev.h>
+
+#include <cstdint>
+
+namespace burin::input_events {
+
+/// What a pen does on its tablet.
+struct Pen {
+    bool near = false;               ///< the tablet sees it: the rest is news
+    double x = 0.0, y = 0.0;         ///< mm from the middle of the tablet: right, away from the user
+    double pressure = 0.0;           ///< 0 … 1
+    double leanX = 0.0, leanY = 0.0; ///< rad that it leans to the right, away from the user
+    std::uint32_t buttons = 0;       ///< bit 0: it touches; then those of its barrel
+};
+
+/// Makes a pen of a tablet's events: all of a report at once. Source of the codes:
+/// the kernel's Documentation/input/event-codes.rst. One thread; no allocation, no exception.
+class TabletReader {
+public:
+    static constexpr double assumedWidth = 200.0; ///< mm, of a tablet that states no resolution
+
+    explicit TabletReader(const libevdev& device) noexcept;
+
+    /// True: a report is complete, and `pen` is what it says.
+    bool take(const input_event& event) noexcept;
+    const Pen& pen() const noexcept { return told_; }
+    /// The pen is lost with the tablet.
+    void rest() noexcept;
+    bool leans() const noexcept { return tiltX_.known && tiltY_.known; } ///< the tablet tells how the pen leans
+    bool statesSize() const noexcept { return statesSize_; }
+    double width() const noexcept { return x_.span() / x_.perUnit; }  ///< mm
+    double height() const noexcept { return y_.span() / y_.perUnit; } ///< mm
+    double step() const noexcept { return 1.0 / x_.perUnit; }         ///< mm that it tells apart
+
+private:
+    struct Axis {
+        bool known = false;
+        double low = 0.0, high = 1.0;
+        double perUnit = 0.0; ///< values a millimetre, or a radian
+        double span() const noexcept { return high - low; }
+        double fromMiddle(int value) const noexcept;
+        double share(int value) const noexcept;
+    };
+    static Axis axisOf(const libevdev& device, unsigned int code) noexcept;
+    void move(const input_event& event) noexcept;
+    void press(const input_event& event) noexcept;
+
+    Axis x_, y_, pressure_, tiltX_, tiltY_;
+    bool statesSize_ = false;
+    Pen pen_;  ///< as the report under way has it
+    Pen told_; ///< as the last one that was complete
+};
+
+} // namespace burin::input_events

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "plugins/devices/input_events/tablet_stylus.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin::input_events {
+namespace {
+
+constexpr int penButtons = 4; // its tip, and three on its barrel at most
+
+} // namespace
+
+TabletStylus::TabletStylus(ReopenedPort port, std::string name)
+    : name_(std::move(name)), device_(std::move(port)), thread_(device_, name_) {}
+
+StylusDescription TabletStylus::description() const {
+    const std::string mapping = "Burin's mapping of the pen";
+    const TabletReader& tablet = device_.reader();
+    const std::string size = tablet.statesSize() ? "the tablet" : "Burin: assumed, as the tablet states no size";
+    StylusDescription description;
+    description.name = name_;
+    description.sensed = {3, tablet.leans() ? 2 : 0};
+    description.buttons = penButtons;
+    description.workspaceRadius = {0.5 * std::hypot(tablet.width(), tablet.height()), size};
+    description.positionStep = {tablet.step(), size};
+    description.maximumSpeed = {2.0 * PenMapping::followSpeed, mapping};
+    return description;
+}
+
+Result<void> TabletStylus::open() {
+    if (Result<void> started = thread_.start(); !started) return started;
+    mapping_.reset();
+    readAt_.reset();
+    return {};
+}
+
+StylusState TabletStylus::read(double time) noexcept {
+    (void)device_.take(pen_);
+    const double elapsed = readAt_ ? std::max(0.0, time - *readAt_) : 0.0;
+    readAt_ = time;
+    StylusState state;
+    state.time = time;
+    state.pose = mapping_.advance(pen_, elapsed);
+    state.buttons = pen_.buttons;
+    state.valid = thread_.connected();
+    return state;
+}
+
+void TabletStylus::write(const Wrench& /*wrench*/) noexcept {}
+
+polled::PolledDevice::Heard TabletStylus::Published::receive(int milliseconds) noexcept {
+    input_event event;
+    switch (port_.next(event, milliseconds)) {
+    case EventPort::Heard::gone:
+        return Heard::gone;
+    case EventPort::Heard::nothing:
+        return Heard::nothing;
+    case EventPort::Heard::event:
+        break;
+    }
+    if (!reader_.take(event)) return Heard::nothing;
+    pens_.post(reader_.pen());
+    return Heard::news;
+}
+
+void TabletStylus::Published::rest() noexcept {
+    reader_.rest();
+    pens_.post(reader_.pen());
+}
+
+} // namespace burin::input_events

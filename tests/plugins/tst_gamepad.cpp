@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "plugins/devices/input_events/input_devices.h"
+#include "plugins/devices/input_events/pad_reader.h"
+#include "tests/plugins/virtual_input.h"
+#include "tests/test_program.h"
+
+#include <rapidcheck.h>
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cmath>
+
+namespace burin::tst_gamepad {
+
+using namespace burin::test;
+using burin::input_events::hasBit;
+using burin::input_events::InputDevice;
+using burin::input_events::inputDevices;
+using burin::input_events::InputKind;
+using burin::input_events::PadReader;
+
+namespace {
+
+constexpr int full = 350;
+
+/// Two sticks and triggers, as an Xbox pad has them.
+auto twoSticks() {
+    return virtualInput({{ABS_X, -32768, 32767, 128},
+                         {ABS_Y, -32768, 32767, 128},
+                         {ABS_RX, -32768, 32767, 128},
+                         {ABS_RY, -32768, 32767, 128},
+                         {ABS_Z, 0, 255},
+                         {ABS_RZ, 0, 255}},
+                        {BTN_SOUTH, BTN_EAST, BTN_NORTH, BTN_WEST, BTN_START});
+}
+
+void write(const QString& file, const QByteArray& line) {
+    QDir().mkpath(QFileInfo(file).path());
+    QFile out(file);
+    QVERIFY(out.open(QIODevice::WriteOnly));
+    out.write(line + '\n');
+}
+
+struct Shown {
+    const char *event, *name, *vendor, *product, *serial, *keys, *axes;
+};
+
+/// What sysfs shows of a device. The bit fields are those of real ones.
+void show(const QString& classes, const Shown& device) {
+    const QString folder = classes + '/' + device.event + "/device";
+    write(folder + "/name", device.name);
+    write(folder + "/uniq", device.serial);
+    write(folder + "/id/vendor", device.vendor);
+    write(folder + "/id/product", device.product);
+    write(folder + "/capabilities/key", device.keys);
+    write(folder + "/capabilities/abs", device.axes);
+}
+
+} // namespace
+
+/// Gamepads and joysticks: what is found, and what their events do.
+class TestGamepad : public QObject {
+    Q_OBJECT
+private slots:
+    void bitsAreReadFromTheLastWordOn() {
+        QVERIFY(rc::check([] {
+            const std::vector<unsigned long> words =
+                *rc::gen::nonEmpty(rc::gen::container<std::vector<unsigned long>>(rc::gen::arbitrary<unsigned long>()));
+            QStringList text; // the lowest last
+            for (const unsigned long word : words) text.prepend(QString::number(word, 16));
+            const std::string line = text.join(' ').toStdString();
+            const unsigned int bit = *rc::gen::inRange(0U, 64U * static_cast<unsigned int>(words.size()) + 100U);
+            const bool set = bit / 64 < words.size() && (words[bit / 64] >> bit % 64 & 1UL) != 0;
+            RC_ASSERT(hasBit(line, bit) == set);
+        }));
+        QVERIFY(!hasBit("", 0) && !hasBit("nonsense", 3));
+    }
+
+    void padsAndTabletsAreFoundAndNothingElse() {
+        QTemporaryDir folder;
+        const QString classes = folder.filePath("class");
+        const char* const padKeys = "7cdb000000000000 0 0 0 0";
+        show(classes, {"event3", "Pad", "045e", "028e", "", padKeys, "3003f"});
+        show(classes, {"event12", "Pad", "045e", "028e", "", padKeys, "3003f"});
+        show(classes, {"event4", "Tablet Pen", "056a", "0357", "4K1", "1c0f 0 0 0 0 0", "1000d000003"});
+        show(classes, {"event0", "Keyboard", "046d", "c31c", "",
+                       "1000000000007 ff9f207ac14057ff febeffdfffefffff fffffffffffffffe", "0"});
+        show(classes, {"event1", "Mouse", "046d", "c077", "", "70000 0 0 0 0", "0"});
+        show(classes, {"event2", "Touchpad", "06cb", "0001", "", "e520 10000 0 0 0 0", "2e0800000000003"});
+        write(classes + "/js0/device/name", "Pad");
+        const std::vector<InputDevice> found =
+            inputDevices({classes.toStdString(), folder.filePath("nodes").toStdString()});
+        QCOMPARE(found.size(), std::size_t{3});
+        QCOMPARE(found[0].id, std::string("045e:028e"));
+        QCOMPARE(found[0].node.filename().string(), std::string("event3"));
+        QCOMPARE(found[0].kind, InputKind::gamepad);
+        QCOMPARE(found[1].id, std::string("045e:028e:2"));
+        QCOMPARE(found[1].node.filename().string(), std::string("event12"));
+        QCOMPARE(found[2].id, std::string("056a:0357:4K1"));
+        QCOMPARE(found[2].kind, InputKind::tablet);
+        QCOMPARE(found[2].name, std::string("Tablet Pen"));
+        QVERIFY(inputDevices({folder.filePath("none").toStdString(), {}}).empty());
+    }
+
+    void eachControlMovesItsAxis_data() {
+        QTest::addColumn<unsigned int>("code");
+        QTest::addColumn<int>("value");
+        QTest::addColumn<int>("axis");
+        QTest::addColumn<int>("counts");
+        QTest::newRow("right") << unsigned{ABS_X} << 32767 << 0 << full;
+        QTest::newRow("left") << unsigned{ABS_X} << -32768 << 0 << -full;
+        QTest::newRow("towards the user") << unsigned{ABS_Y} << 32767 << 1 << full;
+        QTest::newRow("right stick down") << unsigned{ABS_RY} << 32767 << 2 << full;
+        QTest::newRow("right stick right") << unsigned{ABS_RX} << 32767 << 5 << full;
+        QTest::newRow("right trigger presses") << unsigned{ABS_RZ} << 255 << 2 << full;
+        QTest::newRow("left trigger lifts") << unsigned{ABS_Z} << 255 << 2 << -full;
+        QTest::newRow("beyond its range") << unsigned{ABS_X} << 100000 << 0 << full;
+        QTest::newRow("a stick that does not quite come back") << unsigned{ABS_X} << 3000 << 0 << 0;
+        QTest::newRow("half") << unsigned{ABS_X} << 16384 << 0 << static_cast<int>(std::lround(full * 0.4 / 0.9));
+    }
+    void eachControlMovesItsAxis() {
+        QFETCH(unsigned int, code);
+        QFETCH(int, value);
+        QFETCH(int, axis);
+        QFETCH(int, counts);
+        const auto device = twoSticks();
+        PadReader reader(*device);
+        for (const std::int16_t count : reader.controls().axes) QCOMPARE(count, std::int16_t{0}); // nothing moved yet
+        QCOMPARE(reader.take(eventOf(EV_ABS, code, value)), PadReader::Kind::motion);
+        for (int i = 0; i < 6; ++i)
+            QVERIFY(std::abs(reader.controls().axes[static_cast<std::size_t>(i)] - (i == axis ? counts : 0)) <= 1);
+    }
+
+    void triggersAndStickAddUp() {
+        const auto device = twoSticks();
+        PadReader reader(*device);
+        reader.take(eventOf(EV_ABS, ABS_RZ, 255));
+        reader.take(eventOf(EV_ABS, ABS_Z, 255));
+        QCOMPARE(reader.controls().axes[2], std::int16_t{0});
+        reader.take(eventOf(EV_ABS, ABS_RY, 32767));
+        QCOMPARE(reader.controls().axes[2], std::int16_t{full});
+        reader.take(eventOf(EV_ABS, ABS_Z, 0)); // no more than full
+        QCOMPARE(reader.controls().axes[2], std::int16_t{full});
+    }
+
+    void otherLayouts() {
+        const auto older =
+            virtualInput({{ABS_X, 0, 255}, {ABS_Y, 0, 255}, {ABS_Z, 0, 255}, {ABS_RZ, 0, 255}}, {BTN_TRIGGER});
+        PadReader second(*older); // the second stick is Z and Rz
+        second.take(eventOf(EV_ABS, ABS_RZ, 0));
+        QCOMPARE(second.controls().axes[2], std::int16_t{-full});
+        second.take(eventOf(EV_ABS, ABS_X, 128));
+        QCOMPARE(second.controls().axes[0], std::int16_t{0});
+        const auto joystick =
+            virtualInput({{ABS_X, 0, 1023}, {ABS_Y, 0, 1023}, {ABS_RZ, 0, 255}, {ABS_HAT0Y, -1, 1}}, {BTN_TRIGGER});
+        PadReader hat(*joystick);
+        hat.take(eventOf(EV_ABS, ABS_HAT0Y, -1));
+        QCOMPARE(hat.controls().axes[2], std::int16_t{-full}); // up
+        hat.take(eventOf(EV_ABS, ABS_RZ, 255));
+        QCOMPARE(hat.controls().axes[5], std::int16_t{full});
+        const auto broken = virtualInput({{ABS_X, 5, 5}, {ABS_Y, 9, 1}}, {BTN_TRIGGER}); // ranges of nothing
+        PadReader nothing(*broken);
+        QCOMPARE(nothing.take(eventOf(EV_ABS, ABS_X, 5)), PadReader::Kind::none);
+    }
+
+    void buttonsAreNumberedInTheirOrder() {
+        const auto device = twoSticks();
+        PadReader reader(*device);
+        QCOMPARE(reader.buttonCount(), 5);
+        QCOMPARE(reader.take(eventOf(EV_KEY, BTN_EAST, 1)), PadReader::Kind::button);
+        reader.take(eventOf(EV_KEY, BTN_SOUTH, 1));
+        QCOMPARE(reader.controls().buttons, 3U);
+        reader.take(eventOf(EV_KEY, BTN_SOUTH, 0));
+        QCOMPARE(reader.controls().buttons, 2U);
+        QCOMPARE(reader.take(eventOf(EV_KEY, KEY_A, 1)), PadReader::Kind::none);
+    }
+
+    void noEventLeavesTheRange() {
+        QVERIFY(rc::check([] {
+            const auto device = twoSticks();
+            PadReader reader(*device);
+            for (int i = 0; i < 50; ++i) {
+                reader.take(
+                    eventOf(*rc::gen::inRange(0U, 32U), *rc::gen::inRange(0U, 0x300U), *rc::gen::arbitrary<int>()));
+                for (const std::int16_t count : reader.controls().axes) RC_ASSERT(std::abs(count) <= full);
+                RC_ASSERT(reader.controls().buttons < 32U);
+            }
+        }));
+    }
+};
+
+BURIN_TEST(TestGamepad, NoApplication)
+
+} // namespace burin::tst_gamepad
+
+#include "tst_gamepad.moc"
