@@ -1749,6 +1749,10 @@
         <source>; heaviest cut: %1 mm^2 of %2, engagement %3 degrees, depth %4 mm; feed for it: %5 mm/min at %6 rpm</source>
         <translation>; schwerster Schnitt: %1 mm^2 %2, Eingriff %3 Grad, Tiefe %4 mm; Vorschub dafür: %5 mm/min bei %6 1/min</translation>
     </message>
+    <message>
+        <source>Guides of the project that hold the tool: %1</source>
+        <translation>Führungen des Projekts, die das Werkzeug halten: %1</translation>
+    </message>
 </context>
 <context>
     <name>Detail</name>
@@ -5842,6 +5846,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>Push up with this force, N, while its first button is held; at most a fifth of its maximum force</source>
         <translation>Mit dieser Kraft, N, nach oben drücken, solange die erste Taste gehalten wird; höchstens ein Fünftel der größten Kraft</translation>
     </message>
+    <message>
+        <source>With a device: the guides of the project don&apos;t hold the tool</source>
+        <translation>Mit einem Gerät: die Führungen des Projekts halten das Werkzeug nicht</translation>
+    </message>
 </context>
 <context>
     <name>ImportFormat</name>
@@ -8459,6 +8467,26 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Stop milling first.</source>
         <translation>Zuerst das Fräsen beenden.</translation>
+    </message>
+    <message>
+        <source>moves the view</source>
+        <translation>bewegt die Ansicht</translation>
+    </message>
+    <message>
+        <source>Leave the view alone</source>
+        <translation>Ansicht nicht mehr bewegen</translation>
+    </message>
+    <message>
+        <source>Move the view with this device</source>
+        <translation>Ansicht mit diesem Gerät bewegen</translation>
+    </message>
+    <message>
+        <source>Select a 3D mouse, gamepad or joystick.</source>
+        <translation>Wählen Sie eine 3D-Maus, ein Gamepad oder einen Joystick.</translation>
+    </message>
+    <message>
+        <source>Push and turn what the view shows with this device, beside the stylus. Its first button shows all. While it moves the tool, the view stays</source>
+        <translation>Verschiebt und dreht mit diesem Gerät, was die Ansicht zeigt, neben dem Stylus. Seine erste Taste zeigt alles. Solange es das Werkzeug bewegt, bleibt die Ansicht stehen</translation>
     </message>
 </context>
 <context>
@@ -13878,6 +13906,13 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Position of the section plane along its normal.</source>
         <translation>Position der Schnittebene entlang ihrer Normalen.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ViewDevice</name>
+    <message>
+        <source>Connecting the device that moves the view</source>
+        <translation>Das Gerät, das die Ansicht bewegt, wird verbunden</translation>
     </message>
 </context>
 <context>

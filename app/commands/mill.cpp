@@ -15,6 +15,7 @@
 #include "core/job/milling.h"
 #include "ui/messages/messages.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -127,9 +128,10 @@ struct MillWork {
     const ToolBounds& bounds;
     CommandContext& context;
     Pace pace;
-    json& answer;                     ///< gets what is told of the whole session
-    std::optional<StagedFile>& trace; ///< gets the trace that was asked for
-    OpenedSessionTrace* played;       ///< the trace that is the stylus; null: none is
+    json& answer;                          ///< gets what is told of the whole session
+    std::optional<StagedFile>& trace;      ///< gets the trace that was asked for
+    OpenedSessionTrace* played;            ///< the trace that is the stylus; null: none is
+    std::optional<GuideSettings> guides{}; ///< that hold a hand
 };
 
 /// How much of the cutting was felt, and who says so.
@@ -192,6 +194,7 @@ Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std:
     request.trace = work.arguments.trace;
     request.traceOutput = &work.trace;
     request.saves = false;
+    request.guides = work.guides;
     if (work.arguments.deadMan > 0) request.forceButtons = 1U << static_cast<unsigned>(work.arguments.deadMan - 1);
     request.heardFault = [&work](const Error& fault) { work.context.message(Messages::sentence(fault).toStdString()); };
     if (work.arguments.seconds > 0.0) request.maximumSeconds = work.arguments.seconds;
@@ -210,6 +213,15 @@ Result<std::vector<TakeOutcome>> millWithTrace(OpenedSessionTrace& trace, const 
     Result<std::vector<TakeOutcome>> takes = millWith(stylus, file.stem().string(), false, work, &session);
     if (const Result<void> played = stylus.outcome(); takes && !played) return played.error();
     return takes;
+}
+
+/// How many guides of the project hold.
+void tellGuides(const MillWork& work) {
+    const auto count = work.guides ? std::ranges::count_if(work.guides->guides, &Guide::on) : 0;
+    work.answer["guides"] = count;
+    if (count > 0)
+        work.context.message(
+            worded(BURIN_TEXT("Command", "Guides of the project that hold the tool: %1"), {std::to_string(count)}));
 }
 
 /// Its first button, where it has one, is the spindle's.
@@ -231,8 +243,12 @@ Result<std::vector<TakeOutcome>> millWithDevice(const std::string& name, const M
     FeltCutting felt;
     felt.gain = work.arguments.felt.value_or(felt.gain);
     tellFelt(felt, work.arguments.felt ? "argument" : "usual", work.answer);
+    const Result<KeptGuides> guides = work.project.guides(); // its curves are needed until the session is over
+    if (!guides) return guides.error();
     MillWork live = work;
     live.pace = Pace::realtime;
+    if (!work.arguments.noGuides) live.guides = guideSettings(guides->guides, guides->stepButton);
+    tellGuides(live);
     return millWith(handle, device->name, buttons > 0, live);
 }
 

@@ -48,6 +48,8 @@ void addMillOptions(CommandParser command, MillArguments& arguments) {
                 BURIN_TEXT("Help", "Forces only while this button of the device is held, counted from 1; 0: always"))
         .range(0, 32)
         .showDefault();
+    command.flag("--no-guides", arguments.noGuides,
+                 BURIN_TEXT("Help", "With a device: the guides of the project don't hold the tool"));
     command.option(
         "--trace", arguments.trace,
         BURIN_TEXT("Help",

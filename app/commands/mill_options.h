@@ -15,7 +15,8 @@ struct MillArguments {
     std::string project, stylus = "operator", mode, tool = "ball-6", machine, trace, axis;
     bool realtime = false, fast = false, overrides = false;
     double seconds = 0.0, rate = 1000.0;
-    int deadMan = 0; ///< button, from 1; 0: none
+    int deadMan = 0;       ///< button, from 1; 0: none
+    bool noGuides = false; ///< those of the project don't hold
     std::string grip = "firm", intent = "passes";
     std::optional<double> allowance, felt;
     OperatorRequest hand;

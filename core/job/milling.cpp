@@ -223,6 +223,7 @@ Result<TakeOutcome> recordTake(Project& project, MillingContext& milling, const 
     session.cutsOnButton = request.cutsOnButton;
     session.felt = request.felt;
     session.forceButtons = request.forceButtons;
+    session.guides = request.guides;
     session.trace = request.trace;
     session.traceOutput = request.traceOutput;
     session.replayed = request.replayed;

@@ -50,7 +50,7 @@ MillingSession::~MillingSession() {
     static_cast<void>(end());
 }
 
-/// Errors: those of startRecording and TraceRecorder::begin.
+/// Errors: those of startRecording, checkGuides and TraceRecorder::begin.
 Result<void> MillingSession::start(const SessionRequest& request) {
     TickSink* sink = &faults_.sink();
     if (request.replayed != nullptr) {
@@ -79,6 +79,8 @@ Result<void> MillingSession::start(const SessionRequest& request) {
             trace_.reset(); // of nothing
             return begun;
         }
+    if (request.guides)
+        if (Result<void> held = setGuides(*request.guides); !held) return held;
     thread_ = std::thread([this, sink] {
         ServoSettings servo = servo_;
         servo.alarm = faults_.alarm();

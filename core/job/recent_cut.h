@@ -74,11 +74,13 @@ private:
         }
         *oldest = {property, time_};
     }
+    /// A tool that rests in a cut keeps those that it met last.
     void listMaterials() noexcept {
-        newest_.materials = {};
-        auto* next = newest_.materials.begin();
+        std::array<std::uint8_t, 8> recent{};
+        auto* next = recent.begin();
         for (const Seen& seen : seen_)
             if (seen.property != 0 && time_ - seen.time <= window) *next++ = seen.property;
+        if (recent.front() != 0) newest_.materials = recent;
     }
 
     SmoothedCut newest_, heaviest_;

@@ -32,6 +32,8 @@ struct SessionRequest {
     std::optional<StagedFile>* traceOutput = nullptr;
     /// What a trace that is played was told between its ticks is told again; outlives the session. Null: nothing.
     const SessionTrace* replayed = nullptr;
+    /// In force from the first tick on; their curves outlive the session. None: no guide holds until `setGuides`.
+    std::optional<GuideSettings> guides;
     std::filesystem::path flights; ///< folder for records of faults (FlightRecorder); empty: beside the project
     std::string takeName;          ///< of a take that begins with the very first tick; empty: none does
     double maximumSeconds = std::numeric_limits<double>::infinity(); ///< of the session's time

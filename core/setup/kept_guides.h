@@ -4,7 +4,9 @@
 
 #include "core/setup/guide.h"
 
+#include <algorithm>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace burin {
@@ -15,5 +17,13 @@ struct KeptGuides {
     std::uint32_t stepButton = 0; ///< as in GuideSettings
     std::vector<std::shared_ptr<const GuideCurve>> curves; ///< never null
 };
+
+/// As a loop is told of them. @param guides at most GuideSettings::capacity
+inline GuideSettings guideSettings(std::span<const Guide> guides, std::uint32_t stepButton) {
+    GuideSettings settings;
+    settings.stepButton = stepButton;
+    std::copy(guides.begin(), guides.end(), settings.guides.begin());
+    return settings;
+}
 
 } // namespace burin

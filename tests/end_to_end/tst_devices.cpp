@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/document/project.h"
 #include "program_run.h"
 #include "tests/test_program.h"
 
@@ -74,6 +75,48 @@ private slots:
         QVERIFY2(run.status == 0, run.messages.constData());
         QVERIFY2(run.output.contains("\"samples\""), run.output.constData());
         QCOMPARE(run.json()["felt"].toObject()["gain"].toDouble(), 0.25);
+        QCOMPARE(run.json()["guides"].toInt(), 0);
+    }
+
+    /// The hand goes round a circle through a plane that is kept as a guide.
+    void theProjectsGuidesHoldIt() {
+        const std::string file = in("p.burin").toStdString();
+        Guide plane;
+        plane.on = true;
+        plane.direction = {1.0, 0.0, 0.0};
+        {
+            Result<Project> project = Project::open(file);
+            QVERIFY(project.hasValue());
+            const Result<Take> before = project->take(1);
+            QVERIFY(before.hasValue());
+            plane.point = before->samples.front().stylusTip;
+            KeptGuides kept;
+            kept.guides = {plane};
+            QVERIFY(project->setGuides(kept).hasValue());
+            QVERIFY(project->save().hasValue());
+        }
+        const QStringList mill{"mill",      in("p.burin"), "--stylus", "device:3D Systems: Default Device",
+                               "--seconds", "2",           "--json"};
+        const ProgramRun held = runBurin(mill), free = runBurin(QStringList(mill) << "--no-guides");
+        QVERIFY2(held.status == 0, held.messages.constData());
+        QCOMPARE(held.json()["guides"].toInt(), 1);
+        QCOMPARE(free.json()["guides"].toInt(), 0);
+        const Result<Project> project = Project::open(file);
+        QVERIFY(project.hasValue());
+        // In so many ticks the tool was nearer to the plane than the hand.
+        const auto heldSamples = [&](std::int64_t take) {
+            const Result<Take> recorded = project->take(take);
+            std::size_t count = 0;
+            if (!recorded) return count;
+            for (const Sample& sample : recorded->samples) {
+                const double tool = std::abs(sample.proxy.tip.x - plane.point.x);
+                const double hand = std::abs(sample.stylusTip.x - plane.point.x);
+                if ((sample.flags & sampleOnGuide) != 0 && tool < hand - 0.01) ++count;
+            }
+            return count;
+        };
+        QVERIFY2(heldSamples(2) > 100, qPrintable(QString::number(heldSamples(2))));
+        QCOMPARE(heldSamples(3), std::size_t{0});
     }
 };
 

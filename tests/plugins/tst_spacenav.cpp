@@ -6,11 +6,8 @@
 #include "plugins/devices/spacenav/events.h"
 #include "tests/oracles/allocation_count.h"
 #include "tests/plugins/comes_true.h"
+#include "tests/plugins/spacenav_daemon.h"
 #include "tests/test_program.h"
-
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <unistd.h>
 
 #include <QCoreApplication>
 #include <QTemporaryDir>
@@ -23,42 +20,10 @@ namespace burin::tst_spacenav {
 
 using burin::spacenav::EventReader;
 using burin::test::comesTrue;
+using Daemon = burin::test::SpacenavDaemon;
+using Packet = Daemon::Packet;
 
-namespace {
-
-using Packet = std::array<std::int32_t, 8>;
-
-/// A daemon on a socket of its own, with one client.
-class Daemon {
-public:
-    explicit Daemon(const QString& file) : file_(file.toLocal8Bit()) { listen(); }
-    ~Daemon() { stop(); }
-
-    void listen() {
-        listener_ = ::socket(AF_UNIX, SOCK_STREAM, 0);
-        sockaddr_un address{};
-        address.sun_family = AF_UNIX;
-        std::memcpy(address.sun_path, file_.constData(), static_cast<std::size_t>(file_.size()));
-        if (bind(listener_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) std::abort();
-        if (::listen(listener_, 4) != 0) std::abort();
-    }
-    void accept() { client_ = ::accept(listener_, nullptr, nullptr); }
-    void send(const Packet& packet) const { send(&packet, sizeof packet); }
-    void send(const void* bytes, std::size_t size) const {
-        if (::send(client_, bytes, size, MSG_NOSIGNAL) != static_cast<ssize_t>(size)) std::abort();
-    }
-    void stop() {
-        if (client_ >= 0) close(std::exchange(client_, -1));
-        if (listener_ >= 0) close(std::exchange(listener_, -1));
-        unlink(file_.constData());
-    }
-
-private:
-    QByteArray file_;
-    int listener_ = -1, client_ = -1;
-};
-
-} // namespace
+namespace {} // namespace
 
 /// The driver for spacenavd, over a real socket of the kind that the daemon opens.
 class TestSpacenav : public QObject {

@@ -251,6 +251,37 @@ private slots:
         motion.setSize(size);
         QCOMPARE(motion.view().distance, chosen);
     }
+
+    /// What a 3D mouse does: the content goes and turns as its cap does, about its middle.
+    void aPushMovesTheContentAsTheCapGoes() {
+        CameraMotion motion;
+        motion.setSize(size);
+        motion.setContent({{-20.0, -20.0, 0.0}, {20.0, 20.0, 20.0}});
+        const glm::dvec3 middle(0.0, 0.0, 10.0);
+        const auto at = [&](const glm::dvec3& place) { return appearanceOf(motion.view(), size, place); };
+        const QPointF before = at(middle);
+        motion.push({{1.0, 0.0, 0.0}, {}}, 0.1);
+        QVERIFY(pixels(at(middle), before + QPointF(0.06 * size.height(), 0.0)) < 1.0);
+        motion.push({{-1.0, 0.0, 1.0}, {}}, 0.1);
+        QVERIFY(pixels(at(middle), before - QPointF(0.0, 0.06 * size.height())) < 1.0);
+        const double distance = motion.view().distance;
+        motion.push({{0.0, 1.0, 0.0}, {}}, 0.2); // away
+        QVERIFY(motion.view().distance > distance * 1.1);
+
+        // Towards the eye, level: what the viewer sees in front.
+        glm::dvec3 front = axesOf(motion.view()).back;
+        front = glm::normalize(glm::dvec3(front.x, front.y, 0.0)) * 20.0;
+        const QPointF nearSide = at(middle + front), middleThen = at(middle);
+        motion.push({{}, {0.0, 0.0, 1.0}}, 0.1); // to the left, seen from above: the front goes right
+        QVERIFY(at(middle + front).x() > nearSide.x() + 5.0);
+        QVERIFY(pixels(at(middle), middleThen) < 1e-6);
+        const double farSide = at(middle - front).y();
+        motion.push({{}, {1.0, 0.0, 0.0}}, 0.1); // its far side rises
+        QVERIFY(at(middle - front).y() < farSide - 5.0);
+        QVERIFY(pixels(at(middle), middleThen) < 1e-6);
+        for (int i = 0; i < 100; ++i) motion.push({{}, {1.0, 0.0, 0.0}}, 0.1);
+        QVERIFY(motion.view().elevation <= pi / 2.0 + 1e-12); // never overhead
+    }
 };
 
 BURIN_TEST(TestCameraView, NoApplication)

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The device dialogue, with a Touch whose library stands in for the maker's.
 #include "tests/places.h"
+#include "tests/plugins/spacenav_daemon.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/dialogs/preferences.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/row_list.h"
+#include "ui/scene/camera_view.h"
 
 #include <QApplication>
 #include <QDialog>
@@ -107,6 +109,58 @@ private slots:
         QCOMPARE(driver.window().workbench().styluses.chosenName(), QString("3D Systems: Default Device"));
         QCOMPARE(UserSettings().felt("openhaptics:Default Device").gain, 0.5);
         QCOMPARE(UserSettings().felt("spacenav:daemon").gain, 1.0);
+    }
+
+    /// A 3D mouse in the other hand: the view goes where its cap goes, and it is kept.
+    void aDeviceMovesTheView() {
+        QTemporaryDir folder;
+        test::SpacenavDaemon daemon(folder.filePath("spnav.sock"));
+        qputenv("SPNAV_SOCKET", folder.filePath("spnav.sock").toUtf8());
+        WindowDriver driver;
+        const ViewDevice& device = driver.window().workbench().viewDevice;
+        StylusController& styluses = driver.window().workbench().styluses;
+        QVERIFY(driver.waitFor([&] { return styluses.choices().size() > 2; }));
+        bool done = false;
+        driver.whenDialogStands([&](QWidget& dialog) {
+            auto* list = dialog.findChild<RowList*>("deviceList");
+            auto* moves = dialog.findChild<QPushButton*>("moveViewButton");
+            clickRow(*list, 0);
+            QVERIFY(!moves->isEnabled()); // the mouse does so anyway
+            clickRow(*list, rowOf(*list, "3D mouse"));
+            QVERIFY(moves->isEnabled());
+            QTest::mouseClick(moves, Qt::LeftButton);
+            QTRY_COMPARE(list->rows()[static_cast<std::size_t>(rowOf(*list, "3D mouse"))].badge,
+                         QString("moves the view"));
+            QTRY_VERIFY(device.connected());
+            driver.shoot("devices-3-view");
+            done = true;
+            QTest::mouseClick(dialog.findChild<QPushButton*>("closeDevicesButton"), Qt::LeftButton);
+        });
+        driver.key(Qt::Key_Y, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(driver.waitFor([&] { return done; }));
+        daemon.accept();
+        Viewport& view = driver.window().viewport();
+        const QPointF before = view.project(glm::dvec3(0.0));
+        daemon.send({0, 500, 0, 0, 0, 0, 0, 0}); // to the right
+        QVERIFY(driver.waitFor([&] { return view.project(glm::dvec3(0.0)).x() > before.x() + 50.0; }));
+        daemon.send({0, 0, 0, 500, 0, 0, 0, 0}); // away
+        const double distance = view.cameraView().distance;
+        QVERIFY(driver.waitFor([&] { return view.cameraView().distance > 1.2 * distance; }));
+        daemon.send({0, 0, 0, 0, 0, 500, 0, 0}); // turned to the left, seen from above
+        const double azimuth = view.cameraView().azimuth;
+        QVERIFY(driver.waitFor([&] { return std::abs(view.cameraView().azimuth - azimuth) > 0.3; }));
+        daemon.send({0, 0, 0, 0, 0, 0, 0, 0});
+        QTest::qWait(500); // what springs back takes a moment
+        const CameraView rested = view.cameraView();
+        QTest::qWait(300);
+        QCOMPARE(view.cameraView().azimuth, rested.azimuth);
+        QCOMPARE(view.cameraView().distance, rested.distance);
+        QSignalSpy fits(&device, &ViewDevice::fitWanted);
+        daemon.send({1, 0, 0, 0, 0, 0, 0, 0});
+        QVERIFY(driver.waitFor([&] { return fits.count() == 1; }));
+        QVERIFY(driver.restart());
+        QCOMPARE(driver.window().workbench().viewDevice.chosen(), std::string("spacenav:daemon"));
+        UserSettings().setViewDevice({});
     }
 
     void aDialogueThatIsClosedEndsItsTest() {

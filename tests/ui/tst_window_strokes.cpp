@@ -5,6 +5,7 @@
 #include "tests/ui/window_steps.h"
 #include "ui/panels/focus_keeper.h"
 #include "ui/panels/notice.h"
+#include "ui/panels/value_row.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>
@@ -179,6 +180,10 @@ private slots:
         QVERIFY(driver_->enter("depthOfCutField", "0.7"));
         millLine(*driver_, {-12, -4}, {10, -1});
         QVERIFY(strokesAre(1));
+        // What the cut asked for can be read after it.
+        const auto* feed = driver_->visible<ValueRow>("feedMeter");
+        QVERIFY(driver_->waitFor([&] { return feed->value().contains("mm/min at") && feed->value().endsWith("rpm"); }));
+        QVERIFY2(feed->toolTip().startsWith("Machinable wax, engagement "), qPrintable(feed->toolTip()));
         const std::vector<glm::dvec3> first = trace_->last();
         driver_->key(Qt::Key_L);
         QVERIFY(strokesAre(2));

@@ -20,6 +20,7 @@ constexpr const char* metersKey = "meters_folded";
 constexpr const char* parallelKey = "parallel_view";
 constexpr const char* transparencyKey = "workpiece_transparency";
 constexpr const char* deviceKey = "device";
+constexpr const char* viewDeviceKey = "viewDevice";
 constexpr const char* deviceModeKey = "device_mode";
 constexpr const char* shareKey = "cutting_force_share";
 constexpr const char* frictionKey = "friction";
@@ -137,6 +138,14 @@ std::pair<std::string, std::string> UserSettings::chosenDevice() const {
 void UserSettings::setChosenDevice(const std::string& id, const std::string& mode) {
     settings_.setValue(deviceKey, QString::fromStdString(id));
     settings_.setValue(deviceModeKey, QString::fromStdString(mode));
+}
+
+std::string UserSettings::viewDevice() const {
+    return settings_.value(viewDeviceKey).toString().toStdString();
+}
+
+void UserSettings::setViewDevice(const std::string& id) {
+    settings_.setValue(viewDeviceKey, QString::fromStdString(id));
 }
 
 FeltCutting UserSettings::felt(const std::string& device) const {

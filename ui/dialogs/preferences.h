@@ -54,6 +54,8 @@ public:
     /// Id and mode of the stylus that the user chose last; both empty: the mouse.
     std::pair<std::string, std::string> chosenDevice() const;
     void setChosenDevice(const std::string& id, const std::string& mode);
+    std::string viewDevice() const; ///< id of the device that moves the view; empty: none
+    void setViewDevice(const std::string& id);
     FeltCutting felt(const std::string& device) const; ///< of the cutting, through one device
     void setFelt(const std::string& device, const FeltCutting& felt);
     QString lastFolder() const; ///< that a file was chosen in; empty: none yet

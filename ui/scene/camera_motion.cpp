@@ -13,6 +13,10 @@ namespace {
 
 constexpr double orbitPerPixel = 0.4 * pi / 180.0; // rad: a hand's width of the pointer is a half turn
 constexpr double zoomPerNotch = 0.85;
+// A second of a full push or turn.
+constexpr double picturesPerSecond = 0.6; // heights of the picture
+constexpr double zoomPerSecond = 2.5;     // times as far
+constexpr double turnPerSecond = 1.5;     // rad
 
 /// How much of a movement is done. @return 1: all of it
 double shareOf(CameraMotion::Clock::time_point start, CameraMotion::Clock::duration duration,
@@ -55,6 +59,21 @@ void CameraMotion::drag(const QPointF& position, Clock::time_point now, Clock::d
     if (drag_ == Drag::orbit && std::exchange(alongAxis_, false)) change(chosenConvergence(), now, duration);
     view_ = drag_ == Drag::orbit ? orbited(view_, -way.x() * orbitPerPixel, way.y() * orbitPerPixel, pivot_)
                                  : panned(view_, size_, way, pivot_);
+}
+
+void CameraMotion::push(const CameraPush& push, double seconds, Clock::time_point now, Clock::duration duration) {
+    const glm::dvec3 pivot = content_.empty() ? view_.focus : 0.5 * (content_.low + content_.high);
+    endFlight(pivot);
+    stayFitted_ = false;
+    const double azimuth = -turnPerSecond * seconds * push.turn.z, elevation = turnPerSecond * seconds * push.turn.x;
+    if (azimuth != 0.0 || elevation != 0.0) {
+        pivot_ = pivot;
+        if (std::exchange(alongAxis_, false)) change(chosenConvergence(), now, duration);
+        view_ = orbited(view_, azimuth, elevation, pivot);
+    }
+    const double pixels = picturesPerSecond * seconds * size_.height();
+    view_ = panned(view_, size_, {pixels * push.push.x, -pixels * push.push.z}, view_.focus);
+    view_ = zoomed(view_, std::pow(zoomPerSecond, seconds * push.push.y), view_.focus);
 }
 
 void CameraMotion::zoom(double steps, const glm::dvec3& pivot) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/scene/camera_push.h"
 #include "ui/scene/camera_view.h"
 
 #include <chrono>
@@ -28,6 +29,9 @@ public:
     void drag(const QPointF& position, Clock::time_point now = {}, Clock::duration duration = {});
     void endDrag() noexcept { drag_ = Drag::none; }
     Drag dragging() const noexcept { return drag_; }
+    /// As a device in the other hand pushes it: the content moves with the cap, and turns about its middle.
+    /// @param seconds that the push lasted. @param duration as in `drag`
+    void push(const CameraPush& push, double seconds, Clock::time_point now = {}, Clock::duration duration = {});
     /// @param steps notches, > 0: nearer
     void zoom(double steps, const glm::dvec3& pivot);
 

@@ -317,6 +317,11 @@ void Viewport::fit() {
     impl_->moved();
 }
 
+void Viewport::push(const CameraPush& push, double seconds) {
+    impl_->motion.push(push, seconds, CameraMotion::Clock::now(), impl_->flight());
+    impl_->moved();
+}
+
 InteractiveTool* Viewport::interactiveTool() const {
     return impl_->tool;
 }

@@ -9,6 +9,7 @@
 #include "core/tool/tool.h"
 #include "core/verify/verify.h"
 #include "core/volume/runs/run_volume.h"
+#include "ui/scene/camera_push.h"
 #include "ui/scene/deviation_surface.h"
 #include "ui/scene/guide_marks.h"
 #include "ui/scene/interactive_tool.h"
@@ -139,6 +140,8 @@ public:
     const CameraView& cameraView() const noexcept;
     void setCameraView(const CameraView& view); ///< at once
     void fit();
+    /// As a device in the other hand pushes the picture. @param seconds that the push lasted
+    void push(const CameraPush& push, double seconds);
     /// The projection of all other views: parallel, or in perspective.
     void setParallel(bool parallel);
     /// Not owned; nullptr: the camera alone.

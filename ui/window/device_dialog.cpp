@@ -32,10 +32,12 @@ QLabel* makeText(const QString& name, QWidget* parent) {
 
 } // namespace
 
-DeviceDialog::DeviceDialog(StylusController& styluses, DeviceTester& tester, UserSettings& settings, QWidget* parent)
+DeviceDialog::DeviceDialog(StylusController& styluses, DeviceTester& tester, ViewDevice& view, UserSettings& settings,
+                           QWidget* parent)
     : QDialog(parent)
     , styluses_(styluses)
     , tester_(tester)
+    , view_(view)
     , settings_(settings)
     , row_(static_cast<int>(styluses.chosen())) {
     setObjectName(QStringLiteral("deviceDialog"));
@@ -45,6 +47,7 @@ DeviceDialog::DeviceDialog(StylusController& styluses, DeviceTester& tester, Use
     tester_.forget();
     connect(&styluses_, &StylusController::changed, this, &DeviceDialog::showState);
     connect(&tester_, &DeviceTester::changed, this, &DeviceDialog::showState);
+    connect(&view_, &ViewDevice::changed, this, &DeviceDialog::showState);
     tester_.askDrivers();
     showFelt();
     showState();
@@ -93,10 +96,12 @@ void DeviceDialog::layOut() {
     column->addWidget(notice_);
     test_ = makeButton(tr("Test"), {}, QStringLiteral("testDeviceButton"), this);
     use_ = makePrimaryButton(tr("Mill with this device"), QStringLiteral("useDeviceButton"), this);
+    moveView_ = makeButton({}, {}, QStringLiteral("moveViewButton"), this);
     auto* close = makeButton(tr("Close"), {}, QStringLiteral("closeDevicesButton"), this);
     auto* row = new QHBoxLayout;
     row->addWidget(test_);
     row->addStretch(1);
+    row->addWidget(moveView_);
     row->addWidget(use_);
     row->addWidget(close);
     column->addLayout(row);
@@ -104,6 +109,7 @@ void DeviceDialog::layOut() {
     connect(force_, &QuantityField::valueEdited, this, [this](double newtons) { pushed_ = newtons; });
     connect(test_, &QPushButton::clicked, this, &DeviceDialog::testOrStop);
     connect(use_, &QPushButton::clicked, this, [this] { styluses_.choose(static_cast<std::size_t>(row_)); });
+    connect(moveView_, &QPushButton::clicked, this, &DeviceDialog::moveViewOrNot);
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
 }
 
@@ -159,8 +165,14 @@ void DeviceDialog::testOrStop() {
     if (const StylusController::Choice* device = current()) tester_.test(*device, pushed_);
 }
 
+void DeviceDialog::moveViewOrNot() {
+    const StylusController::Choice* device = current();
+    if (device != nullptr) view_.choose(device->id == view_.chosen() ? std::string() : device->id);
+}
+
 void DeviceDialog::showState() {
     showRows();
+    showUses();
     showTest();
 }
 
@@ -171,6 +183,7 @@ void DeviceDialog::showRows() {
         ListRow row;
         row.title = choice.name;
         row.value = i == styluses_.chosen() ? tr("selected") : QString();
+        if (!choice.id.empty() && choice.id == view_.chosen()) row.badge = tr("moves the view");
         row.detail = choice.id.empty() ? tr("Mouse and keyboard, always there")
                      : choice.there    ? tr("Found")
                                        : tr("Not plugged in");
@@ -188,6 +201,20 @@ void DeviceDialog::showRows() {
     list_->setChosen(row_);
 }
 
+/// What the device of the row can be used for.
+void DeviceDialog::showUses() {
+    const StylusController::Choice* device = current();
+    enableUnless(use_, device == nullptr ? tr("Select a device or the mouse.") : QString(),
+                 tr("Use this device the next time you start milling"));
+    const bool moves = device != nullptr && !device->id.empty() && device->id == view_.chosen();
+    const bool suits = moves || (device != nullptr && view_.suits(device->id));
+    moveView_->setText(moves ? tr("Leave the view alone") : tr("Move the view with this device"));
+    enableUnless(
+        moveView_, suits ? QString() : tr("Select a 3D mouse, gamepad or joystick."),
+        tr("Push and turn what the view shows with this device, beside the stylus. Its first button shows all. "
+           "While it moves the tool, the view stays"));
+}
+
 void DeviceDialog::showTest() {
     const StylusController::Choice* device = current();
     const bool testable = device != nullptr && !device->id.empty() && device->there;
@@ -196,8 +223,6 @@ void DeviceDialog::showTest() {
     test_->setText(tester_.testing() ? tr("Stop the test") : tr("Test"));
     enableUnless(test_, tester_.testing() ? QString() : reason,
                  tr("Read the device while you move it: rate, position, buttons"));
-    enableUnless(use_, device == nullptr ? tr("Select a device or the mouse.") : QString(),
-                 tr("Use this device the next time you start milling"));
     force_->setEnabled(!tester_.testing());
     limits_->setText(tester_.description() ? limitLines(*tester_.description(), locale()).join(QLatin1Char('\n'))
                                            : QString());

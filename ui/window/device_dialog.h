@@ -4,6 +4,7 @@
 
 #include "ui/dialogs/preferences.h"
 #include "ui/workbench/device_tester.h"
+#include "ui/workbench/view_device.h"
 
 #include <QDialog>
 
@@ -23,8 +24,9 @@ class RowList;
 class DeviceDialog final : public QDialog {
     Q_OBJECT
 public:
-    /// @param styluses, tester, settings outlive it
-    DeviceDialog(StylusController& styluses, DeviceTester& tester, UserSettings& settings, QWidget* parent);
+    /// @param styluses, tester, view, settings outlive it
+    DeviceDialog(StylusController& styluses, DeviceTester& tester, ViewDevice& view, UserSettings& settings,
+                 QWidget* parent);
     ~DeviceDialog() override; ///< ends a test
 
 signals:
@@ -42,14 +44,17 @@ private:
     const StylusController::Choice* current() const;
     void choose(int row);
     void testOrStop();
+    void moveViewOrNot();
+    void showUses();
 
     StylusController& styluses_;
     DeviceTester& tester_;
+    ViewDevice& view_;
     UserSettings& settings_;
     RowList* list_ = nullptr;
     QLabel *limits_ = nullptr, *figures_ = nullptr;
     QuantityField *force_ = nullptr, *share_ = nullptr, *friction_ = nullptr;
-    QPushButton *test_ = nullptr, *use_ = nullptr;
+    QPushButton *test_ = nullptr, *use_ = nullptr, *moveView_ = nullptr;
     Notice* notice_ = nullptr;
     int row_ = 0;
     double pushed_ = 0.0; ///< N

@@ -370,7 +370,7 @@ void MainWindow::showMaterials() {
 }
 
 void MainWindow::showDevices() {
-    DeviceDialog dialog(workbench_.styluses, workbench_.deviceTester, settings_, this);
+    DeviceDialog dialog(workbench_.styluses, workbench_.deviceTester, workbench_.viewDevice, settings_, this);
     connect(&dialog, &DeviceDialog::feltEdited, this, &MainWindow::followFelt);
     dialog.exec();
 }

@@ -46,6 +46,7 @@ private:
     void layOut();
     void connectActions();
     void connectWorkbench();
+    void connectViewDevice();
     void connectWelcome();
     void showStep(JobStep step);
     void showWorkSteps(bool shown);

@@ -97,6 +97,17 @@ void MainWindow::connectActions() {
     connect(menus_, &Menus::recentChosen, &flow_, &DocumentFlow::openAny);
 }
 
+/// What moves the view beside the stylus.
+void MainWindow::connectViewDevice() {
+    ViewDevice& device = workbench_.viewDevice;
+    device.choose(settings_.viewDevice());
+    connect(&device, &ViewDevice::changed, this, [this, &device] { settings_.setViewDevice(device.chosen()); });
+    connect(&device, &ViewDevice::pushed, this, [this](const glm::dvec3& push, const glm::dvec3& turn, double seconds) {
+        viewport_->push({push, turn}, seconds);
+    });
+    connect(&device, &ViewDevice::fitWanted, this, [this] { viewport_->fit(); });
+}
+
 void MainWindow::connectWorkbench() {
     connect(&workbench_, &Workbench::failed, this, [this](const Error& error) {
         const bool stopped = error.code == ErrorCode::cancelled;
@@ -115,6 +126,7 @@ void MainWindow::connectWorkbench() {
     });
     connect(&workbench_.styluses, &StylusController::changed, this, &MainWindow::followFelt);
     workbench_.styluses.start();
+    connectViewDevice();
     connect(&workbench_.document, &DocumentController::changed, this, &MainWindow::updateTitle);
     connect(&workbench_.document, &DocumentController::opened, this, [this](const ProjectContents& contents) {
         tellAboutOpened();

@@ -158,9 +158,7 @@ void GuideController::stepLevel(int levels) {
 
 void GuideController::apply() {
     if (!mill_.active()) return;
-    GuideSettings settings;
-    settings.stepButton = stepButtons_;
-    std::copy(guides_.begin(), guides_.end(), settings.guides.begin());
+    GuideSettings settings = guideSettings(guides_, stepButtons_);
     for (Guide& guide : settings.guides) guide.on = guide.on && on_;
     if (const Result<void> set = session_.setGuides(settings); !set) emit failed(set.error());
 }

@@ -35,6 +35,7 @@ enum class TaskKind {
     device,
     drivers,
     deviceTest,
+    viewDevice,
     exporting,
     stock,
     tool,

@@ -30,6 +30,7 @@ Workbench::Workbench(QObject* parent)
     , styluses(desk_, this)
     , session(desk_, this)
     , deviceTester(desk_, styluses, session, this)
+    , viewDevice(desk_, styluses, session, this)
     , mill(desk_, workpiece, session, styluses, this)
     , surroundings(desk_, workpiece, mill, session, this)
     , guides(desk_, workpiece, mill, session, this)
@@ -54,9 +55,9 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document, &model,        &setup,        &material,     &tool,   &target, &workpiece, &styluses,
-            &session,  &deviceTester, &mill,         &surroundings, &guides, &hand,   &showMe,    &path,
-            &area,     &passes,       &passMeasurer, &program,      &setups, &sheet};
+    return {&document, &model,        &setup,      &material,     &tool,         &target, &workpiece, &styluses,
+            &session,  &deviceTester, &viewDevice, &mill,         &surroundings, &guides, &hand,      &showMe,
+            &path,     &area,         &passes,     &passMeasurer, &program,      &setups, &sheet};
 }
 
 void Workbench::wire() {

@@ -21,6 +21,7 @@
 #include "ui/workbench/surroundings_controller.h"
 #include "ui/workbench/target_controller.h"
 #include "ui/workbench/tool_controller.h"
+#include "ui/workbench/view_device.h"
 
 #include <QObject>
 #include <QUndoStack>
@@ -50,6 +51,7 @@ public:
     StylusController styluses; ///< outlives the session, whose stylus may be of one of its drivers
     SessionRunner session;
     DeviceTester deviceTester;
+    ViewDevice viewDevice;
     MillController mill;
     SurroundingsController surroundings;
     GuideController guides;
