@@ -6,8 +6,10 @@
 #include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/base/steps.h"
+#include "core/cad/import.h"
 #include "core/job/job_paths.h"
 #include "core/job/left_stock.h"
+#include "core/job/part_update.h"
 
 #include <algorithm>
 #include <utility>
@@ -35,6 +37,37 @@ Result<TakenStock> add(Project& project, const SetupsArguments& arguments, Comma
     if (!added) return added.error();
     if (Result<void> used = project.useSetup(added->id); !used) return std::move(used).error();
     return further.leftStock ? TakenStock(*added) : std::nullopt;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+/// Reads the part again, and says what came of its bodies.
+Result<void> updatePart(Project& project, const SetupsArguments& arguments, CommandContext& context) {
+    context.stage(BURIN_TEXT("Command", "Importing"));
+    const Result<Model> before = project.model();
+    if (!before) return before.error();
+    ImportOptions options;
+    options.fileUnit = fileUnitAsBefore(*before);
+    const Result<Model> model = importModel(arguments.part, options, context.progress());
+    if (!model) return model.error();
+    const Result<PartUpdate> update = burin::updatePart(project, *model);
+    if (!update) return update.error();
+    const auto tell = [&context](TextId what, const std::vector<std::string>& names) {
+        if (!names.empty()) context.message(worded(what, {listed(names)}));
+    };
+    tell(BURIN_TEXT("Command", "bodies of another shape: %1"), update->changed);
+    tell(BURIN_TEXT("Command", "bodies that are new: %1"), update->added);
+    tell(BURIN_TEXT("Command", "bodies that are gone: %1"), update->removed);
+    if (update->nothing()) context.message(worded(BURIN_TEXT("Command", "the part is as it was")));
+    if (update->stockStays)
+        context.message(
+            worded(BURIN_TEXT("Command", "stock and program zero stay where they are, as there are recordings "
+                                         "or passes; check the programs again")));
+    return {};
 }
 
 /// What was milled was milled of the part as it lay.
@@ -88,6 +121,9 @@ void addSetups(CommandParser command, SetupsArguments& arguments) {
                  BURIN_TEXT("Help", "Give the new setup a new stock with the same margins"));
     command.flag("--update-stock", arguments.takeStock,
                  BURIN_TEXT("Help", "Update the stock from the setup that it comes from"));
+    command.option("--update-part", arguments.part,
+                   BURIN_TEXT("Help", "Read the part again from this file: roles and materials of bodies stay by their "
+                                      "names, and so do setups, recordings and paths"));
     command.option("--name", arguments.name, BURIN_TEXT("Help", "Name of the setup"));
     command.option(
         "--delete-setup", arguments.remove,
@@ -107,7 +143,8 @@ Result<TakenStock> changeSetups(Project& project, const SetupsArguments& argumen
     };
     const bool places = !arguments.add && !arguments.placing.empty();
     const Result<void> done =
-        inOrder([&] { return arguments.remove.empty() ? Result<void>() : remove(); },
+        inOrder([&] { return arguments.part.empty() ? Result<void>() : updatePart(project, arguments, context); },
+                [&] { return arguments.remove.empty() ? Result<void>() : remove(); },
                 [&] { return arguments.add ? keep(add(project, arguments, context)) : Result<void>(); },
                 [&] { return places ? place(project, arguments, context) : Result<void>(); },
                 [&] { return arguments.takeStock ? keep(takeStock(project, context)) : Result<void>(); },

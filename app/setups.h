@@ -16,20 +16,23 @@ namespace burin {
 struct SetupsArguments {
     std::optional<std::string> add, name;
     std::string after, remove;
+    std::string part; ///< file of the part as it is now
     bool newStock = false, takeStock = false;
     PlacingArguments placing;
 
-    bool changes() const { return add || name || !remove.empty() || takeStock || !placing.empty(); }
+    bool changes() const { return add || name || !remove.empty() || takeStock || !placing.empty() || !part.empty(); }
 };
 
-/// Declares --add-setup, --after, --new-stock, --update-stock, --name, --delete-setup, --align, --turn and --move.
+/// Declares --add-setup, --after, --new-stock, --update-stock, --update-part, --name, --delete-setup, --align, --turn
+/// and
+/// --move.
 void addSetups(CommandParser command, SetupsArguments& arguments);
 
 /// How the stock that an earlier setup leaves was taken, where one was.
 using TakenStock = std::optional<AddedSetup>;
 
-/// Deletes, adds, places, updates and names setups, in this order. The one that was added is used then; else the one in
-/// use is meant. Errors: those of addFurtherSetup, takeStockAnew, placingOf and Project.
+/// Updates the part, then deletes, adds, places, updates and names setups, in this order. The one that was added is
+/// used then; else the one in use is meant. Errors: those of addFurtherSetup, takeStockAnew, placingOf and Project.
 Result<TakenStock> changeSetups(Project& project, const SetupsArguments& arguments, CommandContext& context);
 
 /// Says in a message how the stock was taken, for after it was saved: a command that fails says its one sentence only.

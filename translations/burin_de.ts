@@ -691,6 +691,14 @@
         <source>List the styluses that were found, and test them before milling.</source>
         <translation>Gefundene Eingabestifte auflisten und vor dem Fräsen testen.</translation>
     </message>
+    <message>
+        <source>&amp;Update the part</source>
+        <translation>Teil &amp;aktualisieren</translation>
+    </message>
+    <message>
+        <source>Read the part again after it was changed in the CAD system. Setups, roles, materials, recordings and paths stay.</source>
+        <translation>Liest das Teil neu ein, nachdem es im CAD-System geändert wurde. Aufspannungen, Rollen, Materialien, Aufzeichnungen und Pfade bleiben.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -1752,6 +1760,26 @@
     <message>
         <source>Guides of the project that hold the tool: %1</source>
         <translation>Führungen des Projekts, die das Werkzeug halten: %1</translation>
+    </message>
+    <message>
+        <source>bodies of another shape: %1</source>
+        <translation>Körper von anderer Form: %1</translation>
+    </message>
+    <message>
+        <source>bodies that are new: %1</source>
+        <translation>neue Körper: %1</translation>
+    </message>
+    <message>
+        <source>bodies that are gone: %1</source>
+        <translation>weggefallene Körper: %1</translation>
+    </message>
+    <message>
+        <source>the part is as it was</source>
+        <translation>das Teil ist, wie es war</translation>
+    </message>
+    <message>
+        <source>stock and program zero stay where they are, as there are recordings or passes; check the programs again</source>
+        <translation>Rohteil und Programmnullpunkt bleiben, wo sie sind, da es Aufzeichnungen oder Durchgänge gibt; prüfen Sie die Programme neu</translation>
     </message>
 </context>
 <context>
@@ -5849,6 +5877,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>With a device: the guides of the project don&apos;t hold the tool</source>
         <translation>Mit einem Gerät: die Führungen des Projekts halten das Werkzeug nicht</translation>
+    </message>
+    <message>
+        <source>Read the part again from this file: roles and materials of bodies stay by their names, and so do setups, recordings and paths</source>
+        <translation>Das Teil aus dieser Datei neu einlesen: Rollen und Materialien der Körper bleiben nach ihren Namen, ebenso Aufspannungen, Aufzeichnungen und Pfade</translation>
     </message>
 </context>
 <context>
@@ -10016,6 +10048,26 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The setup sheet was written to “%1”.</source>
         <translation>Das Einrichteblatt steht in „%1“.</translation>
+    </message>
+    <message>
+        <source>The part is as it was.</source>
+        <translation>Das Teil ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>Bodies of another shape: %1.</source>
+        <translation>Körper von anderer Form: %1.</translation>
+    </message>
+    <message>
+        <source>Bodies that are new: %1.</source>
+        <translation>Neue Körper: %1.</translation>
+    </message>
+    <message>
+        <source>Bodies that are gone: %1.</source>
+        <translation>Weggefallene Körper: %1.</translation>
+    </message>
+    <message>
+        <source>Stock and program zero stay where they are; check the programs again.</source>
+        <translation>Rohteil und Programmnullpunkt bleiben, wo sie sind; prüfen Sie die Programme neu.</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/core/geometry/shapes.h"
 #include "tests/places.h"
+#include "tests/stl_text.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
@@ -25,6 +27,7 @@ private slots:
     void aMissingRecentFileIsTakenOffTheList();
     void whatIsOpenAlreadyIsShown();
     void whatWasSaidOfAFileEndsWithTheNextOne();
+    void aPartThatWasChangedIsReadAgain();
 };
 
 namespace {
@@ -186,6 +189,36 @@ void TestWindowFiles::whatWasSaidOfAFileEndsWithTheNextOne() {
     QVERIFY(!driver.window().workbench().model.model());
     QCOMPARE(driver.message(), QString());
     QVERIFY(driver.settle());
+}
+
+/// A pocket is added in the CAD system while a stroke is recorded already: stock, zero and recording stay, and the
+/// workpiece stands again with the new part in it.
+void TestWindowFiles::aPartThatWasChangedIsReadAgain() {
+    WindowDriver driver;
+    Workbench& workbench = driver.window().workbench();
+    QVERIFY(milledAndUnsaved(driver));
+    const Setup before = workbench.setup.setup();
+    const double volume = workbench.model.model()->volume();
+    write(driver, "block.stl", stlText(shapes::box(glm::dvec3(0.0), {40.0, 30.0, 18.0}), "block"));
+    driver.key(Qt::Key_U, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(driver.waitFor([&] { return driver.message().contains("Bodies of another shape: "); }, 20000));
+    QVERIFY2(driver.message().contains("Stock and program zero stay where they are"), qPrintable(driver.message()));
+    QVERIFY(std::abs(workbench.model.model()->volume() - volume * 0.9) < 1e-6 * volume);
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready(); }, 20000));
+    QCOMPARE(workbench.setup.setup().stock.high.z, before.stock.high.z);
+    QCOMPARE(workbench.setup.setup().workOffset.z, before.workOffset.z);
+    QCOMPARE(workbench.mill.takes().size(), std::size_t{1});
+    driver.shoot("part-updated");
+    // Once more, unchanged.
+    driver.key(Qt::Key_U, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(driver.waitFor([&] { return driver.message() == "The part is as it was."; }, 20000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready(); }, 20000));
+    // A file that can't be read costs a sentence.
+    write(driver, "block.stl", "nonsense");
+    driver.key(Qt::Key_U, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(driver.waitFor([&] { return driver.message().contains("block.stl"); }, 20000));
+    QVERIFY(workbench.workpiece.ready());
+    QCOMPARE(workbench.mill.takes().size(), std::size_t{1});
 }
 
 BURIN_TEST(TestWindowFiles, QApplication)

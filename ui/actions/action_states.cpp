@@ -26,6 +26,7 @@ void ActionStates::update() {
     const bool showing = workbench.showMe.showing();
     enable(ActionId::save, workbench.document.isOpen());
     enable(ActionId::saveAs, workbench.document.isOpen());
+    enable(ActionId::updatePart, workbench.model.model() && !workbench.model.importing() && !workbench.setups.adding());
     enable(ActionId::exportProgram, workbench.program.exportable());
     enable(ActionId::exportWorkpiece,
            workbench.workpiece.embedded() && !workbench.session.running() && !workbench.workpiece.exporting());

@@ -28,6 +28,10 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions",
                           "Read a part from a CAD file (STEP, IGES, BREP) or a mesh (STL, 3MF, OBJ, PLY, AMF, OFF)."),
         "Ctrl+I"},
+    Row{ActionId::updatePart, "updatePartAction", QT_TRANSLATE_NOOP("Actions", "&Update the part"),
+        QT_TRANSLATE_NOOP("Actions", "Read the part again after it was changed in the CAD system. Setups, roles, "
+                                     "materials, recordings and paths stay."),
+        "Ctrl+Shift+U"},
     Row{ActionId::sampleProject, "sampleAction", QT_TRANSLATE_NOOP("Actions", "Sample &part"),
         QT_TRANSLATE_NOOP("Actions", "Import the part that Burin is shipped with."), "Ctrl+Shift+I"},
     Row{ActionId::save, "saveAction", QT_TRANSLATE_NOOP("Actions", "&Save"),

@@ -15,6 +15,7 @@ enum class ActionId : std::size_t {
     newProject,
     openProject,
     importPart,
+    updatePart,
     sampleProject,
     save,
     saveAs,

@@ -16,7 +16,7 @@ public:
     void setState(const SurroundingsState& state); ///< never emits
 
 signals:
-    void obstacleSwitched(std::size_t place, bool on);
+    void obstacleSwitched(std::size_t place, bool on); ///< @param place in SurroundingsState::obstacles
     void travelSwitched(bool on);
 
 private:

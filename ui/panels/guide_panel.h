@@ -20,9 +20,10 @@ public:
 signals:
     void guidesToggled(bool on);
     void guideWanted(burin::GuideKind kind);
+    // Places: in GuideState::guides.
     void guideEdited(std::size_t place, const burin::Guide& guide);
     void guideRemovalRequested(std::size_t place);
-    void levelStepped(int levels);
+    void levelStepped(int levels); ///< +1: along the normal of the guides that have levels
 
 private:
     class Fields;

@@ -19,7 +19,7 @@ public:
 
 signals:
     void stockMaterialChosen(const std::string& id);
-    void bodyMaterialChosen(std::size_t body, const std::string& id);
+    void bodyMaterialChosen(std::size_t body, const std::string& id); ///< @param body in MaterialState's order
 
 private:
     class Fields;

@@ -20,8 +20,8 @@ public:
 
 signals:
     void importRequested();
-    void roleChosen(std::size_t body, burin::BodyRole role);
-    void fileUnitChosen(double millimetres); ///< a unit of the file means; it is to be read again
+    void roleChosen(std::size_t body, burin::BodyRole role); ///< @param body in PartState's order
+    void fileUnitChosen(double millimetres);                 ///< a unit of the file means; it is to be read again
 
 private:
     class Fields;

@@ -26,6 +26,7 @@ signals:
     void newPathRequested();
     void passRequested();
     void measureRequested();
+    // Ids: of the path's passes. Indices: of its edits, in their order.
     void passRemoved(std::int64_t id);
     void passChangeRequested(std::int64_t id);
     void passMovedUp(std::int64_t id);

@@ -37,13 +37,14 @@ signals:
     void textCheckRequested();            ///< of the text as it was edited
     void machinesRequested();             ///< to look at them and to change them
     void overrideRequested();             ///< the program is wanted although its check refuses it
+    // Depth that may be cut into the part, and height that may be left on it.
     void gougeToleranceEdited(double millimetres);
     void excessToleranceEdited(double millimetres);
     void machineChosen(const std::string& id);
     void dialectChosen(const std::string& id);
     void unitsChosen(burin::NcUnits units);
-    void pathIncluded(std::int64_t path, bool wanted);
-    void lineChosen(int line); ///< from 1
+    void pathIncluded(std::int64_t path, bool wanted); ///< @param path id of one of the setup's
+    void lineChosen(int line);                         ///< from 1
 
 private:
     class Fields;

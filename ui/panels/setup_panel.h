@@ -25,7 +25,7 @@ signals:
     void stockWanted();                      ///< anew from the setup that leaves it
     void turned(int axis, double angle);     ///< @param axis 0, 1, 2 for x, y, z @param angle rad
     void positioned(int axis, double place); ///< mm: where the box around the part is to begin
-    void mirrored(int axis);
+    void mirrored(int axis);                 ///< @param axis as in `turned`
     /// The user picks a face in the view for a direction, or does no longer (none).
     void facePickRequested(burin::FaceAim aim);
 

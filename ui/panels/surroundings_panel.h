@@ -22,6 +22,7 @@ public:
 
 signals:
     void additionWanted(burin::SurroundingsPanel::Addition addition);
+    // Places: in SurroundingsState::obstacles.
     void obstacleEdited(std::size_t place, const burin::Obstacle& obstacle);
     void obstacleSwitched(std::size_t place, bool on);
     void obstacleRemovalRequested(std::size_t place);

@@ -39,9 +39,9 @@ private:
     };
     void addRow();
     void removeRow();
-    void layOutEntry(); ///< below the rows
-    void changeSpeed(std::size_t row, double speed);
-    void changeTorque(std::size_t row, double torque);
+    void layOutEntry();                                ///< below the rows
+    void changeSpeed(std::size_t row, double speed);   ///< 1/min
+    void changeTorque(std::size_t row, double torque); ///< N m
     void removePoint(std::size_t row);
     void addPoint();
     void followEntry();

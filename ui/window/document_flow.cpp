@@ -64,6 +64,7 @@ void DocumentFlow::connectActions(const Actions& actions) {
     on(ActionId::newProject, &DocumentFlow::createNew);
     on(ActionId::openProject, &DocumentFlow::open);
     on(ActionId::importPart, &DocumentFlow::import);
+    on(ActionId::updatePart, &DocumentFlow::updatePart);
     on(ActionId::sampleProject, &DocumentFlow::importSample);
     on(ActionId::save, &DocumentFlow::save);
     on(ActionId::saveAs, &DocumentFlow::saveAs);
@@ -134,13 +135,25 @@ void DocumentFlow::import() {
     openAny(file);
 }
 
+void DocumentFlow::updatePart() {
+    const auto model = workbench_.model.model();
+    if (!model) return;
+    emit begun();
+    QString file = QString::fromStdString(model->sourceFile);
+    if (!QFileInfo::exists(file)) {
+        file = askPartToImport(&window_, folder());
+        if (file.isEmpty()) return;
+        keepFolder(file);
+    }
+    workbench_.updatePart(pathOf(file));
+}
+
 void DocumentFlow::importFixture() {
     const QString file = askFixtureToImport(&window_, folder());
     if (file.isEmpty()) return;
     keepFolder(file);
     const auto model = workbench_.model.model();
-    const bool unstated = model && model->lengthUnit == "none";
-    workbench_.surroundings.importFile(pathOf(file), unstated ? model->unitScale : 1.0);
+    workbench_.surroundings.importFile(pathOf(file), model ? fileUnitAsBefore(*model) : 1.0);
 }
 
 void DocumentFlow::importFile(const QString& file, double fileUnit) {

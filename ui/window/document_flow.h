@@ -26,6 +26,7 @@ public:
     void importFile(const QString& file,
                     double fileUnit = 1.0); ///< @param fileUnit mm per unit of a file that states none
     void importAgain(double fileUnit);      ///< the part, whose file meant another unit
+    void updatePart();                      ///< from its file, or one that the user chooses where that is gone
     void importFixture();                   ///< that the tool keeps out of
     void importSample();
     void showSample(); ///< imports the sample part and lets the virtual operator mill it

@@ -47,6 +47,7 @@ private:
     void connectActions();
     void connectWorkbench();
     void connectViewDevice();
+    static QString updateText(const PartUpdate& update);
     void connectWelcome();
     void showStep(JobStep step);
     void showWorkSteps(bool shown);

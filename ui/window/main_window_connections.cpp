@@ -97,6 +97,23 @@ void MainWindow::connectActions() {
     connect(menus_, &Menus::recentChosen, &flow_, &DocumentFlow::openAny);
 }
 
+/// What a part that was read again differs in.
+QString MainWindow::updateText(const PartUpdate& update) {
+    const auto listed = [](const std::vector<std::string>& names) {
+        QStringList texts;
+        for (const std::string& name : names) texts << QString::fromStdString(name);
+        return texts.join(QStringLiteral(", "));
+    };
+    QStringList sentences;
+    if (update.nothing()) sentences << tr("The part is as it was.");
+    if (!update.changed.empty()) sentences << tr("Bodies of another shape: %1.").arg(listed(update.changed));
+    if (!update.added.empty()) sentences << tr("Bodies that are new: %1.").arg(listed(update.added));
+    if (!update.removed.empty()) sentences << tr("Bodies that are gone: %1.").arg(listed(update.removed));
+    if (update.stockStays && !update.nothing())
+        sentences << tr("Stock and program zero stay where they are; check the programs again.");
+    return sentences.join(QLatin1Char(' '));
+}
+
 /// What moves the view beside the stylus.
 void MainWindow::connectViewDevice() {
     ViewDevice& device = workbench_.viewDevice;
@@ -117,6 +134,8 @@ void MainWindow::connectWorkbench() {
             [this](const QString& sentence) { message_->tell(Notice::Kind::error, sentence); });
     connect(&flow_, &DocumentFlow::begun, message_, &MessageStrip::dismiss);
     connect(&flow_, &DocumentFlow::alreadyOpen, this, [this] { showWorkSteps(true); });
+    connect(&workbench_, &Workbench::partUpdated, this,
+            [this](const PartUpdate& update) { message_->tell(Notice::Kind::information, updateText(update)); });
     connect(&workbench_.hand, &HandController::batteryLow, this, &MainWindow::tellAboutBattery);
     const auto [device, mode] = settings_.chosenDevice();
     workbench_.styluses.prefer(device, mode);

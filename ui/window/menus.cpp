@@ -32,8 +32,8 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
     using enum ActionId;
     constexpr auto line = std::nullopt;
     QMenu* file = addMenu(bar, tr("&File"), "fileMenu", actions,
-                          {newProject, openProject, line, importPart, sampleProject, line, save, saveAs, exportProgram,
-                           exportWorkpiece, exportSheet, line, quit});
+                          {newProject, openProject, line, importPart, updatePart, sampleProject, line, save, saveAs,
+                           exportProgram, exportWorkpiece, exportSheet, line, quit});
     recent_ = new QMenu(tr("Open &recent"), file);
     recent_->setObjectName(QStringLiteral("recentMenu"));
     file->insertMenu(file->actions().at(2), recent_);

@@ -166,6 +166,29 @@ void Workbench::adoptPart(const std::shared_ptr<const Model>& part, bool abandon
     });
 }
 
+void Workbench::updatePart(const std::filesystem::path& file) {
+    if (!model.model()) return;
+    model.read(file, fileUnitAsBefore(*model.model()),
+               [this](const std::shared_ptr<const Model>& part) { comeToRest([this, part] { putUpdated(part); }); });
+}
+
+void Workbench::putUpdated(const std::shared_ptr<const Model>& part) {
+    const bool embedded = workpiece.embedded();
+    desk_.project.post([part](Project& project) { return burin::updatePart(project, *part); },
+                       [this, embedded](const Result<PartUpdate>& update) {
+                           model.dropPreview();
+                           if (!update) {
+                               emit failed(update.error());
+                               return;
+                           }
+                           document.useSetup(setups.used(), [this, embedded, update = *update](bool used) {
+                               if (!used) return;
+                               if (embedded) ensureWorkpiece();
+                               emit partUpdated(update);
+                           });
+                       });
+}
+
 void Workbench::ensureWorkpiece() {
     if (setup.usable() && !workpiece.embedded()) workpiece.embed();
 }

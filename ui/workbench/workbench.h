@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/job/part_update.h"
 #include "ui/workbench/area_controller.h"
 #include "ui/workbench/device_tester.h"
 #include "ui/workbench/document_controller.h"
@@ -77,6 +78,9 @@ public:
     /// otherwise.
     /// @param abandon what the project then had unsaved is not wanted
     void adoptPart(const std::shared_ptr<const Model>& part, bool abandon);
+    /// Reads the part again and keeps setups, recordings and paths (core/job/part_update.h); ends recording and
+    /// session. Tells `partUpdated`, or `failed`, and nothing has changed then.
+    void updatePart(const std::filesystem::path& file);
     bool importNeedsNewProject() const {
         return !document.isOpen() || !mill.takes().empty() || setups.setups().size() > 1;
     }
@@ -96,8 +100,10 @@ public:
 signals:
     void textWanted(); ///< who has text that was not told yet tells it now
     void failed(const burin::Error& error);
+    void partUpdated(const burin::PartUpdate& update);
 
 private:
+    void putUpdated(const std::shared_ptr<const Model>& part);
     void wire();
     void load(const ProjectContents& contents);
     void lockSetup();

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/part_update.h"
+
+#include "core/setup/setup.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace burin {
+namespace {
+
+/// Which body of the part before each body of the part now stands for; nothing: it is new.
+using Lineage = std::vector<std::optional<std::size_t>>;
+
+Lineage lineageOf(const Model& before, const Model& after) {
+    std::multimap<std::string, std::size_t> waiting; // equal names stay in their order
+    for (std::size_t i = 0; i < before.bodies.size(); ++i) waiting.emplace(before.bodies[i].name, i);
+    Lineage lineage;
+    for (const Body& body : after.bodies) {
+        const auto same = waiting.lower_bound(body.name);
+        const bool known = same != waiting.end() && same->first == body.name;
+        lineage.push_back(known ? std::optional(same->second) : std::nullopt);
+        if (known) waiting.erase(same);
+    }
+    const bool renamed = before.bodies.size() == 1 && after.bodies.size() == 1;
+    if (renamed) lineage.front() = 0;
+    return lineage;
+}
+
+bool isSameShape(const Body& a, const Body& b) {
+    return a.mesh.vertices == b.mesh.vertices && a.mesh.triangles == b.mesh.triangles;
+}
+
+PartUpdate compared(const Model& before, const Model& after, const Lineage& lineage) {
+    PartUpdate update;
+    std::vector<bool> stays(before.bodies.size(), false);
+    for (std::size_t i = 0; i < after.bodies.size(); ++i) {
+        const std::string name = nameOf(after, i);
+        if (!lineage[i])
+            update.added.push_back(name);
+        else if (!isSameShape(before.bodies[*lineage[i]], after.bodies[i]))
+            update.changed.push_back(name);
+        if (lineage[i]) stays[*lineage[i]] = true;
+    }
+    for (std::size_t i = 0; i < before.bodies.size(); ++i)
+        if (!stays[i]) update.removed.push_back(nameOf(before, i));
+    return update;
+}
+
+/// Roles and materials where their bodies are now.
+void carry(Setup& setup, const Lineage& lineage) {
+    const Setup before = setup;
+    setup.roles.clear();
+    setup.bodyMaterials.clear();
+    for (const std::optional<std::size_t>& from : lineage) {
+        setup.roles.push_back(from ? roleOf(before, *from) : BodyRole::part);
+        setup.bodyMaterials.push_back(from && *from < before.bodyMaterials.size() ? before.bodyMaterials[*from]
+                                                                                  : std::string());
+    }
+}
+
+/// True: stock and zero stay. Errors: fileDamaged.
+Result<bool> isMilled(const Project& project, SetupId id) {
+    const Result<std::vector<TakeInfo>> takes = project.takes(id);
+    if (!takes) return takes.error();
+    const Result<std::vector<GeneratedInfo>> generated = project.generated(id);
+    if (!generated) return generated.error();
+    return !takes->empty() || !generated->empty();
+}
+
+/// A setup with the new part. Errors: projectIncomplete (nothing is embedded in it yet).
+Result<Setup> updatedSetup(const Project& project, SetupId id, const std::shared_ptr<const Model>& after,
+                           const Lineage& lineage, PartUpdate& update) {
+    Result<Setup> setup = project.setup(id);
+    if (!setup) return setup;
+    const Result<bool> milled = isMilled(project, id);
+    if (!milled) return milled.error();
+    carry(*setup, lineage);
+    if (*milled && (setup->form == StockForm::box || setup->form == StockForm::cylinder)) setup->stated = true;
+    const glm::dvec3 zero = setup->workOffset;
+    Result<Setup> complete = placeStock(*placed(after, setup->placement), std::move(*setup));
+    if (!complete || !*milled) return complete;
+    update.stockStays = true;
+    if (complete->workOffset != zero) { // it lay on the part
+        complete->zero.on = ZeroReference::point;
+        complete->zero.point = complete->workOffset = zero;
+    }
+    return complete;
+}
+
+} // namespace
+
+double fileUnitAsBefore(const Model& before) noexcept {
+    return before.lengthUnit == "none" ? before.unitScale : 1.0;
+}
+
+Result<PartUpdate> updatePart(Project& project, const Model& model) {
+    const Result<Model> before = project.model();
+    if (!before) return before.error();
+    const std::shared_ptr<const Model> after = placed(std::make_shared<const Model>(model), before->brepPlacement);
+    const Lineage lineage = lineageOf(*before, *after);
+    PartUpdate update = compared(*before, *after, lineage);
+    const Result<std::vector<SetupName>> setups = project.setups();
+    if (!setups) return setups.error();
+    std::vector<std::pair<SetupId, Setup>> updated; // nothing changes before all of them hold
+    for (const SetupName& name : *setups) {
+        Result<Setup> setup = updatedSetup(project, name.id, after, lineage, update);
+        if (!setup && setup.error().code == ErrorCode::projectIncomplete) continue;
+        if (!setup) return std::move(setup).error();
+        updated.emplace_back(name.id, std::move(*setup));
+    }
+    if (Result<void> stored = project.setModel(*after); !stored) return stored.error();
+    for (const auto& [id, setup] : updated)
+        if (Result<void> stored = project.setSetup(setup, id); !stored) return stored.error();
+    return update;
+}
+
+} // namespace burin
