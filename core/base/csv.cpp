@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/csv.h"
 
+#include "core/base/trimmed.h"
+
 #include <cstdint>
 
 namespace burin {
@@ -9,12 +11,6 @@ namespace burin {
 namespace {
 
 constexpr std::string_view blanks = " \t";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 /// Takes a quoted field off `rest`, which begins behind the opening quote. False: it does not end.
 bool takeQuoted(std::string_view& rest, std::string& field) {
@@ -50,7 +46,7 @@ std::optional<std::vector<std::string>> csvFields(std::string_view line) {
             if (!takeQuoted(line, field)) return std::nullopt;
         }
         const std::size_t comma = line.find(',');
-        const std::string_view plain = trimmed(line.substr(0, comma));
+        const std::string_view plain = trimmed(line.substr(0, comma), blanks);
         if (quoted && !plain.empty()) return std::nullopt;
         if (!quoted) field = plain;
         fields.push_back(std::move(field));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/numbers.h"
 
+#include "core/base/trimmed.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -43,13 +45,9 @@ std::optional<double> parseNumber(std::string_view text) {
 }
 
 NumberWithUnit numberWithUnit(std::string_view text) {
-    const auto trimmed = [](std::string_view part) {
-        const std::size_t first = std::min(part.find_first_not_of(" \t"), part.size());
-        return part.substr(first, part.find_last_not_of(" \t") + 1 - first);
-    };
-    const std::string_view all = trimmed(text);
+    const std::string_view all = trimmed(text, " \t");
     const std::size_t end = std::min(all.find_first_not_of("+-.0123456789eE"), all.size());
-    return {parseNumber(all.substr(0, end)), std::string(trimmed(all.substr(end)))};
+    return {parseNumber(all.substr(0, end)), std::string(trimmed(all.substr(end), " \t"))};
 }
 
 } // namespace burin

@@ -4,6 +4,7 @@
 
 #include "core/base/clean_text.h"
 #include "core/base/numbers.h"
+#include "core/base/trimmed.h"
 
 #include <yaml-cpp/yaml.h>
 
@@ -20,12 +21,6 @@ constexpr std::size_t deepest = 8; // indentations and brackets; a card has thre
 
 Error unknown(const std::string& origin) {
     return {ErrorCode::fileFormatUnknown, origin, {}, {}};
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
 /// "[FCMat]" or "[General]" on a line of its own, comments before it.

@@ -3,6 +3,7 @@
 #include "core/document/file_kind.h"
 
 #include "core/base/file.h"
+#include "core/base/trimmed.h"
 #include "core/nc/line_walker.h"
 
 #include <algorithm>
@@ -29,26 +30,20 @@ bool isNamedProject(const fs::path& file) {
     return suffix == ".burin";
 }
 
-std::string_view trimmed(std::string_view line) {
-    const std::size_t first = line.find_first_not_of(spaces);
-    if (first == std::string_view::npos) return {};
-    return line.substr(first, line.find_last_not_of(spaces) - first + 1);
-}
-
 /// What one line of a text says for or against its being NC code.
 enum class LineKind : std::uint8_t { nothing, block, command, other };
 
 /// Words of a letter and a number each, as RS274 blocks have; a comment ends what is looked at.
 LineKind lineKind(std::string_view line) {
     constexpr std::string_view values = "+-.0123456789#[";
-    line = trimmed(line);
+    line = trimmed(line, spaces);
     if (!line.empty() && line.front() == '/') line.remove_prefix(1);
     LineKind kind = LineKind::nothing;
-    while (!(line = trimmed(line)).empty()) {
+    while (!(line = trimmed(line, spaces)).empty()) {
         const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(line.front())));
         if (letter == '(' || letter == ';' || letter == '%') return kind;
         if (letter < 'A' || letter > 'Z') return LineKind::other;
-        line = trimmed(line.substr(1));
+        line = trimmed(line.substr(1), spaces);
         if (line.empty() || values.find(line.front()) == std::string_view::npos) return LineKind::other;
         line.remove_prefix(std::min(line.find_first_not_of("+-.0123456789#[]* \t"), line.size()));
         if (letter == 'G' || letter == 'M') kind = LineKind::command;

@@ -6,6 +6,7 @@
 #include "core/base/file.h"
 #include "core/base/json_object.h"
 #include "core/base/numbers.h"
+#include "core/base/trimmed.h"
 #include "core/volume/runs/grid.h"
 
 #include <zlib.h>
@@ -92,12 +93,6 @@ Error damaged(const std::string& file, std::string place, std::string why) {
     return {ErrorCode::fileDamaged, file, std::move(place), std::move(why)};
 }
 
-std::string trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
-}
-
 std::vector<std::string> wordsOf(const std::string& text) {
     std::istringstream stream(text);
     std::vector<std::string> words;
@@ -143,7 +138,7 @@ private:
         int line = 0;
         for (std::size_t at = 0; at < content.size();) {
             const std::size_t end = std::min(content.find('\n', at), content.size());
-            const std::string text = trimmed(content.substr(at, end - at));
+            const std::string text(trimmed(content.substr(at, end - at)));
             at = std::min(end + 1, content.size());
             ++line;
             if (line == 1 || text.starts_with('#')) continue;
@@ -156,7 +151,8 @@ private:
             std::string key = text.substr(0, colon);
             std::ranges::transform(key, key.begin(),
                                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-            fields_.try_emplace(std::move(key), Field{trimmed(text.substr(colon + 1)), line});
+            fields_.try_emplace(std::move(key),
+                                Field{std::string(trimmed(std::string_view(text).substr(colon + 1))), line});
         }
         end_ = content.size();
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/clean_text.h"
 #include "core/base/numbers.h"
+#include "core/base/trimmed.h"
 #include "core/base/units.h"
 #include "core/exchange/curve_writer.h"
 #include "core/exchange/rational_spline.h"
@@ -22,12 +23,6 @@ struct Group {
     int code = 0;
     std::string_view value;
 };
-
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 /// One figure with its groups.
 struct Entity {
