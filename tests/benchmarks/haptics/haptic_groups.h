@@ -8,6 +8,7 @@ namespace burin::benchmarks {
 
 void tickFigures(Session& session);         ///< tick.*: what a tick costs
 void pushBackFigures(Session& session);     ///< proxy.*
+void peerFigures(Session& session);         ///< peer.*: the proxy beside a god-object on the mesh and a point shell
 void slotFigures(Session& session);         ///< slot.*
 void shankFigures(Session& session);        ///< shank.*
 void contactForceFigures(Session& session); ///< press.*, free.*

@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
     using namespace burin::benchmarks;
     return run({"burin-bench-haptics",
                 "Figures of the haptic loop: cost, push-back, stability, guards",
-                {pushBackFigures, contactForceFigures, stabilityFigures, slotFigures, shankFigures, guardFigures,
-                 stopFigures, tickFigures, deviceFigures, firstCutFigures}},
+                {pushBackFigures, peerFigures, contactForceFigures, stabilityFigures, slotFigures, shankFigures,
+                 guardFigures, stopFigures, tickFigures, deviceFigures, firstCutFigures}},
                argc, argv);
 }
