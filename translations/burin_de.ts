@@ -8505,7 +8505,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>bewegt die Ansicht</translation>
     </message>
     <message>
-        <source>Leave the view alone</source>
+        <source>Stop moving the view</source>
         <translation>Ansicht nicht mehr bewegen</translation>
     </message>
     <message>
@@ -10398,7 +10398,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>das Werkzeug kann brechen</translation>
     </message>
     <message>
-        <source>The tool goes down into material</source>
+        <source>The tool plunges into material</source>
         <translation>Das Werkzeug taucht in Material ein</translation>
     </message>
     <message>

@@ -50,9 +50,9 @@ json heaviestCutOf(const TakeOutcome& outcome, const PropertyList& properties) {
     if (!outcome.heaviestFeed) return nullptr;
     const SmoothedCut& cut = outcome.heaviestCut;
     const FeedProposal& feed = *outcome.heaviestFeed;
-    return {{"area_mm2", cut.area},       {"engagement_rad", cut.arc},
-            {"depth_mm", cut.depth},      {"material", properties[feed.material].id},
-            {"feed_mm_min", feed.feed},   {"spindle_speed_rpm", feed.spindleSpeed},
+    return {{"area_mm2", cut.area},         {"engagement_rad", cut.arc},
+            {"depth_mm", cut.depth},        {"material", properties[feed.material].id},
+            {"feed_mm_per_min", feed.feed}, {"spindle_speed_rpm", feed.spindleSpeed},
             {"bound", nameOf(feed.bound)}};
 }
 

@@ -16,7 +16,7 @@ namespace burin {
 /// What keeps a proposed feed from being higher.
 enum class FeedBound : std::uint8_t {
     chip,    ///< the chip that the material's tables give
-    plunge,  ///< the tool goes down into material
+    plunge,  ///< the tool plunges
     thinned, ///< the chip is thin, and more than twice the tables' feed is not proposed
     load,    ///< what tool and spindle bear
     limit,   ///< the greatest chip of the tool, or the machine's feed

@@ -208,7 +208,7 @@ void DeviceDialog::showUses() {
                  tr("Use this device the next time you start milling"));
     const bool moves = device != nullptr && !device->id.empty() && device->id == view_.chosen();
     const bool suits = moves || (device != nullptr && view_.suits(device->id));
-    moveView_->setText(moves ? tr("Leave the view alone") : tr("Move the view with this device"));
+    moveView_->setText(moves ? tr("Stop moving the view") : tr("Move the view with this device"));
     enableUnless(
         moveView_, suits ? QString() : tr("Select a 3D mouse, gamepad or joystick."),
         tr("Push and turn what the view shows with this device, beside the stylus. Its first button shows all. "

@@ -21,7 +21,7 @@ QString feedBoundText(FeedBound bound) {
     case FeedBound::chip:
         break;
     case FeedBound::plunge:
-        return MeterPresenter::tr("The tool goes down into material");
+        return MeterPresenter::tr("The tool plunges into material");
     case FeedBound::thinned:
         return MeterPresenter::tr("The chip is thin: twice the feed of the tables, and not more");
     case FeedBound::load:

@@ -31,12 +31,13 @@ ViewDevice::ViewDevice(const Desk& desk, StylusController& styluses, SessionRunn
 }
 
 ViewDevice::~ViewDevice() {
-    release();
+    close(); // nobody is told: who listens may be gone by half
 }
 
 void ViewDevice::choose(const std::string& id) {
     if (id == id_) return;
     id_ = id;
+    refused_ = false;
     release();
     follow();
     emit changed();
@@ -58,7 +59,8 @@ void ViewDevice::follow() {
     const bool there = std::ranges::any_of(styluses_.choices(), [this](const StylusController::Choice& choice) {
         return choice.id == id_ && choice.mode == springing && choice.there;
     });
-    if (there && stylus_ == nullptr) connectDevice();
+    if (!there) refused_ = false; // it may be another one that comes back
+    if (there && stylus_ == nullptr && !refused_) connectDevice();
 }
 
 void ViewDevice::connectDevice() {
@@ -76,12 +78,15 @@ void ViewDevice::connectDevice() {
             connecting_ = false;
             if (id != id_) return follow(); // another one is wanted by now
             if (!made) {
+                refused_ = true;
                 emit failed(made.error());
                 return;
             }
             auto* const stylus = std::get_if<std::unique_ptr<Stylus>>(made->get());
-            if (stylus == nullptr) return; // one that paces itself has motors, and does not spring back
+            refused_ = stylus == nullptr; // one that paces itself has motors, and does not spring back
+            if (refused_) return;
             if (const Result<void> opened = (*stylus)->open(); !opened) {
+                refused_ = true;
                 emit failed(opened.error());
                 return;
             }
@@ -91,17 +96,23 @@ void ViewDevice::connectDevice() {
             readAt_ = 0.0;
             timer_.start();
             emit changed();
+            follow(); // it may have been taken for the tool meanwhile
         });
 }
 
 void ViewDevice::release() {
+    const bool open = stylus_ != nullptr;
+    close();
+    if (open) emit changed();
+}
+
+void ViewDevice::close() {
     timer_.stop();
     if (stylus_ == nullptr) return;
     stylus_->close();
     stylus_.reset();
     registry_.reset();
     buttons_ = 0;
-    emit changed();
 }
 
 void ViewDevice::read() {

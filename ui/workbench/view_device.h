@@ -40,12 +40,14 @@ private:
     void follow();
     void connectDevice();
     void release();
+    void close();
     void read();
 
     StylusController& styluses_;
     SessionRunner& session_;
     std::string id_;
     bool connecting_ = false;
+    bool refused_ = false; ///< it could not be opened, which was told: not again before it was away or chosen anew
     std::shared_ptr<DeviceRegistry> registry_; ///< its plugin's code is needed as long as the stylus
     std::unique_ptr<Stylus> stylus_;           ///< open
     QTimer timer_;
