@@ -10537,8 +10537,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Zeitplanung, die das System der Haptikschleife gewährt; die Grenze rtprio oder RealtimeKit gibt Echtzeit</translation>
     </message>
     <message>
-        <source>Feed for this cut</source>
-        <translation>Vorschub für diesen Schnitt</translation>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
     </message>
     <message>
         <source>%1 at %2</source>

@@ -5,6 +5,7 @@
 #include "core/path/hand_stretch.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
+#include "ui/input/mill_tool.h"
 
 #include <QAction>
 #include <QApplication>
@@ -72,6 +73,10 @@ private slots:
             length = way;
         }
         QVERIFY2(length > 1.2, qPrintable(QString::number(length)));
+        // Ticks that a busy machine missed left no place of the hand to choose.
+        const TakeInfo& take = workbench.mill.takes().front();
+        const double missed = std::max(0.0, *take.seconds - static_cast<double>(take.sampleCount) * take.tickPeriod);
+        const double nearest = 0.3 + missed * MillToolSettings{}.speed;
         for (const double share : {0.25, 0.4, 0.7}) {
             const glm::dvec3 meant = glm::mix(points[longest - 1].pose.tip, points[longest].pose.tip, share);
             QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(meant).toPoint());
@@ -79,7 +84,7 @@ private slots:
             const auto chosen = pointsOf(workbench.path.evaluated()->path, *workbench.path.selection());
             QVERIFY(!chosen.empty());
             const double off = glm::distance(chosen.front().front().pose.tip, meant);
-            QVERIFY2(off < 0.3, qPrintable(QString::number(off))); // a pixel is as long
+            QVERIFY2(off < nearest, qPrintable(QStringLiteral("%1 of %2").arg(off).arg(nearest))); // a pixel is 0.3 mm
         }
         QVERIFY(driver.waitFor([&] { return driver.visible<QLabel>("pathSelection") != nullptr; }, 3000));
         QTest::qWait(100);
@@ -87,10 +92,8 @@ private slots:
         const QString told = driver.visible<QLabel>("pathSelection")->text();
         const auto time = QRegularExpression(QStringLiteral("([0-9.]+) s(?: |$)")).match(told);
         QVERIFY2(time.hasMatch(), qPrintable(told));
-        const TakeInfo& take = workbench.mill.takes().front();
         const double ticks = static_cast<double>(workbench.path.selection()->first) * take.tickPeriod;
-        const double missed = *take.seconds - static_cast<double>(take.sampleCount) * take.tickPeriod;
-        QVERIFY2(std::abs(time.captured(1).toDouble() - ticks) < 0.051 + std::max(0.0, missed), qPrintable(told));
+        QVERIFY2(std::abs(time.captured(1).toDouble() - ticks) < 0.051 + missed, qPrintable(told));
         driver.shoot("46-place-between");
     }
 

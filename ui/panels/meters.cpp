@@ -66,7 +66,7 @@ Meters::Fields::Fields(Meters* meters) : QObject(meters), meters_(meters), colum
     forceBar_ = addBar(&Palette::force);
     removal_ = addRow(Meters::tr("Removal"), "removalMeter", Meters::tr("Material removed per second"));
     removalBar_ = addBar(&Palette::accent);
-    feed_ = addRow(Meters::tr("Feed for this cut"), "feedMeter", {});
+    feed_ = addRow(Meters::tr("Feed"), "feedMeter", {});
     addPosition();
     rate_ = addRow(Meters::tr("Haptic rate"), "rateMeter", Meters::tr("Ticks per second that are reached"));
     interval_ = addRow(Meters::tr("Interval, p99.9"), "intervalMeter",
