@@ -59,10 +59,10 @@ Result<void> updatePart(Project& project, const SetupsArguments& arguments, Comm
     const auto tell = [&context](TextId what, const std::vector<std::string>& names) {
         if (!names.empty()) context.message(worded(what, {listed(names)}));
     };
-    tell(BURIN_TEXT("Command", "bodies of another shape: %1"), update->changed);
-    tell(BURIN_TEXT("Command", "bodies that are new: %1"), update->added);
-    tell(BURIN_TEXT("Command", "bodies that are gone: %1"), update->removed);
-    if (update->nothing()) context.message(worded(BURIN_TEXT("Command", "the part is as it was")));
+    tell(BURIN_TEXT("Command", "changed bodies: %1"), update->changed);
+    tell(BURIN_TEXT("Command", "new bodies: %1"), update->added);
+    tell(BURIN_TEXT("Command", "removed bodies: %1"), update->removed);
+    if (update->nothing()) context.message(worded(BURIN_TEXT("Command", "the part has not changed")));
     if (update->stockStays)
         context.message(
             worded(BURIN_TEXT("Command", "stock and program zero stay where they are, as there are recordings "

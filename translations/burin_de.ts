@@ -1758,24 +1758,24 @@
         <translation>; schwerster Schnitt: %1 mm^2 %2, Eingriff %3 Grad, Tiefe %4 mm; Vorschub dafür: %5 mm/min bei %6 1/min</translation>
     </message>
     <message>
-        <source>Guides of the project that hold the tool: %1</source>
-        <translation>Führungen des Projekts, die das Werkzeug halten: %1</translation>
+        <source>Active guides of the project: %1</source>
+        <translation>Aktive Führungen des Projekts: %1</translation>
     </message>
     <message>
-        <source>bodies of another shape: %1</source>
-        <translation>Körper von anderer Form: %1</translation>
+        <source>changed bodies: %1</source>
+        <translation>geänderte Körper: %1</translation>
     </message>
     <message>
-        <source>bodies that are new: %1</source>
+        <source>new bodies: %1</source>
         <translation>neue Körper: %1</translation>
     </message>
     <message>
-        <source>bodies that are gone: %1</source>
-        <translation>weggefallene Körper: %1</translation>
+        <source>removed bodies: %1</source>
+        <translation>entfernte Körper: %1</translation>
     </message>
     <message>
-        <source>the part is as it was</source>
-        <translation>das Teil ist, wie es war</translation>
+        <source>the part has not changed</source>
+        <translation>das Teil hat sich nicht geändert</translation>
     </message>
     <message>
         <source>stock and program zero stay where they are, as there are recordings or passes; check the programs again</source>
@@ -5875,8 +5875,8 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Mit dieser Kraft, N, nach oben drücken, solange die erste Taste gehalten wird; höchstens ein Fünftel der größten Kraft</translation>
     </message>
     <message>
-        <source>With a device: the guides of the project don&apos;t hold the tool</source>
-        <translation>Mit einem Gerät: die Führungen des Projekts halten das Werkzeug nicht</translation>
+        <source>Ignore the project&apos;s guides (with a device)</source>
+        <translation>Die Führungen des Projekts nicht beachten (mit einem Gerät)</translation>
     </message>
     <message>
         <source>Read the part again from this file: roles and materials of bodies stay by their names, and so do setups, recordings and paths</source>
@@ -8517,8 +8517,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Wählen Sie eine 3D-Maus, ein Gamepad oder einen Joystick.</translation>
     </message>
     <message>
-        <source>Push and turn what the view shows with this device, beside the stylus. Its first button shows all. While it moves the tool, the view stays</source>
-        <translation>Verschiebt und dreht mit diesem Gerät, was die Ansicht zeigt, neben dem Stylus. Seine erste Taste zeigt alles. Solange es das Werkzeug bewegt, bleibt die Ansicht stehen</translation>
+        <source>Pan, zoom and rotate the view with this device, beside the stylus. Its first button fits the view. While it moves the tool, the view stays</source>
+        <translation>Verschiebt, zoomt und dreht die Ansicht mit diesem Gerät, neben dem Stylus. Seine erste Taste zeigt alles. Solange es das Werkzeug bewegt, bleibt die Ansicht stehen</translation>
     </message>
 </context>
 <context>
@@ -10050,20 +10050,20 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Das Einrichteblatt steht in „%1“.</translation>
     </message>
     <message>
-        <source>The part is as it was.</source>
-        <translation>Das Teil ist, wie es war.</translation>
+        <source>The part has not changed.</source>
+        <translation>Das Teil hat sich nicht geändert.</translation>
     </message>
     <message>
-        <source>Bodies of another shape: %1.</source>
-        <translation>Körper von anderer Form: %1.</translation>
+        <source>Changed bodies: %1.</source>
+        <translation>Geänderte Körper: %1.</translation>
     </message>
     <message>
-        <source>Bodies that are new: %1.</source>
+        <source>New bodies: %1.</source>
         <translation>Neue Körper: %1.</translation>
     </message>
     <message>
-        <source>Bodies that are gone: %1.</source>
-        <translation>Weggefallene Körper: %1.</translation>
+        <source>Removed bodies: %1.</source>
+        <translation>Entfernte Körper: %1.</translation>
     </message>
     <message>
         <source>Stock and program zero stay where they are; check the programs again.</source>
@@ -10398,24 +10398,24 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>das Werkzeug kann brechen</translation>
     </message>
     <message>
-        <source>The tool plunges into material</source>
-        <translation>Das Werkzeug taucht in Material ein</translation>
+        <source>Plunge feed, because the tool plunges</source>
+        <translation>Eintauchvorschub, weil das Werkzeug eintaucht</translation>
     </message>
     <message>
-        <source>The chip is thin: twice the feed of the tables, and not more</source>
-        <translation>Der Span ist dünn: das Doppelte des Vorschubs der Tabellen, mehr nicht</translation>
+        <source>Thin chip: limited to twice the feed of the cutting data</source>
+        <translation>Dünner Span: begrenzt auf das Doppelte des Vorschubs der Schnittdaten</translation>
     </message>
     <message>
-        <source>Tool and spindle bear no more</source>
-        <translation>Mehr halten Werkzeug und Spindel nicht aus</translation>
+        <source>Limited by the strength of the tool or the power of the spindle</source>
+        <translation>Begrenzt durch die Festigkeit des Werkzeugs oder die Leistung der Spindel</translation>
     </message>
     <message>
-        <source>The tool&apos;s largest chip or the machine&apos;s feed allows no more</source>
-        <translation>Mehr lässt der größte Span des Werkzeugs oder der Vorschub der Maschine nicht zu</translation>
+        <source>Limited by the maximum chip load of the tool or the maximum feed of the machine</source>
+        <translation>Begrenzt durch den größten Zahnvorschub des Werkzeugs oder den größten Vorschub der Maschine</translation>
     </message>
     <message>
-        <source>The chip is as thick as the tables give it</source>
-        <translation>Der Span ist so dick, wie die Tabellen ihn angeben</translation>
+        <source>Limited by the chip load of the cutting data</source>
+        <translation>Begrenzt durch den Zahnvorschub der Schnittdaten</translation>
     </message>
 </context>
 <context>
@@ -10545,8 +10545,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>%1 bei %2</translation>
     </message>
     <message>
-        <source>Feed and spindle speed for the material under the tool at its engagement, by the tables. Feeds of a path are set by its edits</source>
-        <translation>Vorschub und Drehzahl für das Material unter dem Werkzeug bei seinem Eingriff, nach den Tabellen. Vorschübe eines Pfads setzen seine Bearbeitungen</translation>
+        <source>Feed and spindle speed for the material under the tool and its engagement, from the cutting data. Feeds of a path are set by its edits</source>
+        <translation>Vorschub und Drehzahl für das Material unter dem Werkzeug und seinen Eingriff, aus den Schnittdaten. Vorschübe eines Pfads setzen seine Bearbeitungen</translation>
     </message>
     <message>
         <source>%1, engagement %2°, depth %3. %4</source>

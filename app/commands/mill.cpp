@@ -221,7 +221,7 @@ void tellGuides(const MillWork& work) {
     work.answer["guides"] = count;
     if (count > 0)
         work.context.message(
-            worded(BURIN_TEXT("Command", "Guides of the project that hold the tool: %1"), {std::to_string(count)}));
+            worded(BURIN_TEXT("Command", "Active guides of the project: %1"), {std::to_string(count)}));
 }
 
 /// Its first button, where it has one, is the spindle's.

@@ -48,8 +48,7 @@ void addMillOptions(CommandParser command, MillArguments& arguments) {
                 BURIN_TEXT("Help", "Forces only while this button of the device is held, counted from 1; 0: always"))
         .range(0, 32)
         .showDefault();
-    command.flag("--no-guides", arguments.noGuides,
-                 BURIN_TEXT("Help", "With a device: the guides of the project don't hold the tool"));
+    command.flag("--no-guides", arguments.noGuides, BURIN_TEXT("Help", "Ignore the project's guides (with a device)"));
     command.option(
         "--trace", arguments.trace,
         BURIN_TEXT("Help",

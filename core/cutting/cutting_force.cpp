@@ -3,6 +3,7 @@
 #include "core/cutting/cutting_force.h"
 
 #include "core/base/units.h"
+#include "core/cutting/slot_chip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace burin {
 namespace {
 
 constexpr double thinnestChip = 0.005, thickestChip = 1.0; // mm
-constexpr double slotChipRatio = 2.0 / pi;                 // mean chip over feed per tooth
 constexpr double usualChipLoad = 0.01;                     // of the diameter, where a material says nothing
 constexpr double leaningShare = 1.0 / 3.0;                 // of the radius
 

@@ -4,6 +4,7 @@
 
 #include "core/base/units.h"
 #include "core/cutting/cutting_force.h"
+#include "core/cutting/slot_chip.h"
 #include "core/verify/load_limits.h"
 
 #include <algorithm>
@@ -12,9 +13,8 @@
 namespace burin {
 namespace {
 
-constexpr double chipRatioInSlot = 2.0 / pi; // mean chip over feed per tooth
-constexpr double mostOfTable = 2.0;          // a thin chip is not made up for by more than this
-constexpr double plungeArc = pi + 0.5;       // rad: more than a slot, by what Engagement::arc may be off
+constexpr double mostOfTable = 2.0;    // a thin chip is not made up for by more than this
+constexpr double plungeArc = pi + 0.5; // rad: more than a slot, by what Engagement::arc may be off
 
 /// The cut in one of its materials, at any feed.
 class CutInMaterial {
@@ -63,7 +63,7 @@ FeedProposal feedIn(PropertyIndex material, const SmoothedCut& cut, const Tool& 
         proposal.bound = FeedBound::plunge;
     } else if (cut.surface > 0.0) {
         const double ratio = std::min(1.0, cut.area / cut.surface);
-        proposal.feed *= std::max(1.0, chipRatioInSlot / ratio);
+        proposal.feed *= std::max(1.0, slotChipRatio / ratio);
         atMost(mostOfTable * conditions.feed, FeedBound::thinned);
     }
     if (machine.maximumFeed > 0.0) atMost(machine.maximumFeed, FeedBound::limit);

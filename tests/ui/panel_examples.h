@@ -224,8 +224,12 @@ inline MeterState meters() {
     state.removalScale = 600.0;
     state.tip = {16.214, 2.047, -11.38};
     state.stylus = QStringLiteral("Virtual operator 8 ×");
-    state.proposed = ProposedFeed{
-        1528.0, 15915.0, 2.5, 3.0, QStringLiteral("Aluminium 6061"), QStringLiteral("Tool and spindle bear no more")};
+    state.proposed = ProposedFeed{1528.0,
+                                  15915.0,
+                                  2.5,
+                                  3.0,
+                                  QStringLiteral("Aluminium 6061"),
+                                  QStringLiteral("Limited by the strength of the tool or the power of the spindle")};
     return state;
 }
 

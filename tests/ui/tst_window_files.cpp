@@ -201,7 +201,7 @@ void TestWindowFiles::aPartThatWasChangedIsReadAgain() {
     const double volume = workbench.model.model()->volume();
     write(driver, "block.stl", stlText(shapes::box(glm::dvec3(0.0), {40.0, 30.0, 18.0}), "block"));
     driver.key(Qt::Key_U, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY(driver.waitFor([&] { return driver.message().contains("Bodies of another shape: "); }, 20000));
+    QVERIFY(driver.waitFor([&] { return driver.message().contains("Changed bodies: "); }, 20000));
     QVERIFY2(driver.message().contains("Stock and program zero stay where they are"), qPrintable(driver.message()));
     QVERIFY(std::abs(workbench.model.model()->volume() - volume * 0.9) < 1e-6 * volume);
     QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready(); }, 20000));
@@ -211,7 +211,7 @@ void TestWindowFiles::aPartThatWasChangedIsReadAgain() {
     driver.shoot("part-updated");
     // Once more, unchanged.
     driver.key(Qt::Key_U, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY(driver.waitFor([&] { return driver.message() == "The part is as it was."; }, 20000));
+    QVERIFY(driver.waitFor([&] { return driver.message() == "The part has not changed."; }, 20000));
     QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready(); }, 20000));
     // A file that can't be read costs a sentence.
     write(driver, "block.stl", "nonsense");

@@ -157,7 +157,7 @@ void Meters::Fields::showForce() {
 void Meters::Fields::showFeed() {
     const bool proposes = state.running && state.proposed;
     QString toolTip =
-        Meters::tr("Feed and spindle speed for the material under the tool at its engagement, by the tables. "
+        Meters::tr("Feed and spindle speed for the material under the tool and its engagement, from the cutting data. "
                    "Feeds of a path are set by its edits");
     if (proposes) {
         const ProposedFeed& proposed = *state.proposed;

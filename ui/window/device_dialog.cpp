@@ -211,7 +211,7 @@ void DeviceDialog::showUses() {
     moveView_->setText(moves ? tr("Stop moving the view") : tr("Move the view with this device"));
     enableUnless(
         moveView_, suits ? QString() : tr("Select a 3D mouse, gamepad or joystick."),
-        tr("Push and turn what the view shows with this device, beside the stylus. Its first button shows all. "
+        tr("Pan, zoom and rotate the view with this device, beside the stylus. Its first button fits the view. "
            "While it moves the tool, the view stays"));
 }
 

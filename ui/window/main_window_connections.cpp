@@ -105,10 +105,10 @@ QString MainWindow::updateText(const PartUpdate& update) {
         return texts.join(QStringLiteral(", "));
     };
     QStringList sentences;
-    if (update.nothing()) sentences << tr("The part is as it was.");
-    if (!update.changed.empty()) sentences << tr("Bodies of another shape: %1.").arg(listed(update.changed));
-    if (!update.added.empty()) sentences << tr("Bodies that are new: %1.").arg(listed(update.added));
-    if (!update.removed.empty()) sentences << tr("Bodies that are gone: %1.").arg(listed(update.removed));
+    if (update.nothing()) sentences << tr("The part has not changed.");
+    if (!update.changed.empty()) sentences << tr("Changed bodies: %1.").arg(listed(update.changed));
+    if (!update.added.empty()) sentences << tr("New bodies: %1.").arg(listed(update.added));
+    if (!update.removed.empty()) sentences << tr("Removed bodies: %1.").arg(listed(update.removed));
     if (update.stockStays && !update.nothing())
         sentences << tr("Stock and program zero stay where they are; check the programs again.");
     return sentences.join(QLatin1Char(' '));

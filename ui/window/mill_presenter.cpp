@@ -21,15 +21,15 @@ QString feedBoundText(FeedBound bound) {
     case FeedBound::chip:
         break;
     case FeedBound::plunge:
-        return MeterPresenter::tr("The tool plunges into material");
+        return MeterPresenter::tr("Plunge feed, because the tool plunges");
     case FeedBound::thinned:
-        return MeterPresenter::tr("The chip is thin: twice the feed of the tables, and not more");
+        return MeterPresenter::tr("Thin chip: limited to twice the feed of the cutting data");
     case FeedBound::load:
-        return MeterPresenter::tr("Tool and spindle bear no more");
+        return MeterPresenter::tr("Limited by the strength of the tool or the power of the spindle");
     case FeedBound::limit:
-        return MeterPresenter::tr("The tool's largest chip or the machine's feed allows no more");
+        return MeterPresenter::tr("Limited by the maximum chip load of the tool or the maximum feed of the machine");
     }
-    return MeterPresenter::tr("The chip is as thick as the tables give it");
+    return MeterPresenter::tr("Limited by the chip load of the cutting data");
 }
 
 } // namespace

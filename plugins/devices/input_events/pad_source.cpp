@@ -19,14 +19,8 @@ bool PadSource::connect() noexcept {
 
 cap::ControlSource::Heard PadSource::receive(cap::Controls& controls, int milliseconds) noexcept {
     input_event event;
-    switch (port_.next(event, milliseconds)) {
-    case EventPort::Heard::gone:
-        return Heard::gone;
-    case EventPort::Heard::nothing:
-        return Heard::nothing;
-    case EventPort::Heard::event:
-        break;
-    }
+    const EventPort::Heard heard = port_.next(event, milliseconds);
+    if (heard != EventPort::Heard::event) return heard == EventPort::Heard::gone ? Heard::gone : Heard::nothing;
     const PadReader::Kind kind = reader_.take(event);
     if (kind == PadReader::Kind::none) return Heard::nothing;
     controls = reader_.controls();

@@ -52,14 +52,8 @@ void TabletStylus::write(const Wrench& /*wrench*/) noexcept {}
 
 polled::PolledDevice::Heard TabletStylus::Published::receive(int milliseconds) noexcept {
     input_event event;
-    switch (port_.next(event, milliseconds)) {
-    case EventPort::Heard::gone:
-        return Heard::gone;
-    case EventPort::Heard::nothing:
-        return Heard::nothing;
-    case EventPort::Heard::event:
-        break;
-    }
+    const EventPort::Heard heard = port_.next(event, milliseconds);
+    if (heard != EventPort::Heard::event) return heard == EventPort::Heard::gone ? Heard::gone : Heard::nothing;
     if (!reader_.take(event)) return Heard::nothing;
     pens_.post(reader_.pen());
     return Heard::news;
