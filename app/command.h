@@ -66,6 +66,7 @@ void registerMill(CommandParser program, CommandContext& context, int& status);
 void registerPath(CommandParser program, CommandContext& context, int& status);
 void registerPost(CommandParser program, CommandContext& context, int& status);
 void registerVerify(CommandParser program, CommandContext& context, int& status);
+void registerTake(CommandParser program, CommandContext& context, int& status);
 void registerVolume(CommandParser program, CommandContext& context, int& status);
 void registerInfo(CommandParser program, CommandContext& context, int& status);
 void registerDevices(CommandParser program, CommandContext& context, int& status);

@@ -699,6 +699,46 @@
         <source>Read the part again after it was changed in the CAD system. Setups, roles, materials, recordings and paths stay.</source>
         <translation>Liest das Teil neu ein, nachdem es im CAD-System geändert wurde. Aufspannungen, Rollen, Materialien, Aufzeichnungen und Pfade bleiben.</translation>
     </message>
+    <message>
+        <source>Time&amp;line</source>
+        <translation>&amp;Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Show the takes along their time below the view.</source>
+        <translation>Zeigt die Takes entlang ihrer Zeit unter der Ansicht.</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>Ab&amp;spielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Play the takes from the moment shown; the workpiece follows.</source>
+        <translation>Spielt die Aufnahmen ab dem gezeigten Zeitpunkt ab; das Werkstück folgt.</translation>
+    </message>
+    <message>
+        <source>Back to the &amp;present</source>
+        <translation>Zurück zur &amp;Gegenwart</translation>
+    </message>
+    <message>
+        <source>Show the workpiece as it is now.</source>
+        <translation>Zeigt das Werkstück, wie es jetzt ist.</translation>
+    </message>
+    <message>
+        <source>P&amp;unch in</source>
+        <translation>Hier &amp;einsteigen</translation>
+    </message>
+    <message>
+        <source>Mill on from the moment shown. What came after it is switched off, and can be switched on again.</source>
+        <translation>Fräst ab dem gezeigten Zeitpunkt weiter. Was danach kam, wird ausgeschaltet und kann wieder eingeschaltet werden.</translation>
+    </message>
+    <message>
+        <source>Add a mar&amp;ker…</source>
+        <translation>Mar&amp;ke setzen …</translation>
+    </message>
+    <message>
+        <source>Give the moment shown on the timeline a name.</source>
+        <translation>Gibt dem Zeitpunkt auf der Zeitleiste einen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -1780,6 +1820,14 @@
     <message>
         <source>stock and program zero stay where they are, as there are recordings or passes; check the programs again</source>
         <translation>Rohteil und Programmnullpunkt bleiben, wo sie sind, da es Aufzeichnungen oder Durchgänge gibt; prüfen Sie die Programme neu</translation>
+    </message>
+    <message>
+        <source>take %1 %2: %3 s switched off</source>
+        <translation>Aufnahme %1 %2: %3 s ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>hash %1</source>
+        <translation>Prüfwert %1</translation>
     </message>
 </context>
 <context>
@@ -5882,6 +5930,54 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>Read the part again from this file: roles and materials of bodies stay by their names, and so do setups, recordings and paths</source>
         <translation>Das Teil aus dieser Datei neu einlesen: Rollen und Materialien der Körper bleiben nach ihren Namen, ebenso Aufspannungen, Aufzeichnungen und Pfade</translation>
     </message>
+    <message>
+        <source>Mill on from a moment (TAKE:SECONDS, or TAKE for its end); what was recorded after it is switched off (&quot;burin take on&quot; switches it on again)</source>
+        <translation>Ab einem Zeitpunkt weiterfräsen (AUFNAHME:SEKUNDEN, oder AUFNAHME für ihr Ende); was danach aufgenommen wurde, wird ausgeschaltet („burin take on“ schaltet es wieder ein)</translation>
+    </message>
+    <message>
+        <source>Take, by its number in &quot;burin info&quot;</source>
+        <translation>Aufnahme, nach ihrer Nummer in „burin info“</translation>
+    </message>
+    <message>
+        <source>Workpiece and paths are made without it, until it is switched on again; nothing is erased</source>
+        <translation>Werkstück und Bahnen entstehen ohne sie, bis sie wieder eingeschaltet wird; nichts wird gelöscht</translation>
+    </message>
+    <message>
+        <source>It counts again</source>
+        <translation>Sie zählt wieder</translation>
+    </message>
+    <message>
+        <source>Only from here on, s since the take&apos;s start</source>
+        <translation>Nur ab hier, s seit Beginn der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Only to here, s since the take&apos;s start</source>
+        <translation>Nur bis hier, s seit Beginn der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Give it another name</source>
+        <translation>Ihr einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>Its new name</source>
+        <translation>Ihr neuer Name</translation>
+    </message>
+    <message>
+        <source>The workpiece at a moment: TAKE:SECONDS, or TAKE for its end</source>
+        <translation>Das Werkstück zu einem Zeitpunkt: AUFNAHME:SEKUNDEN, oder AUFNAHME für ihr Ende</translation>
+    </message>
+    <message>
+        <source>Write the workpiece that the program leaves, in the forms of &quot;volume export&quot;</source>
+        <translation>Das Werkstück schreiben, das das Programm hinterlässt, in den Formen von „volume export“</translation>
+    </message>
+    <message>
+        <source>With --workpiece: as it stands at this time of the program, s</source>
+        <translation>Mit --workpiece: wie es zu dieser Zeit des Programms steht, s</translation>
+    </message>
+    <message>
+        <source>Switch takes, or parts of them, off and on; rename them</source>
+        <translation>Aufnahmen oder Teile davon aus- und einschalten; sie umbenennen</translation>
+    </message>
 </context>
 <context>
     <name>ImportFormat</name>
@@ -6328,6 +6424,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Paths can be computed, and keep what was asked for.</source>
         <translation>Bahnen lassen sich berechnen und behalten, was verlangt war.</translation>
+    </message>
+    <message>
+        <source>Takes can be switched off from a moment on, and the workpiece is kept.</source>
+        <translation>Aufnahmen lassen sich ab einem Zeitpunkt ausschalten, und das Werkstück wird aufbewahrt.</translation>
     </message>
 </context>
 <context>
@@ -8042,6 +8142,77 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>take %1</source>
         <translation>Aufnahme %1</translation>
+    </message>
+</context>
+<context>
+    <name>TakeMenu</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Switch &amp;on</source>
+        <translation>&amp;Einschalten</translation>
+    </message>
+    <message>
+        <source>It counts again: it is milled on top of what is there.</source>
+        <translation>Es zählt wieder: Es wird zusätzlich zu dem gefräst, was da ist.</translation>
+    </message>
+    <message>
+        <source>Switch the &amp;stroke off</source>
+        <translation>&amp;Zug ausschalten</translation>
+    </message>
+    <message>
+        <source>The workpiece and the paths are made without it, until it is switched on again.</source>
+        <translation>Werkstück und Bahnen entstehen ohne das, bis es wieder eingeschaltet wird.</translation>
+    </message>
+    <message>
+        <source>Switch the &amp;take off</source>
+        <translation>&amp;Aufnahme ausschalten</translation>
+    </message>
+    <message>
+        <source>Switch &amp;all of the take on</source>
+        <translation>&amp;Ganze Aufnahme einschalten</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Umbenennen …</translation>
+    </message>
+    <message>
+        <source>Give the take another name.</source>
+        <translation>Gibt der Aufnahme einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename the take</source>
+        <translation>Aufnahme umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>The workpiece is milled again without it.</source>
+        <translation>Das Werkstück wird ohne sie neu gefräst.</translation>
+    </message>
+    <message>
+        <source>Give the marker another name.</source>
+        <translation>Gibt der Marke einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename the marker</source>
+        <translation>Marke umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete the marker.</source>
+        <translation>Löscht die Marke.</translation>
+    </message>
+    <message>
+        <source>Add a marker</source>
+        <translation>Marke setzen</translation>
+    </message>
+    <message>
+        <source>Marker %1</source>
+        <translation>Marke %1</translation>
     </message>
 </context>
 <context>
@@ -9974,14 +10145,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Burin</translation>
     </message>
     <message>
-        <source>Delete “%1”?</source>
-        <translation>„%1“ löschen?</translation>
-    </message>
-    <message>
-        <source>The workpiece is milled again without it. This can&apos;t be undone.</source>
-        <translation>Das Werkstück wird ohne sie neu gefräst. Das lässt sich nicht rückgängig machen.</translation>
-    </message>
-    <message>
         <source>The program was written to “%1”.</source>
         <translation>Das Programm steht in „%1“.</translation>
     </message>
@@ -10068,6 +10231,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Stock and program zero stay where they are; check the programs again.</source>
         <translation>Rohteil und Programmnullpunkt bleiben, wo sie sind; prüfen Sie die Programme neu.</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Hide the timeline</source>
+        <translation>Zeitleiste ausblenden</translation>
     </message>
 </context>
 <context>
@@ -10562,6 +10733,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>stroke</source>
         <translation>Zug</translation>
+    </message>
+    <message>
+        <source>name of a take</source>
+        <translation>Name einer Aufnahme</translation>
+    </message>
+    <message>
+        <source>delete a take</source>
+        <translation>Aufnahme löschen</translation>
     </message>
 </context>
 <context>
@@ -11758,10 +11937,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Programm</translation>
     </message>
     <message>
-        <source>Make it a window of its own, or put it back next to the view</source>
-        <translation>Als eigenes Fenster zeigen oder wieder neben die Ansicht setzen</translation>
-    </message>
-    <message>
         <source>Put text and findings back into the panel</source>
         <translation>Text und Befunde zurück in das Bedienfeld setzen</translation>
     </message>
@@ -12783,10 +12958,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Position der Werkzeugspitze, in den Koordinaten des Programms.</translation>
     </message>
     <message>
-        <source>Voxels of the workpiece, and the memory reserved for it.</source>
-        <translation>Voxel des Werkstücks und der dafür reservierte Speicher.</translation>
-    </message>
-    <message>
         <source>Whether all changes are saved in the project file.</source>
         <translation>Ob alle Änderungen in der Projektdatei gespeichert sind.</translation>
     </message>
@@ -12821,6 +12992,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Effect of the Escape key.</source>
         <translation>Wirkung der Esc-Taste.</translation>
+    </message>
+    <message>
+        <source>Voxels of the workpiece, the memory reserved for it, and a hash of it: the same recordings and settings give the same hash.</source>
+        <translation>Voxel des Werkstücks, der dafür reservierte Speicher und sein Prüfwert: Gleiche Aufnahmen und Einstellungen ergeben denselben.</translation>
     </message>
 </context>
 <context>
@@ -12879,6 +13054,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>● Recording %1</source>
         <translation>● Aufnahme %1</translation>
+    </message>
+    <message>
+        <source>hash %1</source>
+        <translation>Prüfwert %1</translation>
     </message>
 </context>
 <context>
@@ -13313,6 +13492,179 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>deleting a machine</source>
         <translation>Löschen einer Maschine</translation>
+    </message>
+</context>
+<context>
+    <name>burin::TimeController</name>
+    <message>
+        <source>Going to a moment</source>
+        <translation>Zeitpunkt wird aufgesucht</translation>
+    </message>
+    <message>
+        <source>switch on</source>
+        <translation>Einschalten</translation>
+    </message>
+    <message>
+        <source>switch off</source>
+        <translation>Ausschalten</translation>
+    </message>
+    <message>
+        <source>Keeping the workpiece</source>
+        <translation>Werkstück wird aufbewahrt</translation>
+    </message>
+    <message>
+        <source>punch in</source>
+        <translation>Einstieg</translation>
+    </message>
+    <message>
+        <source>marker</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>delete a marker</source>
+        <translation>Marke löschen</translation>
+    </message>
+    <message>
+        <source>Reading the program&apos;s time</source>
+        <translation>Zeit des Programms wird gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::TimelinePanel</name>
+    <message>
+        <source>Cutting force on the tool.</source>
+        <translation>Schnittkraft am Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Volume removed per time.</source>
+        <translation>Abgetragenes Volumen je Zeit.</translation>
+    </message>
+    <message>
+        <source>How fast the tip moves.</source>
+        <translation>Wie schnell sich die Spitze bewegt.</translation>
+    </message>
+    <message>
+        <source>Area of the cut: volume removed per length moved.</source>
+        <translation>Fläche des Schnitts: abgetragenes Volumen je Weg.</translation>
+    </message>
+    <message>
+        <source>Z of the tip in the setup&apos;s coordinates.</source>
+        <translation>Z der Spitze in den Koordinaten der Aufspannung.</translation>
+    </message>
+    <message>
+        <source>¼ ×</source>
+        <translation>¼ ×</translation>
+    </message>
+    <message>
+        <source>½ ×</source>
+        <translation>½ ×</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Choose what is drawn along the time.</source>
+        <translation>Wählt, was entlang der Zeit gezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>To the start</source>
+        <translation>Zum Anfang</translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation>Zum Ende</translation>
+    </message>
+    <message>
+        <source>Reading the takes…</source>
+        <translation>Aufnahmen werden gelesen …</translation>
+    </message>
+    <message>
+        <source>Distance by which the part, a fixture or a guide held the hand back.</source>
+        <translation>Strecke, um die Teil, Spannmittel oder Führung die Hand zurückhielten.</translation>
+    </message>
+    <message>
+        <source>Playback speed</source>
+        <translation>Abspielgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Playback speed, as a multiple of real time.</source>
+        <translation>Abspielgeschwindigkeit als Vielfaches der Echtzeit.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::TimelineView</name>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Removal rate</source>
+        <translation>Zeitspanvolumen</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Engagement</source>
+        <translation>Eingriff</translation>
+    </message>
+    <message>
+        <source>Push-back</source>
+        <translation>Gegendruck</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Timeline of the takes</source>
+        <translation>Zeitleiste der Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Left and right arrow keys move through the time, Space plays, plus and minus zoom.</source>
+        <translation>Pfeiltasten nach links und rechts gehen durch die Zeit, die Leertaste spielt ab, Plus und Minus zoomen.</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Takes appear here once something was milled.</source>
+        <translation>Hier erscheinen Aufnahmen, sobald etwas gefräst wurde.</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>bis %1</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Click or drag to go to a moment; the wheel zooms, with Shift it moves along.</source>
+        <translation>Klicken oder ziehen führt zu einem Zeitpunkt; das Mausrad zoomt, mit Umschalt verschiebt es.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The program&apos;s time is being read.</source>
+        <translation>Die Zeit des Programms wird gelesen.</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
     </message>
 </context>
 <context>
@@ -13968,6 +14320,13 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::ViewDock</name>
+    <message>
+        <source>Make it a window of its own, or put it back next to the view</source>
+        <translation>Zu einem eigenen Fenster machen oder wieder neben die Ansicht setzen</translation>
+    </message>
+</context>
+<context>
     <name>burin::Viewport</name>
     <message>
         <source>%1 N</source>
@@ -14122,6 +14481,17 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Exporting the workpiece</source>
         <translation>Werkstück wird exportiert</translation>
+    </message>
+    <message>
+        <source>Milling the takes again</source>
+        <translation>Aufnahmen werden neu gefräst</translation>
+    </message>
+</context>
+<context>
+    <name>burin::WorkpieceKeeper</name>
+    <message>
+        <source>Keeping the workpiece</source>
+        <translation>Werkstück wird aufbewahrt</translation>
     </message>
 </context>
 <context>

@@ -29,6 +29,7 @@ json jsonOf(const TakeInfo& take) {
             {"tool", take.toolId},
             {"allowance_mm", take.allowance},
             {"samples", take.sampleCount},
+            {"samples_that_count_no_more", take.undoneCount},
             {"tick_period_s", take.tickPeriod},
             {"duration_s", take.seconds ? json(*take.seconds) : json(nullptr)},
             {"started_unix_s", take.startedUnixTime},

@@ -5,6 +5,7 @@
 #include "app/commands/mill_options.h"
 #include "app/report.h"
 #include "app/surroundings.h"
+#include "app/take_moment_argument.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/base/staged_file.h"
@@ -13,6 +14,9 @@
 #include "core/document/companions.h"
 #include "core/haptics/trace/trace_stylus.h"
 #include "core/job/milling.h"
+#include "core/job/recorded_cuts.h"
+#include "core/job/switched_off.h"
+#include "core/volume/operations/fingerprint.h"
 #include "ui/messages/messages.h"
 
 #include <algorithm>
@@ -324,6 +328,30 @@ Result<void> checkTrace(const MillArguments& arguments) {
     return checkOutput("--trace", arguments.trace, inputs);
 }
 
+/// Switches off what was recorded after a moment. @return what was off before
+Result<SwitchedOff> punchIn(Project& project, const std::string& from) {
+    const Result<TakeMoment> moment = momentOf(project, from);
+    if (!moment) return moment.error();
+    const Result<SwitchedOff> off = offAfter(project, *moment);
+    if (!off) return off.error();
+    Result<SwitchedOff> before = switchedOff(project, *off);
+    if (!before) return before;
+    if (Result<void> done = setSwitchedOff(project, *off); !done) return std::move(done).error();
+    return before;
+}
+
+/// So that who opens the project next cuts nothing again. What can't be kept is no fault.
+void keepWorkpiece(Project& project, MillingContext& milling, Progress& progress) {
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes || takes->empty()) return;
+    const Result<RecordedWork> work = recordedWork(project);
+    if (!work) return;
+    const Result<KeptWorkpiece> kept =
+        keptAs(milling.embedded.workpiece.snapshot(), work->end, work->strokes, progress);
+    const Result<RecordedState> state = project.recordedState();
+    if (kept && state) static_cast<void>(project.keepWorkpiece(*kept, *state));
+}
+
 int runMill(const MillArguments& arguments, CommandContext& context) {
     if (const Result<void> free = checkTrace(arguments); !free) return context.fail(free.error());
     context.stage(BURIN_TEXT("Command", "Opening"));
@@ -342,23 +370,30 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
         context.message(refusal);
         return static_cast<int>(ErrorClass::checkFailed);
     }
+    const Result<SwitchedOff> off =
+        arguments.from.empty() ? Result<SwitchedOff>(SwitchedOff{}) : punchIn(*project, arguments.from);
+    if (!off) return context.fail(off.error());
+    const auto nothingMilled = [&](const Error& error) { // all counts that did
+        static_cast<void>(setSwitchedOff(*project, *off));
+        return context.fail(error);
+    };
     const Result<std::vector<TakeInfo>> before = project->takes();
-    if (!before) return context.fail(before.error());
+    if (!before) return nothingMilled(before.error());
     const bool fresh = before->empty();
     if (const Result<void> replayed = replayTakes(*project, *milling, context.progress()); !replayed)
-        return context.fail(replayed.error());
+        return nothingMilled(replayed.error());
 
     std::optional<OpenedSessionTrace> played;
     if (arguments.stylus.starts_with(tracePrefix)) {
         Result<OpenedSessionTrace> trace = openSessionTrace(arguments.stylus.substr(tracePrefix.size()));
-        if (!trace) return context.fail(trace.error());
+        if (!trace) return nothingMilled(trace.error());
         played = std::move(*trace);
     }
 
     context.stage(BURIN_TEXT("Command", "Computing the tool's boundary"));
     const Result<ToolBounds> bounds =
         boundsFor(*project, *milling, arguments, played ? &played->session : nullptr, context.progress());
-    if (!bounds) return context.fail(bounds.error());
+    if (!bounds) return nothingMilled(bounds.error());
 
     context.stage(BURIN_TEXT("Command", "Milling"));
     json answer;
@@ -372,6 +407,7 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
         if (ended && saveWith(*project, trace)) return context.fail(outcome.error());
         return context.fail(outcome.error(), keptRecording(*project, trace));
     }
+    keepWorkpiece(*project, *milling, context.progress());
     if (const Result<void> saved = saveWith(*project, trace); !saved)
         return context.fail(saved.error(), keptRecording(*project, trace));
     tellKeptEarlier(context, *project);
@@ -397,6 +433,7 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     }
     answer["samples"] = samples;
     answer["removed_mm3"] = removed;
+    answer["workpiece_hash"] = fingerprintText(fingerprint(milling->embedded.workpiece.snapshot()));
     context.answer(answer, text + textOfDoubts(*milling->model, milling->embedded));
     if (context.progress().cancelled()) return static_cast<int>(ErrorClass::cancelled);
     const bool idle = fresh && arguments.stylus == "operator" && arguments.intent == "passes" &&

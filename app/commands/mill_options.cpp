@@ -48,6 +48,9 @@ void addMillOptions(CommandParser command, MillArguments& arguments) {
                 BURIN_TEXT("Help", "Forces only while this button of the device is held, counted from 1; 0: always"))
         .range(0, 32)
         .showDefault();
+    command.option("--from", arguments.from,
+                   BURIN_TEXT("Help", "Mill on from a moment (TAKE:SECONDS, or TAKE for its end); what was recorded "
+                                      "after it is switched off (\"burin take on\" switches it on again)"));
     command.flag("--no-guides", arguments.noGuides, BURIN_TEXT("Help", "Ignore the project's guides (with a device)"));
     command.option(
         "--trace", arguments.trace,

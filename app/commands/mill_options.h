@@ -12,7 +12,7 @@ namespace burin {
 
 /// What `burin mill` is asked for, as it was written.
 struct MillArguments {
-    std::string project, stylus = "operator", mode, tool = "ball-6", machine, trace, axis;
+    std::string project, stylus = "operator", mode, tool = "ball-6", machine, trace, axis, from;
     bool realtime = false, fast = false, overrides = false;
     double seconds = 0.0, rate = 1000.0;
     int deadMan = 0;       ///< button, from 1; 0: none

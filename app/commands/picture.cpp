@@ -8,6 +8,7 @@
 #include "app/wording.h"
 #include "core/document/companions.h"
 #include "core/job/job_paths.h"
+#include "core/job/recorded_cuts.h"
 
 #include <algorithm>
 #include <array>

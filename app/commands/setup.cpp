@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/chosen_setup.h"
 #include "app/command.h"
+#include "app/report.h"
 #include "app/setups.h"
 #include "app/surroundings.h"
 #include "app/wording.h"

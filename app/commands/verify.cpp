@@ -6,13 +6,17 @@
 #include "app/surroundings.h"
 #include "core/base/file.h"
 #include "core/document/companions.h"
+#include "core/exchange/volume_output.h"
 #include "core/job/job_paths.h"
 #include "core/job/program_job.h"
+#include "core/job/program_time.h"
 #include "core/nc/dialect_library.h"
 #include "core/verify/deviation_scale.h"
 #include "core/verify/report_json.h"
+#include "core/volume/operations/fingerprint.h"
 #include "ui/scene/deviation_map.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -23,8 +27,9 @@ namespace {
 struct VerifyArguments {
     std::string program, project, tool, map, machine, dialect;
     double tolerance = 0.02, allowance = 0.0;
-    std::optional<double> excess;
+    std::optional<double> excess, until;
     std::size_t exactSamples = 500;
+    std::string workpiece;
 };
 
 /// The tool asked for, or that of the first take.
@@ -45,10 +50,39 @@ nlohmann::json jsonOf(const DeviationScale& scale) {
     return marks;
 }
 
+/// Writes the workpiece as the program leaves it by a time, and adds what stands there then.
+Result<void> writeWorkpiece(const CheckedProgram& checked, const MillingContext& milling,
+                            const VerifyArguments& arguments, nlohmann::json& answer, Progress& progress) {
+    Result<ProgramTime> spread = programTime(checked, milling.machine, milling.setup.workOffset, progress);
+    if (!spread) return std::move(spread).error();
+    const double seconds = std::min(arguments.until.value_or(spread->time.seconds()), spread->time.seconds());
+    answer["workpiece_at_s"] = seconds;
+    answer["workpiece_at_line"] = nullptr;
+    RecordedWork work;
+    if (!spread->time.tracks.empty()) {
+        const TakeMoment moment = spread->time.momentAt(seconds);
+        answer["workpiece_at_line"] = checked.parsed.motions[spread->motionAt(moment)].line;
+        for (const SharedCuts& cuts : spread->time.cuts)
+            if (cuts->take <= moment.take) work.cuts.push_back(*cuts);
+        work.cuts.back().end = work.cuts.back().motions.countWithin(moment.samples);
+    }
+    Result<RunVolume> workpiece = workpieceOf(
+        work, [&] { return milling.stock->makeStock(progress); }, progress);
+    if (!workpiece) return std::move(workpiece).error();
+    const Result<WrittenVolume> written = writeAnyVolume(arguments.workpiece, workpiece->snapshot(), progress);
+    if (!written) return written.error();
+    answer["workpiece"] = written->file;
+    answer["workpiece_hash"] = fingerprintText(fingerprint(workpiece->snapshot()));
+    return {};
+}
+
 int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     const std::array<std::filesystem::path, 2> inputs{arguments.program, arguments.project};
     if (!arguments.map.empty())
         if (const Result<void> free = checkOutput("--map", arguments.map, inputs); !free)
+            return context.fail(free.error());
+    if (!arguments.workpiece.empty())
+        if (const Result<void> free = checkOutput("--workpiece", arguments.workpiece, inputs); !free)
             return context.fail(free.error());
     Result<std::string> text = readFile(arguments.program);
     if (!text) return context.fail(text.error());
@@ -105,6 +139,10 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
         answer["map_scale"] = jsonOf(DeviationScale(tolerance));
         answer["map"] = std::filesystem::absolute(arguments.map).lexically_normal().string();
     }
+    if (!arguments.workpiece.empty())
+        if (const Result<void> written = writeWorkpiece(*checked, *milling, arguments, answer, context.progress());
+            !written)
+            return context.fail(written.error());
     context.answer(answer, textOf(*checked, arguments.tolerance, milling->machine) +
                                textOfDoubts(*milling->model, milling->embedded));
     return checked->passed() ? 0 : static_cast<int>(ErrorClass::checkFailed);
@@ -141,6 +179,13 @@ void registerVerify(CommandParser program, CommandContext& context, int& status)
         .showDefault();
     command.option("--map", arguments->map,
                    BURIN_TEXT("Help", "Write the deviation map as a VTK file (.vtp), in the colours of the window"));
+    command.option(
+        "--workpiece", arguments->workpiece,
+        BURIN_TEXT("Help", "Write the workpiece that the program leaves, in the forms of \"volume export\""));
+    command
+        .option("--until", arguments->until,
+                BURIN_TEXT("Help", "With --workpiece: as it stands at this time of the program, s"))
+        .range(0.0, 1e9);
     command
         .option("--allowance", arguments->allowance,
                 BURIN_TEXT("Help", "Stock to leave on the part, mm: within tolerance in the map's colours"))

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/chosen_setup.h"
 #include "app/command.h"
+#include "app/take_moment_argument.h"
 #include "app/volume_files.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
@@ -9,9 +10,11 @@
 #include "core/document/companions.h"
 #include "core/exchange/volume_output.h"
 #include "core/job/milling_context.h"
+#include "core/job/recorded_cuts.h"
 #include "core/volume/operations/boolean.h"
 #include "core/volume/operations/boundary.h"
 #include "core/volume/operations/dense.h"
+#include "core/volume/operations/fingerprint.h"
 #include "core/volume/operations/moments.h"
 #include "core/volume/operations/relation.h"
 #include "core/volume/operations/turn.h"
@@ -25,7 +28,7 @@ namespace {
 using nlohmann::json;
 
 struct VolumeArguments {
-    std::string first, second, output, table, axis = "z";
+    std::string first, second, output, table, at, axis = "z";
     bool stock = false;
 };
 
@@ -79,6 +82,8 @@ int answerMoments(const VolumeSnapshot& volume, CommandContext& context) {
                            formatFixed(body.centroid.y, 3), formatFixed(body.centroid.z, 3)});
     }
     json answer = jsonOf(volume.grid());
+    answer["hash"] = fingerprintText(fingerprint(volume));
+    text += "\n" + worded(BURIN_TEXT("Command", "hash %1"), {fingerprintText(fingerprint(volume))});
     answer["materials"] = std::move(materials);
     Property whole;
     whole.id = "all";
@@ -146,10 +151,17 @@ Result<RunVolume> ofProject(const VolumeArguments& arguments, CommandContext& co
     context.stage(BURIN_TEXT("Command", "Embedding"));
     Result<MillingContext> milling = makeMillingContext(*project, *tool, {}, context.progress());
     if (!milling) return std::move(milling).error();
-    if (!arguments.stock) {
-        context.stage(BURIN_TEXT("Command", "Replaying the takes"));
-        if (Result<void> replayed = replayTakes(*project, *milling, context.progress()); !replayed)
+    if (arguments.stock) return std::move(milling->embedded.workpiece);
+    context.stage(BURIN_TEXT("Command", "Replaying the takes"));
+    if (!arguments.at.empty()) {
+        const Result<TakeMoment> moment = momentOf(*project, arguments.at);
+        if (!moment) return moment.error();
+        const Result<RecordedWork> work = recordedWork(*project, *moment);
+        if (!work) return work.error();
+        if (Result<void> replayed = replayTakes(*work, *milling, context.progress()); !replayed)
             return std::move(replayed).error();
+    } else if (Result<void> replayed = replayTakes(*project, *milling, context.progress()); !replayed) {
+        return std::move(replayed).error();
     }
     return std::move(milling->embedded.workpiece);
 }
@@ -165,6 +177,7 @@ int runMake(const VolumeArguments& arguments, Make make, CommandContext& context
     if (!written) return context.fail(written.error());
     json answer = jsonOf(volume->grid());
     answer["file"] = written->file;
+    answer["hash"] = fingerprintText(fingerprint(volume->snapshot()));
     answer["table"] = written->table.empty() ? json() : json(written->table);
     answer["triangles"] = written->triangles;
     answer["rounded_run_ends"] = written->roundedEnds;
@@ -172,6 +185,7 @@ int runMake(const VolumeArguments& arguments, Make make, CommandContext& context
                               {written->file, sizeText(volume->grid()), formatShortest(volume->grid().edge())});
     if (written->triangles > 0)
         text = worded(BURIN_TEXT("Command", "%1: %2 triangles"), {written->file, std::to_string(written->triangles)});
+    text += "\n" + worded(BURIN_TEXT("Command", "hash %1"), {answer["hash"].get<std::string>()});
     if (!written->table.empty()) text += "\n" + worded(BURIN_TEXT("Command", "its table: %1"), {written->table});
     if (written->roundedEnds > 0)
         text += "\n" + worded(BURIN_TEXT("Command", "%1 run ends within voxels were rounded to whole voxels; a volume "
@@ -216,8 +230,11 @@ public:
             one.option("--axis", arguments_->axis, BURIN_TEXT("Help", "Axis that the runs lie along: x, y or z"))
                 .choices({"x", "y", "z"})
                 .showDefault();
-        if (std::string_view(name) == "export")
+        if (std::string_view(name) == "export") {
             one.flag("--stock", arguments_->stock, BURIN_TEXT("Help", "The stock before anything was milled"));
+            one.option("--at", arguments_->at,
+                       BURIN_TEXT("Help", "The workpiece at a moment: TAKE:SECONDS, or TAKE for its end"));
+        }
     }
 
     void addAsking(const char* name, TextId help, int (*run)(const VolumeArguments&, CommandContext&), bool two) {

@@ -3,7 +3,6 @@
 #include "core/document/document_state.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <random>
 #include <sqlite3.h>
@@ -84,6 +83,18 @@ Result<void> addTable(Database& database, const std::string& name, Digest& diges
     return addRows(database, "SELECT * FROM " + identifier(name) + " ORDER BY rowid", digest);
 }
 
+using Questions = std::vector<std::pair<const char*, std::string>>;
+
+/// Of the answers to all of them, each with its name.
+Result<std::int64_t> digestOf(Database& database, const Questions& questions) {
+    Digest digest;
+    for (const auto& [name, question] : questions) {
+        digest.add(std::string_view(name));
+        if (Result<void> added = addRows(database, question, digest); !added) return std::move(added).error();
+    }
+    return digest.value();
+}
+
 } // namespace
 
 Result<DocumentState> documentState(Database& database) {
@@ -135,33 +146,62 @@ Result<std::int64_t> contentDigest(Database& database) {
 }
 
 Result<std::int64_t> jobDigest(Database& database, SetupId setup) {
-    Digest digest;
     const std::string id = std::to_string(numberOf(setup));
-    const std::string takes = "(SELECT id FROM take WHERE setup = " + id + ")";
+    const std::string takes = "(SELECT id FROM take WHERE removed = 0 AND setup = " + id + ")";
     const std::string paths = "(SELECT id FROM path WHERE setup = " + id + ")";
     const std::string generated = "(SELECT id FROM generated WHERE setup = " + id + ")";
     // Recordings grow, generated moves are as they were made: how long they are says what is in them.
-    const std::array questions{
+    const Questions questions{
         std::pair{"model", std::string("SELECT * FROM model")},
         std::pair{"body", std::string("SELECT * FROM body ORDER BY rowid")},
         std::pair{"setup", "SELECT id, json FROM setup WHERE id = " + id},
         std::pair{"material", std::string("SELECT * FROM material ORDER BY rowid")},
         std::pair{"obstacle", "SELECT * FROM obstacle WHERE setup = " + id + " ORDER BY rowid"},
-        std::pair{"undone_stretch", "SELECT * FROM undone_stretch WHERE take IN " + takes + " ORDER BY rowid"},
+        // Where nothing is switched off the answer is that of a version that couldn't.
+        std::pair{"undone_stretch", "SELECT * FROM (SELECT * FROM undone_stretch WHERE take IN " + takes +
+                                        " ORDER BY rowid) UNION ALL SELECT * FROM (SELECT 0, take, first, count FROM "
+                                        "switched_off_stretch WHERE take IN " +
+                                        takes + " ORDER BY take, first)"},
         std::pair{"path", "SELECT * FROM path WHERE setup = " + id + " ORDER BY rowid"},
         std::pair{"path_source", "SELECT * FROM path_source WHERE path IN " + paths + " ORDER BY rowid"},
         std::pair{"path_edit", "SELECT * FROM path_edit WHERE path IN " + paths + " ORDER BY rowid"},
-        std::pair{"take", "SELECT id, tool_id, allowance, tick_period FROM take WHERE setup = " + id + " ORDER BY id"},
+        std::pair{"take", "SELECT id, tool_id, allowance, tick_period FROM take WHERE id IN " + takes + " ORDER BY id"},
         std::pair{"samples", "SELECT take, first, count FROM sample_chunk WHERE take IN " + takes + " ORDER BY 1, 2"},
         std::pair{"generated", "SELECT id, tool_id, allowance FROM generated WHERE setup = " + id + " ORDER BY id"},
         std::pair{"moves", "SELECT generated, stroke, first, count FROM generated_chunk WHERE generated IN " +
                                generated + " ORDER BY 1, 2, 3"},
         std::pair{"travel", "SELECT setup, json FROM setup_setting WHERE name = 'travel' AND setup = " + id}};
-    for (const auto& [name, question] : questions) {
-        digest.add(std::string_view(name));
-        if (Result<void> added = addRows(database, question, digest); !added) return std::move(added).error();
-    }
-    return digest.value();
+    return digestOf(database, questions);
+}
+
+Result<std::int64_t> stockDigest(Database& database, SetupId setup) {
+    return digestOf(database,
+                    {std::pair{"model", std::string("SELECT * FROM model")},
+                     std::pair{"body", std::string("SELECT * FROM body ORDER BY rowid")},
+                     std::pair{"setup", "SELECT id, json FROM setup WHERE id = " + std::to_string(numberOf(setup))},
+                     std::pair{"material", std::string("SELECT * FROM material ORDER BY rowid")}});
+}
+
+Result<std::int64_t> cutDigest(Database& database, SetupId setup, std::int64_t stock, const TakeMoment& until) {
+    const std::string id = std::to_string(numberOf(setup)), last = std::to_string(until.take);
+    const std::string samples = std::to_string(until.samples);
+    const std::string takes = "(SELECT id FROM take WHERE removed = 0 AND setup = " + id + " AND id <= " + last + ")";
+    // Of the last take what lies before the moment; of those before it all.
+    const std::string end =
+        "CASE WHEN take = " + last + " THEN MIN(first + count, " + samples + ") ELSE first + count END";
+    const Questions questions{
+        std::pair{"stock", "SELECT " + std::to_string(stock)},
+        std::pair{"take", "SELECT id, tool_id FROM take WHERE id IN " + takes + " ORDER BY id"},
+        std::pair{"tool", "SELECT id, json FROM tool WHERE id IN (SELECT tool_id FROM take WHERE id IN " + takes +
+                              ") ORDER BY id"},
+        std::pair{"samples", "SELECT take, SUM(count) FROM sample_chunk WHERE take IN " + takes + " AND take <> " +
+                                 last + " GROUP BY take ORDER BY take"},
+        std::pair{"until", "SELECT " + last + ", " + samples},
+        std::pair{"off", "SELECT take, first, " + end + " FROM switched_off_stretch WHERE take IN " + takes +
+                             " AND (take <> " + last + " OR first < " + samples + ") ORDER BY take, first"},
+        std::pair{"undone", "SELECT take, first, " + end + " FROM undone_stretch WHERE take IN " + takes +
+                                " AND (take <> " + last + " OR first < " + samples + ") ORDER BY take, first"}};
+    return digestOf(database, questions);
 }
 
 } // namespace burin

@@ -42,7 +42,10 @@ Result<Project> Project::open(const fs::path& file) {
     fs::path plain = plainName(file);
     Result<OpenedCopy> opened = openWorkingCopy(plain);
     if (!opened) return std::move(opened).error();
-    return Project(std::make_unique<Impl>(std::move(plain), std::move(*opened)));
+    Project project(std::make_unique<Impl>(std::move(plain), std::move(*opened)));
+    if (!project.readOnly())
+        if (Result<void> erased = project.impl_->note(eraseHiddenTakes); !erased) return std::move(erased).error();
+    return project;
 }
 
 Result<Project> Project::openForReading(const fs::path& file) {
@@ -123,8 +126,23 @@ Result<TakeOutline> Project::takeOutline(std::int64_t id) const {
 Result<void> Project::visitSamples(std::int64_t id, const SampleVisitor& visit) const {
     return impl_->read([&](Database& database) { return burin::visitSamples(database, id, visit); });
 }
+Result<void> Project::setSwitchedOff(std::int64_t take, std::span<const SampleRange> off) {
+    return impl_->change([&](Database& database) { return storeSwitchedOff(database, take, off); });
+}
+Result<std::vector<SampleRange>> Project::switchedOff(std::int64_t take) const {
+    return impl_->read([&](Database& database) { return loadSwitchedOff(database, take, ~std::uint64_t{0}); });
+}
+Result<void> Project::nameTake(std::int64_t take, const std::string& name) {
+    return impl_->change([&](Database& database) { return renameTake(database, take, name); });
+}
+Result<Sample> Project::sample(std::int64_t take, std::uint64_t index) const {
+    return impl_->read([&](Database& database) { return loadSample(database, take, index); });
+}
 Result<void> Project::removeTake(std::int64_t id) {
-    return impl_->change([id](Database& database) { return eraseTake(database, id); });
+    return impl_->change([id](Database& database) { return hideTake(database, id); });
+}
+Result<void> Project::restoreTake(std::int64_t id) {
+    return impl_->change([id](Database& database) { return showTake(database, id); });
 }
 
 Result<void> Project::undoStretch(std::int64_t take, const SampleRange& stretch) {

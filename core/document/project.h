@@ -4,6 +4,7 @@
 
 #include "core/base/setup_id.h"
 #include "core/cad/model.h"
+#include "core/document/kept_workpiece.h"
 #include "core/document/program_target.h"
 #include "core/machine/envelope.h"
 #include "core/path/edit.h"
@@ -45,6 +46,13 @@ struct StoredProgram {
     std::string text;
     std::string reportJson;
     SetupId setup = setupInUse; ///< that it is to be run in
+};
+
+/// A moment of a setup's recordings that somebody gave a name to.
+struct TimeMarker {
+    TakeMoment at;
+    std::string name;
+    friend bool operator==(const TimeMarker&, const TimeMarker&) = default;
 };
 
 /// A setup of a job, as lists show it.
@@ -170,8 +178,24 @@ public:
     /// All samples of a take, also those that were taken back, in memory that does not grow with their number.
     /// @param visit must not use the project. Errors: as `take`, those of `visit`.
     Result<void> visitSamples(std::int64_t id, const SampleVisitor& visit) const;
-    /// Errors: as `take`, argumentInvalid while a path uses it.
+    /// One of its samples, whether it was taken back or not. Errors: as `take`, argumentInvalid (it has not so many).
+    Result<Sample> sample(std::int64_t take, std::uint64_t index) const;
+    /// It counts no more, and is there no more for anybody but `restoreTake`. Who opens the project next finds it gone
+    /// for good. Errors: as `take`, argumentInvalid while a path uses it.
     Result<void> removeTake(std::int64_t id);
+    /// Puts a take that was removed back. Errors: nameUnknown (there is none of that number that was).
+    Result<void> restoreTake(std::int64_t id);
+
+    /// As it is now.
+    Result<RecordedState> recordedState(SetupId setup = setupInUse) const;
+    /// Keeps the workpiece at a moment, in place of one that was kept there, if the setup's state is still the one that
+    /// it was made in. What it is made of is noted with it: where any of that becomes another, it holds no more. Of
+    /// many the older ones are thinned out. It is kept with the next `save` and is no change that needs one.
+    Result<void> keepWorkpiece(const KeptWorkpiece& kept, const RecordedState& madeIn, SetupId setup = setupInUse);
+    /// Moments whose workpiece is kept and holds, in order.
+    Result<std::vector<TakeMoment>> keptMoments(SetupId setup = setupInUse) const;
+    /// Errors: fileDamaged (also where none is kept).
+    Result<KeptWorkpiece> keptWorkpiece(const TakeMoment& at, SetupId setup = setupInUse) const;
 
     /// Notes that a stretch of a take was taken back: its samples stay, and count no more. The take may still be
     /// recorded, and the stretch run ahead of what the recorder has written. Errors: nameUnknown (the take),
@@ -179,6 +203,16 @@ public:
     Result<void> undoStretch(std::int64_t take, const SampleRange& stretch);
     /// Takes such a note back. Errors: argumentInvalid (there is none of just this stretch).
     Result<void> redoStretch(std::int64_t take, const SampleRange& stretch);
+    /// Switches samples of a take off, until they are switched on again: they count no more than what was taken back,
+    /// whether they were or not. @param off all of the take that is to be off; rising, apart, within its samples
+    /// Errors: nameUnknown, argumentInvalid (such ranges they are not).
+    Result<void> setSwitchedOff(std::int64_t take, std::span<const SampleRange> off);
+    Result<std::vector<SampleRange>> switchedOff(std::int64_t take) const;
+    /// Moments that somebody gave names to, in order; the list replaces the one before.
+    Result<void> setMarkers(std::span<const TimeMarker> markers, SetupId setup = setupInUse);
+    Result<std::vector<TimeMarker>> markers(SetupId setup = setupInUse) const;
+    /// Errors: nameUnknown.
+    Result<void> nameTake(std::int64_t take, const std::string& name);
 
     /// What planners made for a setup, without the moves.
     Result<std::vector<GeneratedInfo>> generated(SetupId setup = setupInUse) const;

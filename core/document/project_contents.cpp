@@ -156,6 +156,28 @@ Result<std::vector<TakeInfo>> Project::takes(SetupId id) const {
     return impl_->read([id = impl_->meant(id)](Database& database) { return ofSetup(loadTakes(database), id); });
 }
 
+Result<void> Project::setMarkers(std::span<const TimeMarker> markers, SetupId id) {
+    return impl_->change(
+        [&, id = impl_->meant(id)](Database& database) { return storeMarkers(database, id, markers); });
+}
+Result<std::vector<TimeMarker>> Project::markers(SetupId id) const {
+    return impl_->read([id = impl_->meant(id)](Database& database) { return loadMarkers(database, id); });
+}
+
+Result<RecordedState> Project::recordedState(SetupId id) const {
+    return impl_->read([id = impl_->meant(id)](Database& database) { return loadRecordedState(database, id); });
+}
+Result<void> Project::keepWorkpiece(const KeptWorkpiece& kept, const RecordedState& madeIn, SetupId id) {
+    return impl_->note(
+        [&, id = impl_->meant(id)](Database& database) { return storeKept(database, id, kept, madeIn); });
+}
+Result<std::vector<TakeMoment>> Project::keptMoments(SetupId id) const {
+    return impl_->read([id = impl_->meant(id)](Database& database) { return loadKeptMoments(database, id); });
+}
+Result<KeptWorkpiece> Project::keptWorkpiece(const TakeMoment& at, SetupId id) const {
+    return impl_->read([&, id = impl_->meant(id)](Database& database) { return loadKept(database, id, at); });
+}
+
 Result<std::vector<GeneratedInfo>> Project::generated(SetupId id) const {
     return impl_->read([id = impl_->meant(id)](Database& database) { return ofSetup(loadGenerated(database), id); });
 }

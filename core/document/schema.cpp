@@ -205,7 +205,30 @@ INSERT INTO setup_setting SELECT 1, name, json FROM milling_setting WHERE name I
 DELETE FROM milling_setting WHERE name IN ('program_draft', 'kept_program');
 )sql";
 constexpr std::string_view brepPlacementColumn = ",brep_placementTEXTNOTNULLDEFAULT'')";
+constexpr std::string_view takeRemoved = ",removedINTEGERNOTNULLDEFAULT0)";
 constexpr std::string_view requestColumn = ",requestTEXTNOTNULLDEFAULT'')";
+
+constexpr const char* timeTables = R"sql(
+CREATE TABLE kept_workpiece(
+    setup INTEGER NOT NULL REFERENCES setup(id),
+    take INTEGER NOT NULL,
+    samples INTEGER NOT NULL,
+    made_of INTEGER NOT NULL,
+    strokes TEXT NOT NULL,
+    volume BLOB NOT NULL,
+    PRIMARY KEY(setup, take, samples));
+CREATE TABLE marker(
+    setup INTEGER NOT NULL REFERENCES setup(id),
+    take INTEGER NOT NULL,
+    samples INTEGER NOT NULL,
+    name TEXT NOT NULL,
+    PRIMARY KEY(setup, take, samples));
+CREATE TABLE switched_off_stretch(
+    take INTEGER NOT NULL REFERENCES take(id),
+    first INTEGER NOT NULL,
+    count INTEGER NOT NULL,
+    PRIMARY KEY(take, first));
+)sql";
 
 std::string withoutSpaces(std::string_view sql) {
     std::string text;
@@ -292,6 +315,11 @@ Result<void> addPassRequests(Database& file) {
     return file.execute("ALTER TABLE generated ADD COLUMN request TEXT NOT NULL DEFAULT ''");
 }
 
+Result<void> addTime(Database& file) {
+    if (Result<void> done = file.execute(timeTables); !done) return done;
+    return file.execute("ALTER TABLE take ADD COLUMN removed INTEGER NOT NULL DEFAULT 0");
+}
+
 Result<void> checkIdentity(Database& file, int newest) {
     const Result<std::int64_t> application = file.integer("PRAGMA application_id");
     if (!application) return application.error();
@@ -314,6 +342,10 @@ Result<void> checkSchema(Database& file) {
     if (*version >= 6) expected.merge(statementsOf(stockVolumes));
     if (*version >= 7) addColumn(expected["model"], brepPlacementColumn);
     if (*version >= 9) addColumn(expected["generated"], requestColumn);
+    if (*version >= 10) {
+        expected.merge(statementsOf(timeTables));
+        addColumn(expected["take"], takeRemoved);
+    }
     Result<Statement> rows =
         Statement::prepare(file, "SELECT name, sql FROM sqlite_schema WHERE type IN ('table', 'index')");
     if (!rows) return std::move(rows).error();

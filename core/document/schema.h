@@ -29,6 +29,7 @@ Result<void> addStockVolumes(Database& file);
 Result<void> addPlacements(Database& file);
 Result<void> addProgramZero(Database& file);
 Result<void> addPassRequests(Database& file);
+Result<void> addTime(Database& file);
 inline constexpr std::array projectMigrations{
     Migration{1, BURIN_TEXT("Migration", "Strokes of a take can be undone."), addUndoneStretches},
     Migration{2, BURIN_TEXT("Migration", "Fixtures, the tool axis and guides are kept."), addSurroundings},
@@ -39,6 +40,8 @@ inline constexpr std::array projectMigrations{
               addPlacements},
     Migration{7, BURIN_TEXT("Migration", "Program zero and its work offset can be chosen."), addProgramZero},
     Migration{8, BURIN_TEXT("Migration", "Paths can be computed, and keep what was asked for."), addPassRequests},
+    Migration{9, BURIN_TEXT("Migration", "Takes can be switched off from a moment on, and the workpiece is kept."),
+              addTime},
 };
 inline constexpr int projectVersion = static_cast<int>(projectMigrations.size()) + 1;
 

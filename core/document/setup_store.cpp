@@ -177,7 +177,8 @@ Result<void> renameSetup(Database& database, SetupId id, const std::string& name
 Result<void> eraseSetup(Database& database, SetupId id) {
     if (Result<void> known = requireSetup(database, id); !known) return known;
     if (Result<void> unused = requireEmpty(database, id); !unused) return unused;
-    for (const char* erase : {"DELETE FROM stock_volume WHERE setup = ?", "DELETE FROM obstacle WHERE setup = ?",
+    for (const char* erase : {"DELETE FROM stock_volume WHERE setup = ?", "DELETE FROM kept_workpiece WHERE setup = ?",
+                              "DELETE FROM marker WHERE setup = ?", "DELETE FROM obstacle WHERE setup = ?",
                               "DELETE FROM guide WHERE setup = ?", "DELETE FROM setup_setting WHERE setup = ?",
                               "DELETE FROM setup WHERE id = ?"})
         if (Result<void> done = run(database, erase, numberOf(id)); !done) return done;

@@ -5,6 +5,7 @@
 #include "core/document/database.h"
 #include "core/document/project.h"
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -60,9 +61,28 @@ Result<std::vector<TakeInfo>> loadTakes(Database& database);
 Result<Take> loadTake(Database& database, std::int64_t id);
 Result<TakeOutline> loadTakeOutline(Database& database, std::int64_t id);
 Result<void> visitSamples(Database& database, std::int64_t id, const SampleVisitor& visit);
+Result<Sample> loadSample(Database& database, std::int64_t take, std::uint64_t index);
 Result<void> eraseTake(Database& database, std::int64_t id);
 Result<void> storeUndone(Database& database, std::int64_t take, const SampleRange& stretch);
 Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRange& stretch);
+/// Those within so many samples.
+Result<std::vector<SampleRange>> loadSwitchedOff(Database& database, std::int64_t take, std::uint64_t samples);
+Result<void> storeSwitchedOff(Database& database, std::int64_t take, std::span<const SampleRange> off);
+Result<void> hideTake(Database& database, std::int64_t id);
+Result<void> showTake(Database& database, std::int64_t id);
+Result<void> eraseHiddenTakes(Database& database);
+Result<void> storeMarkers(Database& database, SetupId setup, std::span<const TimeMarker> markers);
+Result<std::vector<TimeMarker>> loadMarkers(Database& database, SetupId setup);
+Result<void> renameTake(Database& database, std::int64_t take, const std::string& name);
+
+// kept_store.cpp
+Result<RecordedState> loadRecordedState(Database& database, SetupId setup);
+/// Nothing is stored where the setup's state is another than `madeIn`.
+Result<void> storeKept(Database& database, SetupId setup, const KeptWorkpiece& kept, const RecordedState& madeIn);
+/// Those that still hold, in order.
+Result<std::vector<TakeMoment>> loadKeptMoments(Database& database, SetupId setup);
+Result<KeptWorkpiece> loadKept(Database& database, SetupId setup, const TakeMoment& at);
+Result<void> eraseKeptFrom(Database& database, std::int64_t take); ///< of this take and all that follow
 
 // generated_store.cpp
 /// As new ones of a setup; their id. Errors: those of checkGenerated, nameUnknown (the setup).

@@ -3,6 +3,7 @@
 #include "core/base/clean_text.h"
 #include "core/document/sample_chunk.h"
 #include "core/document/stores.h"
+#include "core/recording/sample_ranges.h"
 #include "core/recording/tool_place.h"
 
 #include <algorithm>
@@ -81,16 +82,16 @@ Error unknownTake(Database& database, std::int64_t id) {
 }
 
 /// An interval may run beyond the samples: those behind its end were lost with their recorder.
-Result<void> loadUndone(Database& database, std::int64_t id, std::uint64_t samples, std::vector<SampleRange>& undone) {
-    Result<Statement> rows =
-        Statement::prepare(database, "SELECT first, count FROM undone_stretch WHERE take = ? ORDER BY first");
+Result<void> loadRanges(Database& database, const char* question, const char* what, std::int64_t id,
+                        std::uint64_t samples, std::vector<SampleRange>& undone) {
+    Result<Statement> rows = Statement::prepare(database, question);
     if (!rows) return std::move(rows).error();
     if (Result<void> bound = rows->bind(id); !bound) return bound;
     std::uint64_t end = 0;
     return forEachRow(*rows, [&]() -> Result<void> {
         const std::int64_t first = rows->integer(0), count = rows->integer(1);
         if (count <= 0 || count > mostSamples || first > mostSamples || std::cmp_less(first, end))
-            return damaged(database, "take " + std::to_string(id) + ", undone samples");
+            return damaged(database, "take " + std::to_string(id) + ", " + what);
         const auto from = static_cast<std::uint64_t>(first);
         end = from + static_cast<std::uint64_t>(count);
         if (from < samples) undone.push_back({from, std::min(end, samples) - from});
@@ -98,8 +99,21 @@ Result<void> loadUndone(Database& database, std::int64_t id, std::uint64_t sampl
     });
 }
 
+Result<void> loadTakenBack(Database& database, std::int64_t id, std::uint64_t samples,
+                           std::vector<SampleRange>& undone) {
+    return loadRanges(database, "SELECT first, count FROM undone_stretch WHERE take = ? ORDER BY first",
+                      "undone samples", id, samples, undone);
+}
+
+/// What counts no more, whether it was taken back or switched off.
 Result<void> loadUndone(Database& database, TakeInfo& info, std::vector<SampleRange>& undone) {
-    if (Result<void> read = loadUndone(database, info.id, info.sampleCount, undone); !read) return read;
+    if (Result<void> read = loadTakenBack(database, info.id, info.sampleCount, undone); !read) return read;
+    Result<std::vector<SampleRange>> off = loadSwitchedOff(database, info.id, info.sampleCount);
+    if (!off) return std::move(off).error();
+    if (!off->empty()) {
+        undone.insert(undone.end(), off->begin(), off->end());
+        undone = joined(std::move(undone));
+    }
     for (const SampleRange& range : undone) info.undoneCount += range.count;
     return {};
 }
@@ -127,7 +141,7 @@ Result<std::int64_t> storeTake(Database& database, const TakeInfo& info) {
 }
 
 Result<std::vector<TakeInfo>> loadTakes(Database& database) {
-    Result<Statement> rows = Statement::prepare(database, std::string(selectTakes) + " ORDER BY id");
+    Result<Statement> rows = Statement::prepare(database, std::string(selectTakes) + " WHERE removed = 0 ORDER BY id");
     if (!rows) return std::move(rows).error();
     std::vector<TakeInfo> takes;
     Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
@@ -147,7 +161,8 @@ Result<std::vector<TakeInfo>> loadTakes(Database& database) {
 Result<TakeOutline> loadTakeOutline(Database& database, std::int64_t id) {
     TakeOutline outline;
     {
-        Result<Statement> row = Statement::prepare(database, std::string(selectTakes) + " WHERE id = ?");
+        Result<Statement> row =
+            Statement::prepare(database, std::string(selectTakes) + " WHERE removed = 0 AND id = ?");
         if (!row) return std::move(row).error();
         if (Result<void> bound = row->bind(id); !bound) return std::move(bound).error();
         const Result<bool> found = row->step();
@@ -163,7 +178,9 @@ Result<TakeOutline> loadTakeOutline(Database& database, std::int64_t id) {
 
 Result<void> visitSamples(Database& database, std::int64_t id, const SampleVisitor& visit) {
     Result<Statement> rows =
-        Statement::prepare(database, "SELECT first, count, samples FROM sample_chunk WHERE take = ? ORDER BY first");
+        Statement::prepare(database, "SELECT first, count, samples FROM sample_chunk WHERE take = ? "
+                                     "AND EXISTS(SELECT 1 FROM take WHERE id = sample_chunk.take AND removed = 0) "
+                                     "ORDER BY first");
     if (!rows) return std::move(rows).error();
     if (Result<void> bound = rows->bind(id); !bound) return bound;
     std::uint64_t visited = 0;
@@ -186,6 +203,24 @@ Result<void> visitSamples(Database& database, std::int64_t id, const SampleVisit
     return empty ? Result<void>() : std::move(empty).error();
 }
 
+Result<Sample> loadSample(Database& database, std::int64_t take, std::uint64_t index) {
+    Result<Statement> rows = Statement::prepare(database, "SELECT first, count, samples FROM sample_chunk "
+                                                          "WHERE take = ? AND first <= ? ORDER BY first DESC LIMIT 1");
+    if (!rows) return std::move(rows).error();
+    if (Result<void> bound = rows->bind(take, index); !bound) return std::move(bound).error();
+    std::optional<std::vector<Sample>> samples;
+    std::uint64_t first = 0;
+    Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
+        first = static_cast<std::uint64_t>(rows->integer(0));
+        samples = decodeSamples(rows->blob(2), static_cast<std::size_t>(std::max<std::int64_t>(0, rows->integer(1))));
+        if (samples) return {};
+        return damaged(database, "take " + std::to_string(take) + ", sample " + std::to_string(first));
+    });
+    if (!read) return std::move(read).error();
+    if (samples && index - first < samples->size()) return (*samples)[index - first];
+    return Error{ErrorCode::argumentInvalid, "sample", std::to_string(index), "one of take " + std::to_string(take)};
+}
+
 Result<Take> loadTake(Database& database, std::int64_t id) {
     Result<TakeOutline> outline = loadTakeOutline(database, id);
     if (!outline) return std::move(outline).error();
@@ -198,9 +233,66 @@ Result<Take> loadTake(Database& database, std::int64_t id) {
     return take;
 }
 
+Result<void> hideTake(Database& database, std::int64_t id) {
+    if (Result<void> unused = requireUnused(database, {id}); !unused) return unused;
+    const Result<TakeOutline> known = loadTakeOutline(database, id);
+    if (!known) return known.error();
+    return run(database, "UPDATE take SET removed = 1 WHERE id = ?", id);
+}
+
+Result<void> showTake(Database& database, std::int64_t id) {
+    if (Result<void> done = run(database, "UPDATE take SET removed = 0 WHERE id = ? AND removed = 1", id); !done)
+        return done;
+    const Result<std::int64_t> shown = database.integer("SELECT changes()");
+    if (!shown) return shown.error();
+    return *shown == 0 ? Result<void>(unknownTake(database, id)) : Result<void>();
+}
+
+Result<void> eraseHiddenTakes(Database& database) {
+    Result<Statement> rows = Statement::prepare(database, "SELECT id FROM take WHERE removed = 1");
+    if (!rows) return std::move(rows).error();
+    std::vector<std::int64_t> hidden;
+    Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
+        hidden.push_back(rows->integer(0));
+        return {};
+    });
+    for (const std::int64_t id : hidden)
+        if (read) read = eraseTake(database, id);
+    return read;
+}
+
+Result<void> storeMarkers(Database& database, SetupId setup, std::span<const TimeMarker> markers) {
+    if (Result<void> known = requireSetup(database, setup); !known) return known;
+    if (Result<void> done = run(database, "DELETE FROM marker WHERE setup = ?", numberOf(setup)); !done) return done;
+    for (const TimeMarker& marker : markers)
+        if (Result<void> done =
+                run(database, "INSERT OR REPLACE INTO marker(setup, take, samples, name) VALUES(?, ?, ?, ?)",
+                    numberOf(setup), marker.at.take, marker.at.samples, marker.name);
+            !done)
+            return done;
+    return {};
+}
+
+Result<std::vector<TimeMarker>> loadMarkers(Database& database, SetupId setup) {
+    Result<Statement> rows =
+        Statement::prepare(database, "SELECT take, samples, name FROM marker WHERE setup = ? ORDER BY take, samples");
+    if (!rows) return std::move(rows).error();
+    if (Result<void> bound = rows->bind(numberOf(setup)); !bound) return std::move(bound).error();
+    std::vector<TimeMarker> markers;
+    Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
+        if (rows->integer(1) < 0) return damaged(database, "marker");
+        markers.push_back({{rows->integer(0), static_cast<std::uint64_t>(rows->integer(1))}, cleanLine(rows->text(2))});
+        return {};
+    });
+    if (!read) return std::move(read).error();
+    return markers;
+}
+
 Result<void> eraseTake(Database& database, std::int64_t id) {
     if (Result<void> unused = requireUnused(database, {id}); !unused) return unused;
+    if (Result<void> done = eraseKeptFrom(database, id); !done) return done;
     for (const char* table : {"DELETE FROM sample_chunk WHERE take = ?", "DELETE FROM undone_stretch WHERE take = ?",
+                              "DELETE FROM switched_off_stretch WHERE take = ?", "DELETE FROM marker WHERE take = ?",
                               "DELETE FROM take_material WHERE take = ?"})
         if (Result<void> done = run(database, table, id); !done) return done;
     if (Result<void> done = run(database, "DELETE FROM take WHERE id = ?", id); !done) return done;
@@ -225,11 +317,46 @@ Result<void> storeUndone(Database& database, std::int64_t take, const SampleRang
         return unknownTake(database, take);
     // Unclipped, for the take may still grow.
     std::vector<SampleRange> undone;
-    if (Result<void> read = loadUndone(database, take, ~std::uint64_t{0}, undone); !read) return read;
+    if (Result<void> read = loadTakenBack(database, take, ~std::uint64_t{0}, undone); !read) return read;
     for (const SampleRange& other : undone)
         if (other.contains(stretch.first) || stretch.contains(other.first)) return refused();
     return run(database, "INSERT INTO undone_stretch(take, first, count) VALUES(?, ?, ?)", take, stretch.first,
                stretch.count);
+}
+
+Result<std::vector<SampleRange>> loadSwitchedOff(Database& database, std::int64_t take, std::uint64_t samples) {
+    std::vector<SampleRange> off;
+    Result<void> read =
+        loadRanges(database, "SELECT first, count FROM switched_off_stretch WHERE take = ? ORDER BY first",
+                   "samples that are switched off", take, samples, off);
+    if (!read) return std::move(read).error();
+    return off;
+}
+
+Result<void> storeSwitchedOff(Database& database, std::int64_t take, std::span<const SampleRange> off) {
+    const Result<TakeOutline> known = loadTakeOutline(database, take);
+    if (!known) return known.error();
+    if (Result<void> done = run(database, "DELETE FROM switched_off_stretch WHERE take = ?", take); !done) return done;
+    std::uint64_t end = 0;
+    for (const SampleRange& range : off) {
+        if (range.count == 0 || range.first < end || range.first >= known->info.sampleCount ||
+            range.count > known->info.sampleCount - range.first)
+            return Error{ErrorCode::argumentInvalid, "stretch",
+                         std::to_string(range.first) + " + " + std::to_string(range.count),
+                         "samples of take " + std::to_string(take)};
+        end = range.first + range.count;
+        if (Result<void> done = run(database, "INSERT INTO switched_off_stretch(take, first, count) VALUES(?, ?, ?)",
+                                    take, range.first, range.count);
+            !done)
+            return done;
+    }
+    return {};
+}
+
+Result<void> renameTake(Database& database, std::int64_t take, const std::string& name) {
+    const Result<TakeOutline> known = loadTakeOutline(database, take);
+    if (!known) return known.error();
+    return run(database, "UPDATE take SET name = ? WHERE id = ?", name, take);
 }
 
 Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRange& stretch) {

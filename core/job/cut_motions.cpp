@@ -24,28 +24,38 @@ Result<void> CutFinder::find(std::span<const Sample> next, const Use& use) {
     for (const Sample& sample : next) {
         const std::uint64_t index = index_++;
         if (before_ && didCut(sample) && !undone_.holds(index))
-            if (Result<void> used = use(*before_, sample.proxy); !used) return used;
+            if (Result<void> used = use(*before_, sample.proxy, index); !used) return used;
         before_ = sample.proxy;
     }
     return {};
 }
 
-void CutMotions::add(const ToolPose& from, const ToolPose& to) {
+void CutMotions::add(const ToolPose& from, const ToolPose& to, std::uint64_t sample) {
     constexpr std::size_t longest = 65536; // so that a run that grows copies little
     const bool goesOn = !runs_.empty() && runs_.back().tips.size() <= longest && runs_.back().tips.back() == from.tip &&
                         runs_.back().axis == from.axis && runs_.back().axis == to.axis;
-    if (!goesOn) runs_.push_back({from.axis, to.axis, {from.tip}});
+    if (!goesOn) runs_.push_back({from.axis, to.axis, count(), {from.tip}});
     runs_.back().tips.push_back(to.tip);
-    ++count_;
+    samples_.push_back(static_cast<std::uint32_t>(sample));
 }
 
-Result<void> CutMotions::visit(const CutFinder::Use& use) const {
-    for (const Run& run : runs_)
-        for (std::size_t i = 1; i < run.tips.size(); ++i) {
-            const ToolPose from{run.tips[i - 1], i == 1 ? run.firstAxis : run.axis}, to{run.tips[i], run.axis};
-            if (Result<void> used = use(from, to); !used) return used;
+Result<void> CutMotions::visit(std::uint64_t first, std::uint64_t end, const CutFinder::Use& use) const {
+    if (first >= std::min(end, count())) return {};
+    auto run = std::ranges::upper_bound(runs_, first, {}, &Run::before) - 1;
+    for (; run != runs_.end() && run->before < end; ++run) {
+        const std::size_t from = first > run->before ? first - run->before : 0;
+        const std::size_t to = std::min<std::uint64_t>(run->tips.size() - 1, end - run->before);
+        for (std::size_t i = from; i < to; ++i) {
+            const ToolPose begin{run->tips[i], i == 0 ? run->firstAxis : run->axis};
+            if (Result<void> used = use(begin, {run->tips[i + 1], run->axis}, samples_[run->before + i]); !used)
+                return used;
         }
+    }
     return {};
+}
+
+std::uint64_t CutMotions::countWithin(std::uint64_t samples) const noexcept {
+    return static_cast<std::uint64_t>(std::ranges::lower_bound(samples_, samples) - samples_.begin());
 }
 
 CutReplay::CutReplay(const Tool& tool, RunVolume& workpiece)

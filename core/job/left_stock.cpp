@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/job/left_stock.h"
 #include "core/job/job_paths.h"
+#include "core/job/recorded_cuts.h"
 
 #include "core/job/kept_program.h"
 #include "core/volume/operations/moved.h"

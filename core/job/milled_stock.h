@@ -36,6 +36,9 @@ public:
     /// Errors: those of `make`, volumeOutOfMemory, cancelled, what `use` gives.
     Result<void> lend(std::span<const MilledPath> paths, const StockUse& use, Progress& progress);
 
+    /// The stock before all paths, as a volume of its own: made anew. Waits for nobody. Errors: those of `make`.
+    Result<RunVolume> makeStock(Progress& progress) const { return make_(progress); }
+
 private:
     /// After the path of the same place; with all those before it.
     struct State {

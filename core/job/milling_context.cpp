@@ -4,7 +4,6 @@
 
 #include "core/job/milling_materials.h"
 #include "core/machine/machine_library.h"
-#include "core/recording/stroke_count.h"
 #include "core/setup/material_change.h"
 
 #include <algorithm>
@@ -42,35 +41,6 @@ std::function<Result<RunVolume>(Progress&)> stockMaker(const MillingContextReque
         return std::move(embedded->workpiece);
     };
 }
-
-Error replayCancelled() {
-    return {ErrorCode::cancelled, "replaying takes", {}, {}};
-}
-
-CutFinder::Use cutAgain(CutReplay& replay, const Progress& progress) {
-    return [&](const ToolPose& from, const ToolPose& to) -> Result<void> {
-        if (progress.cancelled()) return replayCancelled();
-        return replay.cut(from, to);
-    };
-}
-
-/// Reports how much of a replay is done, now and then.
-class ReplayedShare {
-public:
-    explicit ReplayedShare(Progress& progress) noexcept : progress_(progress) {}
-    void expect(std::uint64_t count) noexcept { all_ += count; }
-    void did(std::uint64_t count) {
-        constexpr std::uint64_t step = 16384;
-        done_ += count;
-        if (done_ < told_ + step) return;
-        told_ = done_;
-        progress_.report(static_cast<double>(done_) / static_cast<double>(std::max(all_, done_)));
-    }
-
-private:
-    Progress& progress_;
-    std::uint64_t all_ = 0, done_ = 0, told_ = 0;
-};
 
 } // namespace
 
@@ -197,81 +167,6 @@ Result<std::unique_ptr<const ClearanceField>> clearanceField(const MillingContex
     Result<ToolField> field = ToolField::build(milling.part, request, progress);
     if (!field) return std::move(field).error();
     return Field(std::make_unique<ToolField>(std::move(*field)));
-}
-
-Result<std::vector<RecordedCuts>> cutsOf(const Project& project) {
-    const Result<std::vector<TakeInfo>> infos = project.takes();
-    if (!infos) return infos.error();
-    std::vector<RecordedCuts> takes;
-    for (const TakeInfo& info : *infos) {
-        const Result<TakeOutline> take = project.takeOutline(info.id);
-        if (!take) return take.error();
-        Result<Tool> tool = toolFor(project, info.toolId);
-        if (!tool) return std::move(tool).error();
-        RecordedCuts cuts{info.id, std::move(*tool), {}, 0};
-        CutFinder finder(take->undone);
-        StrokeCounter counter(take->undone);
-        const auto keep = [&cuts](const ToolPose& from, const ToolPose& to) -> Result<void> {
-            cuts.motions.add(from, to);
-            return {};
-        };
-        Result<void> read = project.visitSamples(info.id, [&](std::span<const Sample> samples) {
-            counter.add(samples);
-            return finder.find(samples, keep);
-        });
-        if (!read) return std::move(read).error();
-        cuts.strokes = counter.strokes();
-        takes.push_back(std::move(cuts));
-    }
-    return takes;
-}
-
-Result<void> replayTake(const Take& take, const Tool& tool, MillingContext& milling, const Progress& progress) {
-    CutReplay replay(tool, milling.embedded.workpiece);
-    CutFinder finder(take.undone);
-    if (Result<void> cut = finder.find(take.samples, cutAgain(replay, progress)); !cut) return cut;
-    return replay.finish();
-}
-
-Result<void> replayTakes(const std::vector<RecordedCuts>& takes, MillingContext& milling, Progress& progress) {
-    ReplayedShare share(progress);
-    for (const RecordedCuts& take : takes) share.expect(take.motions.count());
-    for (const RecordedCuts& take : takes) {
-        CutReplay replay(take.tool, milling.embedded.workpiece);
-        const CutFinder::Use cut = cutAgain(replay, progress);
-        Result<void> done = take.motions.visit([&](const ToolPose& from, const ToolPose& to) {
-            share.did(1);
-            return cut(from, to);
-        });
-        if (done) done = replay.finish();
-        if (!done) return done;
-    }
-    progress.report(1.0);
-    return {};
-}
-
-Result<void> replayTakes(const Project& project, MillingContext& milling, Progress& progress) {
-    const Result<std::vector<TakeInfo>> takes = project.takes();
-    if (!takes) return takes.error();
-    ReplayedShare share(progress);
-    for (const TakeInfo& info : *takes) share.expect(info.sampleCount);
-    for (const TakeInfo& info : *takes) {
-        const Result<TakeOutline> take = project.takeOutline(info.id);
-        if (!take) return take.error();
-        const Result<Tool> tool = toolFor(project, info.toolId);
-        if (!tool) return tool.error();
-        CutReplay replay(*tool, milling.embedded.workpiece);
-        CutFinder finder(take->undone);
-        Result<void> done = project.visitSamples(info.id, [&](std::span<const Sample> samples) -> Result<void> {
-            if (progress.cancelled()) return replayCancelled();
-            share.did(samples.size());
-            return finder.find(samples, cutAgain(replay, progress));
-        });
-        if (done) done = replay.finish();
-        if (!done) return done;
-    }
-    progress.report(1.0);
-    return {};
 }
 
 } // namespace burin

@@ -6,7 +6,6 @@
 #include "core/document/project.h"
 #include "core/field/tool_field.h"
 #include "core/geometry/mesh_distance.h"
-#include "core/job/cut_motions.h"
 #include "core/job/milled_stock.h"
 #include "core/machine/envelope.h"
 #include "core/machine/machine_profile.h"
@@ -71,23 +70,5 @@ Result<std::unique_ptr<const ClearanceField>> clearanceField(const MillingContex
 /// The same for a tool that the milling context is about to get: its own stays in force meanwhile.
 Result<std::unique_ptr<const ClearanceField>> clearanceField(const MillingContext& milling, const Tool& tool,
                                                              double maximumAllowance, Progress& progress);
-
-/// What a recording cut, with the cutter that it was made with.
-struct RecordedCuts {
-    std::int64_t take = 0;
-    Tool tool;
-    CutMotions motions;
-    std::size_t strokes = 0; ///< that stand
-};
-
-/// All takes of a project, in order. Errors: those of Project::visitSamples, toolFor.
-Result<std::vector<RecordedCuts>> cutsOf(const Project& project);
-
-/// Cuts again what a take cut, but for what was taken back. Errors: volumeOutOfMemory, cancelled.
-Result<void> replayTake(const Take& take, const Tool& tool, MillingContext& milling, const Progress& progress);
-/// All of them, in order: the workpiece as it stands.
-Result<void> replayTakes(const std::vector<RecordedCuts>& takes, MillingContext& milling, Progress& progress);
-/// Those of a project, some thousands of samples at a time in memory. Errors: also fileDamaged.
-Result<void> replayTakes(const Project& project, MillingContext& milling, Progress& progress);
 
 } // namespace burin

@@ -30,7 +30,11 @@ public:
     /// All strokes that were ever added, whatever became of them.
     std::uint64_t added() const noexcept { return added_; }
     /// The stroke that `undo` would take back; there must be one. Its snapshot is empty: the history has taken it.
-    const Stroke& newest() const noexcept { return done_.back(); }
+    const Stroke& newest() const noexcept { return newest(0); }
+    /// The one that so many are newer than; there must be one. @param newer below `count`
+    const Stroke& newest(std::size_t newer) const noexcept { return done_[done_.size() - 1 - newer]; }
+    /// The stroke that `redo` would put back; there must be one.
+    const Stroke& nextRedo() const noexcept { return undone_.back(); }
     /// What the strokes hold of the volume's memory and beside it.
     VolumeHistory::Cost cost() const noexcept { return workpiece_.totalCost(); }
     void clear(); ///< gives back what it holds of the volume's memory

@@ -55,7 +55,7 @@ class TestWindowPicking : public QObject {
 private slots:
     /// A straight groove has few points; whatever is clicked between them is what is meant.
     void aPlaceBetweenTwoPointsIsChosen() {
-        WindowDriver driver;
+        WindowDriver driver(QSize(1280, 920)); // as fine a picture as without the timeline
         Workbench& workbench = driver.window().workbench();
         QVERIFY(makeReady(driver) && recordLine(driver, {-15, 0}, {15, 0}) && newPath(driver));
         // A path that is evaluated again meanwhile has other points.
@@ -100,7 +100,7 @@ private slots:
     /// Seen from above and aslant: a click on what is drawn of an arc chooses that place of it, at its time of the
     /// hand; the chord's middle, where nothing is drawn, means nothing. Esc does what the status line says of it.
     void aPlaceOnAFittedArcIsChosen() {
-        WindowDriver driver;
+        WindowDriver driver(QSize(1280, 920)); // as fine a picture as without the timeline
         Workbench& workbench = driver.window().workbench();
         QVERIFY(makeReady(driver));
         Viewport& viewport = driver.window().viewport();

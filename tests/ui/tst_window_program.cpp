@@ -415,7 +415,7 @@ void TestWindowProgram::theTextOpensNextToTheView() {
     QVERIFY(driver.step(JobStep::path) && !dock->isVisible());
     QVERIFY(driver.step(JobStep::program) && dock->isVisible());
 
-    QVERIFY(driver.clickOn("floatDockButton"));
+    QVERIFY(driver.clickOn("floatProgramDock"));
     QVERIFY(dock->isFloating());
     dock->resize(900, 500);
     QApplication::setActiveWindow(dock);
@@ -440,7 +440,7 @@ void TestWindowProgram::theTextOpensNextToTheView() {
     QVERIFY(dock != nullptr && dock->isFloating() && dock->isAncestorOf(driver.visible("programText")));
     QCOMPARE(dock->size(), QSize(900, 500));
 
-    QVERIFY(driver.clickOn("closeDockButton"));
+    QVERIFY(driver.clickOn("closeProgramDock"));
     QVERIFY(!dock->isVisible() && driver.visible("programPage")->isAncestorOf(driver.visible("programText")));
     QVERIFY(!menuAction(driver, "programDockAction")->isChecked());
     QVERIFY(driver.clickOn("moveTextButton"));
@@ -467,6 +467,7 @@ void TestWindowProgram::findingsStandBesideTheText() {
     QTest::mouseClick(driver.visible<QAbstractScrollArea>("findingList")->viewport(), Qt::LeftButton, {}, {20, 10});
     QCOMPARE(text->textCursor().blockNumber(), 0);
     driver.shoot("47-findings-beside-the-text");
+    driver.key(Qt::Key_F9); // without the timeline the dock is higher than wide
     auto* docks = driver.window().findChild<QMainWindow*>("viewDocks");
     docks->addDockWidget(Qt::LeftDockWidgetArea, driver.visible<QDockWidget>("programDock"));
     QVERIFY(driver.waitFor([&] { return lies("findingList").top() > lies("programText").bottom(); }, 3000));

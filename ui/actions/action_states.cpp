@@ -75,6 +75,11 @@ void ActionStates::update() {
     enable(ActionId::findInProgram, !workbench.program.storedText().isEmpty());
     enable(ActionId::overrideCheck, workbench.program.refused() && !workbench.program.busy());
     enable(ActionId::restart, workbench.program.restartable());
+    enable(ActionId::playTime, workbench.time.possible() && !showing);
+    enable(ActionId::addMarker, workbench.time.possible() && !showing && !workbench.time.showsProgram());
+    enable(ActionId::presentTime, workbench.time.away());
+    enable(ActionId::punchIn,
+           workbench.time.away() && workbench.workpiece.ready() && !showing && !workbench.time.showsProgram());
     updateUndo();
     actions_[ActionId::millMode]->setChecked(workbench.mill.active());
     actions_[ActionId::guides]->setChecked(workbench.guides.on());

@@ -16,6 +16,8 @@ constexpr const char* geometryKey = "window_geometry";
 constexpr const char* panelWidthKey = "panel_width";
 constexpr const char* docksKey = "view_docks";
 constexpr const char* programDockedKey = "program_docked";
+constexpr const char* timelineShownKey = "timeline_shown";
+constexpr const char* timelineCurvesKey = "timeline_curves";
 constexpr const char* metersKey = "meters_folded";
 constexpr const char* parallelKey = "parallel_view";
 constexpr const char* transparencyKey = "workpiece_transparency";
@@ -96,6 +98,22 @@ QByteArray UserSettings::viewDocks() const {
 
 void UserSettings::setViewDocks(const QByteArray& state) {
     settings_.setValue(docksKey, state);
+}
+
+bool UserSettings::timelineShown() const {
+    return settings_.value(timelineShownKey, true).toBool();
+}
+
+void UserSettings::setTimelineShown(bool shown) {
+    settings_.setValue(timelineShownKey, shown);
+}
+
+QStringList UserSettings::timelineCurves() const {
+    return settings_.value(timelineCurvesKey, QStringList{QStringLiteral("force")}).toStringList();
+}
+
+void UserSettings::setTimelineCurves(const QStringList& curves) {
+    settings_.setValue(timelineCurvesKey, curves);
 }
 
 bool UserSettings::programDocked() const {

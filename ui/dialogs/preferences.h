@@ -45,6 +45,10 @@ public:
     void setViewDocks(const QByteArray& state);
     bool programDocked() const; ///< whether its text is next to the view
     void setProgramDocked(bool docked);
+    bool timelineShown() const;
+    void setTimelineShown(bool shown);
+    QStringList timelineCurves() const; ///< names of those that are on
+    void setTimelineCurves(const QStringList& curves);
     bool metersFolded() const;
     void setMetersFolded(bool folded);
     bool parallelView() const;

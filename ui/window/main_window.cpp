@@ -7,6 +7,7 @@
 #include "ui/messages/messages.h"
 #include "ui/panels/program_editor.h"
 #include "ui/panels/texts.h"
+#include "ui/panels/timeline_panel.h"
 #include "ui/scene/view_cube_room.h"
 #include "ui/window/device_dialog.h"
 #include "ui/window/machine_dialog.h"
@@ -54,8 +55,8 @@ MainWindow::MainWindow(QWidget* parent)
     setMinimumSize(smallestWindow);
     dress(settings_.preferences().theme); // before there are widgets: they take font and style from it
     layOut();
-    presenters_ =
-        std::make_unique<Presenters>(workbench_, actions_, Stage{*viewport_, *jobLine_, *panels_, *status_}, nullptr);
+    presenters_ = std::make_unique<Presenters>(workbench_, actions_,
+                                               Stage{*viewport_, *jobLine_, *panels_, *status_, *timeline_}, nullptr);
     new ViewOptions(*viewport_, *viewBar_, actions_, settings_, this);
     connectActions();
     connectWorkbench();
@@ -67,6 +68,8 @@ MainWindow::MainWindow(QWidget* parent)
     work_->restoreState(settings_.panelWidth());
     view_->restoreState(settings_.viewDocks());
     actions_[ActionId::programDock]->setChecked(settings_.programDocked());
+    actions_[ActionId::showTimeline]->setChecked(settings_.timelineShown());
+    timeline_->setCurves(settings_.timelineCurves());
     panels_->meters->setFolded(settings_.metersFolded());
     connect(panels_->meters, &Meters::foldedChanged, this, [this](bool folded) { settings_.setMetersFolded(folded); });
     showStep(JobStep::part);
@@ -99,6 +102,7 @@ void MainWindow::layOut() {
     work_->setChildrenCollapsible(false);
     view_ = makeView();
     programDock_ = new ProgramDock(*panels_->program, *actions_[ActionId::programDock], *view_);
+    layOutTimeline();
     work_->addWidget(view_);
     work_->addWidget(panels_);
     work_->setStretchFactor(0, 1);
@@ -126,7 +130,7 @@ void MainWindow::followPage() {
     const bool leadsBack = !working && workbench_.document.isOpen();
     constexpr int cube = static_cast<int>(ViewCubeRoom::side + 2.0 * ViewCubeRoom::margin);
     message_->layOver(working ? static_cast<QWidget*>(viewport_) : welcome_, working ? cube : 0);
-    followProgram();
+    followDocks();
     status_->setPageEscape(leadsBack ? tr("Esc: back to the project") : QString(), !working);
 }
 
@@ -143,7 +147,20 @@ void MainWindow::followPreview() {
     }
 }
 
-void MainWindow::followProgram() {
+void MainWindow::layOutTimeline() {
+    timeline_ = new TimelinePanel(
+        {*actions_[ActionId::playTime], *actions_[ActionId::presentTime], *actions_[ActionId::punchIn]});
+    timelineDock_ = new ViewDock({tr("Timeline"), QStringLiteral("timelineDock"), tr("Hide the timeline"),
+                                  timeline_->bar(), timeline_->sizeHint().height()},
+                                 *actions_[ActionId::showTimeline], *view_);
+    timelineDock_->setWidget(timeline_);
+    view_->splitDockWidget(programDock_, timelineDock_, Qt::Vertical); // as wide as the view, each of them
+    connect(timelineDock_, &QDockWidget::visibilityChanged, this,
+            [this](bool visible) { workbench_.time.setFollowed(visible); });
+}
+
+void MainWindow::followDocks() {
+    timelineDock_->setUsed(pages_->currentWidget() == workPage_);
     programDock_->setUsed(presenters_ && pages_->currentWidget() == workPage_ &&
                           presenters_->job.shown() == JobStep::program);
 }
@@ -199,6 +216,7 @@ void MainWindow::escape() {
         return;
     }
     if (pages_->currentWidget() == welcome_) return goBack();
+    if (workbench_.time.away()) return workbench_.time.backToPresent();
     InteractiveTool* tool = viewport_->interactiveTool();
     if (tool == nullptr || !tool->key(Qt::Key_Escape, Qt::NoModifier)) {
         activateWindow(); // a dock may be a window of its own
@@ -229,8 +247,9 @@ void MainWindow::showStep(JobStep step) {
     if (step != JobStep::program) presenters_->pathScene.setShown(step);
     if (step == JobStep::path) presenters_->area.setShown(step);
     if (step == JobStep::part) presenters_->part.setShown(true);
+    presenters_->time.setShown(step);
     panels_->showStep(step);
-    followProgram();
+    followDocks();
 }
 
 LeftAt MainWindow::leftAt() const {
@@ -346,12 +365,7 @@ void MainWindow::showKeys() {
 }
 
 void MainWindow::removeTake(qint64 take) {
-    const auto& takes = workbench_.mill.takes();
-    const auto found = std::ranges::find(takes, take, &TakeInfo::id);
-    if (found == takes.end()) return;
-    if (confirm(this, tr("Delete “%1”?").arg(takeName(found->name)),
-                tr("The workpiece is milled again without it. This can't be undone."), tr("Delete")))
-        workbench_.mill.removeTake(take);
+    workbench_.mill.removeTake(take);
 }
 
 void MainWindow::showMachines() {
@@ -405,6 +419,8 @@ void MainWindow::end(bool abandon) {
     settings_.setPanelWidth(work_->saveState());
     settings_.setViewDocks(view_->saveState());
     settings_.setProgramDocked(actions_[ActionId::programDock]->isChecked());
+    settings_.setTimelineShown(actions_[ActionId::showTimeline]->isChecked());
+    settings_.setTimelineCurves(timeline_->curves());
     flow_.closeProject(abandon, [this] {
         ended_ = true;
         close();

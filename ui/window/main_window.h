@@ -22,6 +22,8 @@ class QStackedWidget;
 namespace burin {
 
 class ProgramDock;
+class TimelinePanel;
+class ViewDock;
 
 /// The window: lays out its parts and connects them. What they show, presenters say; what is done, controllers do.
 class MainWindow final : public QMainWindow {
@@ -62,7 +64,8 @@ private:
     void dress(Theme theme);
     void apply(const Preferences& preferences, const Preferences& before);
     QMainWindow* makeView(); ///< the viewport and the bar below it, with docks around
-    void followProgram();
+    void followDocks();
+    void layOutTimeline();
     void setUnit(LengthUnit unit);
     void showPreferences();
     void showKeys();
@@ -91,6 +94,8 @@ private:
     ViewBar* viewBar_ = nullptr;
     QMainWindow* view_ = nullptr; ///< both, with room for docks
     ProgramDock* programDock_ = nullptr;
+    TimelinePanel* timeline_ = nullptr;
+    ViewDock* timelineDock_ = nullptr;
     QPointer<QWidget> leftFrom_; ///< what had the keyboard before the welcome page came
     JobLine* jobLine_ = nullptr;
     PanelStack* panels_ = nullptr;

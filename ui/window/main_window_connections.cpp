@@ -37,6 +37,10 @@ void MainWindow::connectActions() {
         else
             workbench_.mill.leave();
     });
+    on(ActionId::punchIn, [this] {
+        showStep(JobStep::mill);
+        workbench_.time.punchIn();
+    });
     on(ActionId::addFixtureFile, [this] { flow_.importFixture(); });
     connect(&presenters_->surroundings, &SurroundingsPresenter::fixtureFileWanted, &flow_,
             &DocumentFlow::importFixture);

@@ -39,18 +39,18 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
     file->insertMenu(file->actions().at(2), recent_);
     addMenu(bar, tr("&Edit"), "editMenu", actions, {undo, redo, line, tools, materials, devices, preferences});
     addMenu(bar, tr("&View"), "viewMenu", actions,
-            {fit,          line,           viewIsometric, viewTop,       viewBottom, viewFront,
-             viewBack,     viewLeft,       viewRight,     parallelView,  line,       seeThrough,
-             sectionPlane, flipSection,    line,          showWorkpiece, showPart,   showTool,
-             showPath,     showOtherPaths, showGuides,    line,          nextStep,   previousStep});
+            {fit,      line,          viewIsometric, viewTop,  viewBottom,  viewFront,      viewBack,
+             viewLeft, viewRight,     parallelView,  line,     seeThrough,  sectionPlane,   flipSection,
+             line,     showWorkpiece, showPart,      showTool, showPath,    showOtherPaths, showGuides,
+             line,     showTimeline,  line,          nextStep, previousStep});
     addMenu(bar, tr("&Setup"), "setupMenu", actions,
             {addSetup, nextSetup, previousSetup, line, faceDown, turnAboutX, turnAboutY, turnAboutZ, line, pickZero,
              touchZero});
     addMenu(bar, tr("&Mill"), "millMenu", actions,
-            {embed,       stockFile,   toolShape,  addFixtureFile, axisOfView, line,      millMode,
-             raster,      repeatLower, repeatLeft, repeatRight,    line,       guides,    nearestEdge,
-             levelAbove,  levelBelow,  line,       clutch,         recentre,   alignHand, finerHand,
-             coarserHand, rateControl, line,       showMe,         stopShow});
+            {embed,       stockFile,  toolShape,   addFixtureFile, axisOfView, line,        millMode, raster,
+             repeatLower, repeatLeft, repeatRight, line,           playTime,   presentTime, punchIn,  addMarker,
+             line,        guides,     nearestEdge, levelAbove,     levelBelow, line,        clutch,   recentre,
+             alignHand,   finerHand,  coarserHand, rateControl,    line,       showMe,      stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions,
             {newPath, newPass, measurePasses, brushArea, lassoArea, faceArea, clearArea, evaluatePath, line,
              drawStretch, drawEdit});

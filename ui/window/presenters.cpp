@@ -31,9 +31,12 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , scene(workbench, stage.viewport, actions, this)
     , guideScene(workbench, stage.viewport, actions, this)
     , programScene(workbench, stage.viewport, *stage.panels.program, scene, this)
-    , deviation(workbench, stage.viewport, stage.panels.program->deviation(), scene, this) {
+    , deviation(workbench, stage.viewport, stage.panels.program->deviation(), scene, this)
+    , time(workbench, stage.timeline, scene, this) {
     connect(&pathScene, &PathScenePresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(&area, &AreaPresenter::escapeChanged, &status, &Presenter::presentSoon);
+    connect(stage.panels.program, &ProgramPanel::lineChosen, &workbench.time, &TimeController::followLine);
+    connect(&time, &TimePresenter::lineReached, &programScene, &ProgramScenePresenter::followLine);
     connect(&programScene, &ProgramScenePresenter::hovered, &deviation, &DeviationPresenter::pointAt);
 }
 
@@ -48,13 +51,14 @@ void Presenters::connectActions(const Actions& actions, const Viewport& viewport
     path.connectActions(actions);
     area.connectActions(actions);
     program.connectActions(actions);
+    time.connectActions(actions);
 }
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{
              &part,   &setups,       &stock,  &zero,       &material,     &layers,    &tool,    &allowance,
              &mill,   &surroundings, &guides, &hand,       &pathScene,    &path,      &program, &meters,
-             &status, &job,          &scene,  &guideScene, &programScene, &deviation, &area})
+             &status, &job,          &scene,  &guideScene, &programScene, &deviation, &area,    &time})
         presenter->setUnit(unit);
 }
 

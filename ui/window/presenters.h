@@ -18,6 +18,7 @@
 #include "ui/window/setups_presenter.h"
 #include "ui/window/status_presenter.h"
 #include "ui/window/surroundings_presenter.h"
+#include "ui/window/time_presenter.h"
 #include "ui/window/zero_presenter.h"
 
 namespace burin {
@@ -28,6 +29,7 @@ struct Stage {
     JobLine& jobLine;
     PanelStack& panels;
     StatusLine& status;
+    TimelinePanel& timeline;
 };
 
 /// All presenters of a window.
@@ -63,6 +65,7 @@ public:
     GuideScenePresenter guideScene;
     ProgramScenePresenter programScene;
     DeviationPresenter deviation;
+    TimePresenter time;
 };
 
 } // namespace burin

@@ -2,16 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/program_dock.h"
 
-#include "ui/panels/buttons.h"
 #include "ui/panels/program_editor.h"
 #include "ui/panels/program_panel.h"
 
 #include <QAction>
 #include <QApplication>
-#include <QCloseEvent>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QMainWindow>
 #include <QPointer>
 
 namespace burin {
@@ -23,51 +18,16 @@ constexpr int firstHeight = 280; // pixels
 } // namespace
 
 ProgramDock::ProgramDock(ProgramPanel& panel, QAction& move, QMainWindow& view)
-    : QDockWidget(tr("Program"), &view), panel_(panel), move_(move) {
-    setObjectName(QStringLiteral("programDock"));
-    setTitleBarWidget(makeTitleBar());
-    view.addDockWidget(Qt::BottomDockWidgetArea, this);
-    view.resizeDocks({this}, {firstHeight}, Qt::Vertical);
-    hide();
+    : ViewDock({tr("Program"), QStringLiteral("programDock"), tr("Put text and findings back into the panel"), nullptr,
+                firstHeight},
+               move, view)
+    , panel_(panel) {
     panel.editor().offer(move);
-    connect(&move, &QAction::toggled, this, &ProgramDock::follow);
-}
-
-/// With the theme's icons; a drag of what is between moves the dock.
-QWidget* ProgramDock::makeTitleBar() {
-    auto* bar = new QWidget(this);
-    auto* title = new QLabel(windowTitle(), bar);
-    title->setProperty("look", "section");
-    QToolButton* single =
-        makeIconButton(QStringLiteral("float"), tr("Make it a window of its own, or put it back next to the view"),
-                       QStringLiteral("floatDockButton"), bar);
-    QToolButton* back = makeIconButton(QStringLiteral("cancel"), tr("Put text and findings back into the panel"),
-                                       QStringLiteral("closeDockButton"), bar);
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(8, 2, 4, 2);
-    row->setSpacing(4);
-    row->addWidget(title, 1);
-    row->addWidget(single);
-    row->addWidget(back);
-    connect(single, &QToolButton::clicked, this, [this] { setFloating(!isFloating()); });
-    connect(back, &QToolButton::clicked, this, &QWidget::close);
-    return bar;
-}
-
-void ProgramDock::setUsed(bool used) {
-    used_ = used;
-    follow();
-}
-
-void ProgramDock::closeEvent(QCloseEvent* event) {
-    QDockWidget::closeEvent(event);
-    move_.setChecked(false);
 }
 
 void ProgramDock::follow() {
-    const bool wanted = move_.isChecked();
-    if (wanted != (widget() == &panel_.editor())) moveEditor(wanted);
-    setVisible(wanted && used_);
+    if (wanted() != (widget() == &panel_.editor())) moveEditor(wanted());
+    ViewDock::follow();
 }
 
 /// The keyboard goes along.
@@ -83,7 +43,7 @@ void ProgramDock::moveEditor(bool here) {
     }
     editor.setDocked(here);
     if (!focus) return;
-    if (here) setVisible(used_);
+    if (here) setVisible(used());
     focus->window()->activateWindow();
     focus->setFocus();
 }

@@ -95,11 +95,15 @@ void ProgramScenePresenter::choose(int line) {
     showLine();
 }
 
+void ProgramScenePresenter::followLine(int line) {
+    line_ = line;
+    panel_.showLine(line);
+    showLine();
+}
+
 void ProgramScenePresenter::pick(std::size_t move) {
     if (move >= moves_.size()) return;
-    line_ = static_cast<int>(moves_[move].line);
-    panel_.showLine(line_);
-    showLine();
+    followLine(static_cast<int>(moves_[move].line));
 }
 
 /// What shank and holder touch on the line that is looked at; of the whole program where that touches nothing.

@@ -20,6 +20,7 @@ public:
     ProgramScenePresenter(Workbench& workbench, Viewport& viewport, ProgramPanel& panel, ScenePresenter& scene,
                           QObject* parent);
     void setShown(JobStep step);
+    void followLine(int line); ///< goes to a line in the text, too
 
 signals:
     void hovered(const QPointF& position); ///< over the viewport, while this is shown

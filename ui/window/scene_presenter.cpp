@@ -90,6 +90,7 @@ void ScenePresenter::drawTool() {
 
 void ScenePresenter::placeTool() {
     if (!workbench_.workpiece.embedded() || workbench_.session.running()) return;
+    if (past_) return showSample(*past_, (past_->flags & sampleSpindleOff) == 0);
     const MillingContext& milling = *workbench_.workpiece.milling();
     const glm::dvec3 centre = milling.setup.stock.centre();
     ToolMarks marks;
@@ -132,14 +133,32 @@ void ScenePresenter::showWorkpiece() {
 
 void ScenePresenter::showTicks() {
     const SessionState& state = workbench_.session.state();
+    showSample(state.sample, state.cutting);
+}
+
+void ScenePresenter::showSample(const Sample& sample, bool cutting) {
     ToolMarks marks;
-    marks.proxy = state.sample.proxy;
-    marks.stylusTip = state.sample.stylusTip;
-    marks.force = state.sample.force;
-    marks.ghost = true;
-    marks.alarm = (state.sample.flags & sampleShankContact) != 0;
-    marks.cutting = state.cutting;
+    marks.proxy = sample.proxy;
+    marks.stylusTip = sample.stylusTip;
+    marks.force = sample.force;
+    marks.ghost = workbench_.session.running() || sample.stylusTip != sample.proxy.tip;
+    marks.alarm = (sample.flags & sampleShankContact) != 0;
+    marks.cutting = cutting;
     viewport_.setToolMarks(marks);
+}
+
+void ScenePresenter::showMoment(const std::optional<MomentView>& moment) {
+    const bool back = past_.has_value() && !moment;
+    past_ = moment ? moment->sample : std::nullopt;
+    if (moment) {
+        viewport_.setWorkpiece(moment->workpiece);
+        shownTool_ = moment->tool;
+        drawTool();
+        placeTool();
+    } else if (back || shownTool_) {
+        parkTool();
+        if (!workbench_.session.running()) showWorkpiece();
+    }
 }
 
 void ScenePresenter::showTrace(const std::vector<TracePoint>& points) {

@@ -21,11 +21,14 @@ public:
     /// Where a tool stands while no session moves it. @param tip mm, setup frame @param tool null: the one in force
     void showToolAt(const glm::dvec3& tip, const Tool* tool);
     void parkTool(); ///< the one in force, over the stock
+    /// What stood there at a moment of the recordings; nothing: the present again.
+    void showMoment(const std::optional<MomentView>& moment);
 
 private:
     void present() override;
     void presentPart();
     void showTicks();
+    void showSample(const Sample& sample, bool cutting);
     void showTrace(const std::vector<TracePoint>& points);
     void showWorkpiece();
     void placeTool();
@@ -41,6 +44,7 @@ private:
     std::optional<glm::dvec3> toolTip_;
     std::optional<Tool> shownTool_; ///< in the stead of the one in force
     std::string tool_;              ///< id of the one that is drawn
+    std::optional<Sample> past_;    ///< a moment's, which is shown in the present's stead
     std::vector<glm::vec3> stroke_; ///< storage
 };
 

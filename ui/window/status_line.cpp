@@ -22,7 +22,8 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     stylus_ = add("stylusStatus", tr("Stylus that moves the tool."));
     rate_ = add("rateStatus", {}, new ElidedLabel({}, this)); // the first that ends in "…" where the window is narrow
     position_ = add("positionStatus", tr("Position of the tool tip, in the coordinates of the program."));
-    size_ = add("sizeStatus", tr("Voxels of the workpiece, and the memory reserved for it."));
+    size_ = add("sizeStatus", tr("Voxels of the workpiece, the memory reserved for it, and a hash of it: the same "
+                                 "recordings and settings give the same hash."));
     saved_ = add("savedStatus", tr("Whether all changes are saved in the project file."));
     task_ = new QLabel(this);
     task_->setObjectName(QStringLiteral("taskStatus"));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/status_presenter.h"
 
+#include "core/volume/operations/fingerprint.h"
 #include "ui/panels/texts.h"
 
 #include <QLocale>
@@ -14,7 +15,7 @@ StatusPresenter::StatusPresenter(Workbench& workbench, const MeterPresenter& met
                                  const Viewport& viewport, StatusLine& line, QObject* parent)
     : Presenter(workbench,
                 {&workbench.document, &workbench.workpiece, &workbench.setup, &workbench.session, &workbench.styluses,
-                 &workbench.path},
+                 &workbench.path, &workbench.keeper},
                 parent)
     , meters_(meters)
     , viewport_(viewport)
@@ -51,9 +52,12 @@ void StatusPresenter::present() {
         const glm::ivec3 count = milling->embedded.workpiece.grid().count();
         const double megabytes = static_cast<double>(milling->embedded.workpiece.reservedBytes()) / 1e6;
         const QLocale locale;
-        line_.setSize(tr("%1 × %2 × %3 voxels · %4 MB")
-                          .arg(locale.toString(count.x), locale.toString(count.y), locale.toString(count.z),
-                               locale.toString(megabytes, 'f', 0)));
+        QString text = tr("%1 × %2 × %3 voxels · %4 MB")
+                           .arg(locale.toString(count.x), locale.toString(count.y), locale.toString(count.z),
+                                locale.toString(megabytes, 'f', 0));
+        if (const auto& hash = workbench_.keeper.hash())
+            text += QStringLiteral(" · ") + tr("hash %1").arg(QString::fromStdString(fingerprintText(*hash)));
+        line_.setSize(text);
     }
     presentSession();
 }

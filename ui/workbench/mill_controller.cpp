@@ -3,7 +3,7 @@
 #include "ui/workbench/mill_controller.h"
 
 #include "core/job/milling.h"
-#include "ui/workbench/stroke_command.h"
+#include "ui/workbench/done_command.h"
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
@@ -15,7 +15,8 @@ namespace burin {
 namespace {
 
 bool sameTake(const TakeInfo& one, const TakeInfo& other) {
-    return one.id == other.id && one.sampleCount == other.sampleCount && one.complete == other.complete;
+    return one.id == other.id && one.name == other.name && one.sampleCount == other.sampleCount &&
+           one.undoneCount == other.undoneCount && one.complete == other.complete;
 }
 
 } // namespace
@@ -178,18 +179,16 @@ void MillController::applyAllowance(double millimetres) {
     emit changed();
 }
 
-void MillController::takeBack(bool undo) {
-    // Older strokes stay for good: their entries of the undo stack do nothing any more.
+void MillController::takeBack(const StrokePlace& stroke, bool undo) {
     const StrokeHistory& history = workpiece_.strokes();
-    if (undo ? !history.canUndo() : !history.canRedo()) return;
-    const std::int64_t taken = history.canUndo() ? history.newest().take : 0;
-    const auto done = [this, undo, taken](bool changedIt) {
-        if (!changedIt) return;
-        moveStroke(undo ? taken : workpiece_.strokes().newest().take, undo);
-        sortOut();
-        emit strokeTakenBack(undo);
-        emit takesChanged();
-        emit changed();
+    const bool can = undo ? history.canUndo() : history.canRedo();
+    const auto is = [&](const Stroke& other) {
+        return other.take == stroke.take && SampleRange{other.first, other.count} == stroke.samples;
+    };
+    // What the history has let go, or what was milled before the workpiece was made again, is cut again without it.
+    if (!can || !is(undo ? history.newest() : history.nextRedo())) return takeBackInProject(stroke, undo);
+    const auto done = [this, undo, take = stroke.take](bool changedIt) {
+        if (changedIt) tookBack(take, undo);
     };
     if (session_.running()) {
         if (undo)
@@ -209,6 +208,85 @@ void MillController::takeBack(bool undo) {
     });
 }
 
+void MillController::takeBackInProject(const StrokePlace& stroke, bool undo) {
+    desk_.project.post(
+        [stroke, undo](Project& project) {
+            return undo ? project.undoStretch(stroke.take, stroke.samples)
+                        : project.redoStretch(stroke.take, stroke.samples);
+        },
+        [this, take = stroke.take, undo](const Result<void>& outcome) {
+            if (!outcome) {
+                emit failed(outcome.error());
+                return;
+            }
+            workpiece_.remake();
+            tookBack(take, undo);
+            refreshTakes();
+        });
+}
+
+void MillController::tookBack(std::int64_t take, bool undo) {
+    moveStroke(take, undo);
+    sortOut();
+    emit strokeTakenBack(undo);
+    emit takesChanged();
+    emit changed();
+}
+
+void MillController::setSwitchedOff(const QString& title, WantedOff wanted, Then then) {
+    struct Change {
+        SwitchedOff before, after;
+    };
+    desk_.project.ask(
+        [wanted = std::move(wanted)](Project& project) -> Result<Change> {
+            Result<SwitchedOff> after = wanted(project);
+            if (!after) return std::move(after).error();
+            Result<SwitchedOff> before = switchedOff(project, *after);
+            if (!before) return std::move(before).error();
+            return Change{std::move(*before), std::move(*after)};
+        },
+        [this, title, then = std::move(then)](const Result<Change>& change) {
+            if (!change) {
+                emit failed(change.error());
+                return;
+            }
+            if (change->before == change->after) {
+                if (then) then();
+                return;
+            }
+            auto once = std::make_shared<Then>(then);
+            desk_.undo.push(new ValueCommand<SwitchedOff>(
+                title, -1, change->before, change->after,
+                [this, once](const SwitchedOff& off) { applySwitchedOff(off, std::exchange(*once, {})); }));
+        });
+}
+
+void MillController::applySwitchedOff(const SwitchedOff& off, const Then& then) {
+    desk_.project.post([off](Project& project) { return burin::setSwitchedOff(project, off); },
+                       [this, then](const Result<void>& outcome) {
+                           if (!outcome) {
+                               emit failed(outcome.error());
+                               return;
+                           }
+                           workpiece_.remake(); // at once: nobody is to take what stands for what the project says now
+                           refreshTakes(then);
+                       });
+}
+
+void MillController::nameTake(std::int64_t id, const QString& name) {
+    const auto take = std::ranges::find(takes_, id, &TakeInfo::id);
+    if (take == takes_.end() || name.trimmed().isEmpty() || take->name == name.trimmed().toStdString()) return;
+    const auto apply = [this, id](const std::string& wanted) {
+        desk_.project.post([id, wanted](Project& project) { return project.nameTake(id, wanted); },
+                           [this](const Result<void>& outcome) {
+                               if (!outcome) emit failed(outcome.error());
+                               refreshTakes();
+                           });
+    };
+    desk_.undo.push(
+        new ValueCommand<std::string>(tr("name of a take"), -1, take->name, name.trimmed().toStdString(), apply));
+}
+
 void MillController::moveStroke(std::int64_t take, bool undo) {
     std::vector<std::uint64_t>& from = undo ? numbers_[take] : undoneNumbers_;
     std::vector<std::uint64_t>& to = undo ? undoneNumbers_ : numbers_[take];
@@ -222,8 +300,13 @@ void MillController::moveStroke(std::int64_t take, bool undo) {
 void MillController::noteStrokes() {
     const std::uint64_t now = workpiece_.strokes().added();
     const std::uint64_t fresh = now - std::exchange(strokesSeen_, now);
-    for (std::uint64_t i = 0; i < fresh; ++i)
-        desk_.undo.push(new StrokeCommand(tr("stroke"), [this](bool undo) { takeBack(undo); }));
+    const StrokeHistory& history = workpiece_.strokes();
+    for (std::size_t i = std::min<std::size_t>(fresh, history.count()); i-- > 0;) {
+        const Stroke& stroke = history.newest(i);
+        desk_.undo.push(
+            new DoneCommand(tr("stroke"), [this, place = StrokePlace{stroke.take, {stroke.first, stroke.count}}](
+                                              bool undo) { takeBack(place, undo); }));
+    }
     if (fresh == 0) return;
     if (workpiece_.strokes().canUndo()) {
         const std::int64_t take = workpiece_.strokes().newest().take;
@@ -267,18 +350,24 @@ void MillController::setStrokes(std::map<std::int64_t, std::size_t> strokes) {
 }
 
 void MillController::removeTake(std::int64_t id) {
-    interrupt([this, id] {
-        desk_.undo.clear();
-        desk_.project.post([id](Project& project) { return project.removeTake(id); },
-                           [this](const Result<void>& outcome) {
-                               if (outcome) {
-                                   refreshTakes();
-                                   workpiece_.embed();
-                               } else {
-                                   emit failed(outcome.error());
-                               }
-                           });
+    changeTake(id, true, [this, id] {
+        desk_.undo.push(new DoneCommand(tr("delete a take"), [this, id](bool undo) { changeTake(id, !undo, {}); }));
     });
+}
+
+/// @param then where that went well
+void MillController::changeTake(std::int64_t id, bool remove, const Then& then) {
+    desk_.project.post(
+        [id, remove](Project& project) { return remove ? project.removeTake(id) : project.restoreTake(id); },
+        [this, then](const Result<void>& outcome) {
+            if (!outcome) {
+                emit failed(outcome.error());
+                return;
+            }
+            workpiece_.remake();
+            if (then) then();
+            refreshTakes();
+        });
 }
 
 void MillController::load(std::vector<TakeInfo> takes) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/device/simulated_stylus.h"
+#include "core/job/switched_off.h"
 #include "ui/workbench/session_runner.h"
 #include "ui/workbench/stylus_controller.h"
 #include "ui/workbench/workpiece_controller.h"
@@ -50,7 +51,13 @@ public:
     void setForceButtons(std::uint32_t buttons);
     /// How much of the cutting a device lets the hand feel, from the next session on.
     void setFelt(const FeltCutting& felt) { felt_ = felt; }
-    void removeTake(std::int64_t id); ///< for good; the workpiece is made anew without it
+    void removeTake(std::int64_t id); ///< an entry of the undo stack; the workpiece is made anew without it
+    using WantedOff = std::function<Result<SwitchedOff>(const Project& project)>;
+    /// An entry of the undo stack, unless nothing is to be changed; the workpiece follows in the background.
+    /// @param title of the entry @param wanted on the project's thread: what is to be off of each take that it names
+    /// @param then when the project has it and the workpiece begins to follow
+    void setSwitchedOff(const QString& title, WantedOff wanted, Then then = {});
+    void nameTake(std::int64_t id, const QString& name); ///< an entry of the undo stack
 
     /// What a project holds.
     void load(std::vector<TakeInfo> takes);
@@ -66,7 +73,16 @@ signals:
     void takesChanged();             ///< recordings came, went, or strokes of them were taken back
 
 private:
-    void takeBack(bool undo);
+    /// A stroke of a take.
+    struct StrokePlace {
+        std::int64_t take = 0;
+        SampleRange samples;
+    };
+    void takeBack(const StrokePlace& stroke, bool undo);
+    void takeBackInProject(const StrokePlace& stroke, bool undo);
+    void tookBack(std::int64_t take, bool undo);
+    void changeTake(std::int64_t id, bool remove, const Then& then);
+    void applySwitchedOff(const SwitchedOff& off, const Then& then);
     void noteStrokes();
     void moveStroke(std::int64_t take, bool undo);
     void sortOut();

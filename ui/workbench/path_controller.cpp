@@ -210,7 +210,8 @@ RecordedKey PathController::recordedKey(const std::string& tool) const {
     for (const TakeInfo& take : standing_) {
         if (!tool.empty() && take.toolId != tool) continue;
         const auto newest = newestStrokes_.find(take.id);
-        key.emplace_back(take.id, take.sampleCount, take.complete, newest != newestStrokes_.end() ? newest->second : 0);
+        key.emplace_back(take.id, take.sampleCount - take.undoneCount, take.complete,
+                         newest != newestStrokes_.end() ? newest->second : 0);
     }
     return key;
 }

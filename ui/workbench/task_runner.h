@@ -42,7 +42,11 @@ enum class TaskKind {
     placing,
     face,
     furtherSetup,
-    sheet
+    sheet,
+    time,
+    programTime,
+    keeping,
+    punchingIn
 };
 
 /// A task as the status line shows it.

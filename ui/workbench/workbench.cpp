@@ -43,7 +43,9 @@ Workbench::Workbench(QObject* parent)
     , passMeasurer(desk_, workpiece, path, this)
     , program(desk_, workpiece, path, target, this)
     , setups(desk_, {document, setup, workpiece, program, target}, this)
-    , sheet(desk_, this) {
+    , sheet(desk_, this)
+    , time(desk_, workpiece, session, mill, this)
+    , keeper(desk_, workpiece, session, mill, this) {
     wire();
 }
 
@@ -55,9 +57,9 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document, &model,        &setup,      &material,     &tool,         &target, &workpiece, &styluses,
-            &session,  &deviceTester, &viewDevice, &mill,         &surroundings, &guides, &hand,      &showMe,
-            &path,     &area,         &passes,     &passMeasurer, &program,      &setups, &sheet};
+    return {&document,     &model,        &setup,   &material,     &tool,   &target, &workpiece, &styluses, &session,
+            &deviceTester, &viewDevice,   &mill,    &surroundings, &guides, &hand,   &showMe,    &path,     &area,
+            &passes,       &passMeasurer, &program, &setups,       &sheet,  &time,   &keeper};
 }
 
 void Workbench::wire() {
@@ -127,6 +129,8 @@ void Workbench::load(const ProjectContents& contents) {
     passes.forget();
     passPreview.end();
     passMeasurer.forget();
+    time.forget();
+    keeper.forget();
     path.load(contents.paths, contents.takes, contents.generated);
     lockSetup();
     program.load(contents.programs, contents.programDraft, contents.keptProgram);

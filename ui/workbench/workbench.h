@@ -21,8 +21,10 @@
 #include "ui/workbench/stylus_controller.h"
 #include "ui/workbench/surroundings_controller.h"
 #include "ui/workbench/target_controller.h"
+#include "ui/workbench/time_controller.h"
 #include "ui/workbench/tool_controller.h"
 #include "ui/workbench/view_device.h"
+#include "ui/workbench/workpiece_keeper.h"
 
 #include <QObject>
 #include <QUndoStack>
@@ -66,6 +68,8 @@ public:
     ProgramController program;
     SetupsController setups;
     SheetController sheet;
+    TimeController time;
+    WorkpieceKeeper keeper;
 
     std::vector<Controller*> controllers();
     TaskRunner& tasks() noexcept { return tasks_; }

@@ -169,37 +169,83 @@ void WorkpieceController::clear() {
 }
 
 void WorkpieceController::embed() {
-    if (!model_ || embedding()) return;
+    if (model_ && !embedding()) readWork(&WorkpieceController::embedWith);
+}
+
+/// One that was begun before knows the recordings as they were.
+void WorkpieceController::remake() {
+    if (!embedded()) return;
+    ++generation_;
+    desk_.tasks.abandon(TaskKind::embedding);
+    readWork(&WorkpieceController::remakeWith);
+}
+
+void WorkpieceController::readWork(void (WorkpieceController::*then)(const RecordedWork&), bool fromKept) {
     reading_ = true;
     emit changed();
-    desk_.project.ask([](Project& project) { return cutsOf(project); },
-                      [this, generation = generation_](Result<std::vector<RecordedCuts>> takes) {
+    desk_.project.ask([fromKept](Project& project) { return recordedWork(project, fromKept); },
+                      [this, then, generation = generation_](Result<RecordedWork> work) {
                           if (generation != generation_) return; // those of another project or setup
                           reading_ = false;
-                          if (takes)
-                              embedWith(std::move(*takes));
+                          if (work)
+                              (this->*then)(*work);
                           else
-                              emit failed(takes.error());
+                              emit failed(work.error());
                           emit changed();
                       });
 }
 
-void WorkpieceController::embedWith(std::vector<RecordedCuts> takes) {
+void WorkpieceController::remakeWith(const RecordedWork& work) {
+    struct Remade {
+        std::shared_ptr<RunVolume> workpiece;
+        std::map<std::int64_t, std::size_t> strokes;
+    };
+    desk_.tasks.start(
+        TaskKind::embedding, tr("Milling the takes again"),
+        [work, stock = milling_->stock,
+         like = VolumeKind{milling_->embedded.workpiece.grid(), milling_->embedded.workpiece.properties()}](
+            Progress& progress) -> Result<Remade> {
+            Result<RunVolume> workpiece = workpieceOf(
+                work, [&] { return stock->makeStock(progress); }, progress, like);
+            if (!workpiece) return std::move(workpiece).error();
+            return Remade{std::make_shared<RunVolume>(std::move(*workpiece)), work.strokes};
+        },
+        [this, milling = milling_, fromKept = work.kept.has_value()](const Result<Remade>& outcome) {
+            if (!outcome) {
+                if (fromKept && outcome.error().code == ErrorCode::fileDamaged)
+                    return readWork(&WorkpieceController::remakeWith, false);
+                emit changed();
+                emit failed(outcome.error());
+                return;
+            }
+            letGo([this, milling, made = *outcome, generation = generation_] {
+                if (generation != generation_ || milling != milling_) return;
+                milling_->embedded.workpiece = std::move(*made.workpiece);
+                strokes_.clear(); // of the volume that was
+                emit workpieceChanged();
+                emit replayed(made.strokes);
+                emit changed();
+            });
+        });
+    emit changed();
+}
+
+void WorkpieceController::embedWith(const RecordedWork& work) {
     MillingContextRequest request{model_,        setup_, tool_, machine_.id, materials_, obstaclesOf(wanted_.obstacles),
                                   wanted_.travel};
     desk_.tasks.start(
         TaskKind::embedding, tr("Embedding the part"),
-        [request = std::move(request), takes = std::move(takes)](Progress& progress) -> Result<ReplayedMilling> {
+        [request = std::move(request), work](Progress& progress) -> Result<ReplayedMilling> {
             Result<MillingContext> milling = makeMillingContext(request, progress);
             if (!milling) return std::move(milling).error();
             progress.stage(0.0, 1.0);
-            if (Result<void> replayed = replayTakes(takes, *milling, progress); !replayed) return replayed.error();
-            ReplayedMilling made{std::make_shared<MillingContext>(std::move(*milling)), {}};
-            for (const RecordedCuts& take : takes) made.strokes[take.take] = take.strokes;
-            return made;
+            if (Result<void> replayed = replayTakes(work, *milling, progress); !replayed) return replayed.error();
+            return ReplayedMilling{std::make_shared<MillingContext>(std::move(*milling)), work.strokes};
         },
-        [this](Result<ReplayedMilling> outcome) {
+        [this, fromKept = work.kept.has_value()](Result<ReplayedMilling> outcome) {
             if (!outcome) {
+                if (fromKept && outcome.error().code == ErrorCode::fileDamaged)
+                    return readWork(&WorkpieceController::embedWith, false);
                 emit changed();
                 emit failed(outcome.error());
                 return;

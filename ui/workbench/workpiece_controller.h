@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/job/recorded_cuts.h"
 #include "core/job/stroke_history.h"
 #include "core/job/tool_bounds.h"
 #include "ui/workbench/controller.h"
@@ -46,6 +47,9 @@ public:
 
     /// Makes the workpiece anew: embeds, then replays the project's recordings.
     void embed();
+    /// Makes what was embedded anew from the recordings, which count otherwise than they did: from what is kept of
+    /// them.
+    void remake();
     void clear();
 
     bool exporting() const { return desk_.tasks.running(TaskKind::exporting); }
@@ -82,7 +86,10 @@ private:
     bool otherMaterials() const;
     void changeZero();
     bool otherZero() const;
-    void embedWith(std::vector<RecordedCuts> takes);
+    /// @param fromKept false: what was kept could not be read
+    void readWork(void (WorkpieceController::*then)(const RecordedWork&), bool fromKept = true);
+    void embedWith(const RecordedWork& work);
+    void remakeWith(const RecordedWork& work);
     void adopt(std::shared_ptr<MillingContext> milling);
     void buildBounds();
     void adoptBounds(const Tool& tool, const WantedBounds& wanted, std::shared_ptr<const ToolBounds> bounds);

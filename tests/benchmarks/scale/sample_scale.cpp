@@ -3,6 +3,7 @@
 #include "core/haptics/operator/virtual_operator.h"
 #include "core/haptics/trace/trace_stylus.h"
 #include "core/job/milling.h"
+#include "core/job/recorded_cuts.h"
 #include "core/tool/tool.h"
 #include "tests/benchmarks/scale/scale.h"
 

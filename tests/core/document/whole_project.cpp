@@ -100,15 +100,38 @@ bool holdsSetups(const Project& project, int version) {
            ofSecond->front().setup == second && postedThere->front().setup == second;
 }
 
+KeptWorkpiece keptWorkpiece(std::int64_t take) {
+    return {{take, 200}, {{take, 3}}, "what stood there"};
+}
+
+std::vector<TimeMarker> markers(std::int64_t take) {
+    return {{{take, 0}, "Anfang"}, {{take, 250}, "Rippe 2"}};
+}
+
+/// The workpiece that is kept since version 10, and the markers.
+bool holdsKept(const Project& project, int version) {
+    const Result<std::vector<TakeMoment>> moments = project.keptMoments();
+    const Result<std::vector<TimeMarker>> marked = project.markers();
+    if (version < 10) return moments && moments->empty() && marked && marked->empty();
+    if (!moments || moments->size() != 1) return false;
+    const KeptWorkpiece original = keptWorkpiece(moments->front().take);
+    const Result<KeptWorkpiece> kept = project.keptWorkpiece(moments->front());
+    return marked && *marked == markers(original.at.take) && kept && kept->at == original.at &&
+           kept->strokes == original.strokes && kept->volume == original.volume;
+}
+
 bool holdsTakes(const Project& project, int version) {
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes || takes->size() != 2) return false;
     const TakeInfo& first = takes->front();
     const TakeInfo original = takeInfo("Schruppen");
     const Result<Take> take = project.take(first.id);
-    const std::vector<SampleRange> undone =
-        version < 2 ? std::vector<SampleRange>{} : std::vector<SampleRange>{undoneInFixture};
-    if (first.undoneCount != (undone.empty() ? 0 : undoneInFixture.count)) return false;
+    std::vector<SampleRange> undone;
+    if (version >= 2) undone.push_back(undoneInFixture);
+    if (version >= 10) undone.push_back(offInFixture);
+    std::uint64_t count = 0;
+    for (const SampleRange& range : undone) count += range.count;
+    if (first.undoneCount != count || !holdsKept(project, version)) return false;
     return take && take->undone == undone && identical(take->samples, handSamples(0, 500)) &&
            first.name == original.name && first.toolId == original.toolId && first.allowance == original.allowance &&
            first.tickPeriod == original.tickPeriod && first.startedUnixTime == original.startedUnixTime &&
@@ -137,8 +160,10 @@ bool fillProject(const std::filesystem::path& file) {
         if (!writer || !writer->append(handSamples(first, 50))) return false;
     if (!project->undoStretch(writer->id(), undoneInFixture)) return false;
     if (!writer->finish() || !project->beginTake(takeInfo("broken off"))) return false;
+    if (!project->setSwitchedOff(writer->id(), std::span(&offInFixture, 1))) return false;
     return project->addPath(path({writer->id()})) && project->addProgram(program()) && storeSecondSetup(*project) &&
-           project->save();
+           project->setMarkers(markers(writer->id())) &&
+           project->keepWorkpiece(keptWorkpiece(writer->id()), *project->recordedState()) && project->save();
 }
 
 bool holdsFixture(const Project& project, int version) {

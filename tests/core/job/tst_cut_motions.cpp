@@ -24,22 +24,30 @@ private slots:
                 glm::dvec3(0.1, 0.2, 0.3), {1.0 / 3.0, -2.0, 1e-300}, {-0.0, 0.0, 5.0}};
             const std::array<glm::dvec3, 2> axes{glm::dvec3(0.0, 0.0, 1.0), {0.0, 0.6, 0.8}};
             std::vector<std::pair<ToolPose, ToolPose>> motions;
+            std::vector<std::uint64_t> ends;
             const auto anyPose = [&] { return ToolPose{*rc::gen::elementOf(tips), *rc::gen::elementOf(axes)}; };
             CutMotions kept;
             for (int i = *rc::gen::inRange(0, 30); i > 0; --i) {
                 const bool goesOn = !motions.empty() && *rc::gen::inRange(0, 3) > 0;
                 motions.emplace_back(goesOn ? motions.back().second : anyPose(), anyPose());
-                kept.add(motions.back().first, motions.back().second);
+                ends.push_back((ends.empty() ? 0 : ends.back()) + *rc::gen::inRange<std::uint64_t>(1, 4));
+                kept.add(motions.back().first, motions.back().second, ends.back());
             }
             RC_ASSERT(kept.count() == motions.size());
-            std::size_t next = 0;
+            const auto first = *rc::gen::inRange<std::size_t>(0, motions.size() + 1);
+            const auto end = *rc::gen::inRange<std::size_t>(first, motions.size() + 2);
+            std::size_t next = first;
             const auto same = [](const ToolPose& a, const ToolPose& b) { return a.tip == b.tip && a.axis == b.axis; };
-            const Result<void> visited = kept.visit([&](const ToolPose& from, const ToolPose& to) -> Result<void> {
+            const auto compare = [&](const ToolPose& from, const ToolPose& to, std::uint64_t sample) -> Result<void> {
                 RC_ASSERT(same(from, motions[next].first) && same(to, motions[next].second));
+                RC_ASSERT(sample == ends[next] && sample == kept.sampleOf(next));
                 ++next;
                 return {};
-            });
-            RC_ASSERT(visited && next == motions.size());
+            };
+            RC_ASSERT(kept.visit(first, end, compare) && next == std::max(first, std::min(end, motions.size())));
+            const auto samples = *rc::gen::inRange<std::uint64_t>(0, 100);
+            RC_ASSERT(kept.countWithin(samples) == static_cast<std::uint64_t>(std::ranges::count_if(
+                                                       ends, [&](auto each) { return each < samples; })));
         });
         QVERIFY(held);
     }
@@ -57,7 +65,7 @@ private slots:
             std::vector<std::pair<glm::dvec3, glm::dvec3>> found;
             for (std::span<const Sample> rest(samples); !rest.empty(); rest = rest.subspan(std::min(part, rest.size())))
                 QVERIFY(finder.find(rest.first(std::min(part, rest.size())),
-                                    [&](const ToolPose& from, const ToolPose& to) -> Result<void> {
+                                    [&](const ToolPose& from, const ToolPose& to, std::uint64_t) -> Result<void> {
                                         found.emplace_back(from.tip, to.tip);
                                         return {};
                                     }));

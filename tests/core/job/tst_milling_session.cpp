@@ -3,6 +3,7 @@
 #include "core/job/job_paths.h"
 #include "core/job/milling.h"
 #include "core/job/milling_session.h"
+#include "core/job/recorded_cuts.h"
 #include "tests/core/job/part_milling.h"
 #include "tests/core/job/session_stage.h"
 #include "tests/test_program.h"
@@ -42,7 +43,9 @@ Lines replayed(const Project& project) {
     MillingContext milling = blockMilling(), handedOver = blockMilling();
     Progress progress;
     const auto cuts = cutsOf(project);
-    if (!cuts || !replayTakes(project, milling, progress) || !replayTakes(*cuts, handedOver, progress)) return {};
+    if (!cuts || !replayTakes(project, milling, progress) ||
+        !replayTakes(RecordedWork{{}, *cuts, {}, {}}, handedOver, progress))
+        return {};
     Lines lines = linesOf(milling.embedded.workpiece);
     return lines == linesOf(handedOver.embedded.workpiece) ? lines : Lines{};
 }

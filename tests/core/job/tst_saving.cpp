@@ -219,12 +219,25 @@ private slots:
         const auto sizeBefore = fs::file_size(file);
         Result<Project> project = Project::open(file);
         QVERIFY(project);
+        const std::size_t others = project->takes()->size();
         Result<Project::TakeWriter> writer = project->beginTake(fixture::takeInfo("long"));
         QVERIFY(writer && writer->append(fixture::handSamples(0, 20000)) && writer->finish());
         QVERIFY(project->save());
         QVERIFY(fs::file_size(file) > 4 * sizeBefore);
-        QVERIFY(project->removeTake(writer->id()));
-        QVERIFY(project->save());
+        const std::int64_t take = writer->id();
+        {
+            const Project::TakeWriter gone = std::move(*writer); // it has a connection of its own
+            QVERIFY(project->removeTake(take) && project->takes()->size() == others);
+            QVERIFY(!project->take(take) && !project->visitSamples(take, {}));
+            QVERIFY(project->restoreTake(take) && project->takes()->size() == others + 1 && project->take(take));
+            QVERIFY(!project->restoreTake(take));
+            QVERIFY(project->removeTake(take) && project->save());
+        }
+        // As long as the project is open it can be put back.
+        project = Error{ErrorCode::internalFault, {}, {}, {}};
+        Result<Project> again = Project::open(file);
+        QVERIFY(again && !again->restoreTake(take) && !*again->unsaved());
+        QVERIFY(again->save());
         QVERIFY(fs::file_size(file) <= sizeBefore + 4096);
     }
 

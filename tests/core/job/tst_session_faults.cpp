@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/job/recorded_cuts.h"
 #include "tests/core/document/processes.h"
 #include "tests/core/job/session_stage.h"
 #include "tests/test_program.h"

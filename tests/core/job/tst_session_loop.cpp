@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/job/recorded_cuts.h"
 #include "core/job/session_loop.h"
 #include "tests/core/cutting/scalar_cutter.h"
 #include "tests/core/document/sample_project.h"

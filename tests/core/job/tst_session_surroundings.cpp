@@ -3,6 +3,7 @@
 #include "core/haptics/trace/trace_stylus.h"
 #include "core/job/job_paths.h"
 #include "core/job/milling_session.h"
+#include "core/job/recorded_cuts.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/core/job/part_milling.h"
 #include "tests/core/job/session_stage.h"
@@ -277,7 +278,7 @@ private slots:
         QVERIFY(replayTakes(stage.project, again, progress));
         QVERIFY(linesOf(again.embedded.workpiece) == standing);
         MillingContext handedOver = partMilling(toolWithHolder());
-        QVERIFY(replayTakes(*cutsOf(stage.project), handedOver, progress));
+        QVERIFY(replayTakes(RecordedWork{{}, *cutsOf(stage.project), {}, {}}, handedOver, progress));
         QVERIFY(linesOf(handedOver.embedded.workpiece) == standing);
         // The axis of each sample is that of the tool: what it cut is where the tilted tool was.
         const Result<Take> take = stage.project.take(session->take());

@@ -9,21 +9,22 @@
 
 namespace burin {
 
-/// A stroke that was milled, as an entry of the undo stack: undo takes it back, redo puts it back.
-class StrokeCommand final : public QUndoCommand {
+/// What was done before it became an entry of the undo stack, such as a stroke that was milled: undo takes it back,
+/// redo puts it back.
+class DoneCommand final : public QUndoCommand {
 public:
     /// @param takeBack called with true for undo, false for redo
-    StrokeCommand(const QString& title, std::function<void(bool)> takeBack)
+    DoneCommand(const QString& title, std::function<void(bool)> takeBack)
         : QUndoCommand(title), takeBack_(std::move(takeBack)) {}
 
     void redo() override {
-        if (std::exchange(milled_, true)) takeBack_(false); // the first time the hand did it
+        if (std::exchange(done_, true)) takeBack_(false); // the first time it is done already
     }
     void undo() override { takeBack_(true); }
 
 private:
     std::function<void(bool)> takeBack_;
-    bool milled_ = false;
+    bool done_ = false;
 };
 
 } // namespace burin

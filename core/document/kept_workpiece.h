@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/recording/take_moment.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace burin {
+
+/// A workpiece at a moment of its setup's recordings, so that it needs not be cut again.
+struct KeptWorkpiece {
+    TakeMoment at;
+    std::map<std::int64_t, std::size_t> strokes; ///< that stand, of each take that is over by then
+    std::string volume;                          ///< in the form of a volume file
+};
+
+/// All that a setup's workpiece is made of at one time: stock, recordings, what of them counts. To be compared alone.
+struct RecordedState {
+    TakeMoment end; ///< of the last take
+    std::int64_t digest = 0;
+    friend bool operator==(const RecordedState&, const RecordedState&) = default;
+};
+
+} // namespace burin

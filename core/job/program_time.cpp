@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/program_time.h"
+
+#include "core/verify/tool_moves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+constexpr double shortestTick = 0.01;   // s
+constexpr double mostTicks = 540'000.0; // an hour and a half of the shortest
+
+/// A straight move with the time at which it is made.
+struct TimedMove {
+    ToolMove move;
+    double start = 0.0, end = 0.0; ///< s
+};
+
+/// Each motion's time is shared among its chords by their length.
+std::vector<TimedMove> timed(const std::vector<ToolMove>& moves, const std::vector<MotionTime>& times) {
+    std::vector<TimedMove> all;
+    const auto lengthOf = [](const ToolMove& move) {
+        return move.endKnown ? glm::distance(move.begin().tip, move.to.tip) : 0.0;
+    };
+    for (std::size_t i = 0; i < moves.size();) {
+        std::size_t end = i;
+        double length = 0.0;
+        while (end < moves.size() && moves[end].motion == moves[i].motion) length += lengthOf(moves[end++]);
+        const MotionTime time = moves[i].motion < times.size() ? times[moves[i].motion] : MotionTime{};
+        double at = time.start;
+        for (; i < end; ++i) {
+            const double share = length > 0.0 ? lengthOf(moves[i]) / length : 1.0 / static_cast<double>(end - i);
+            const double until = i + 1 == end ? time.start + time.duration : at + share * time.duration;
+            all.push_back({moves[i], at, until});
+            at = until;
+        }
+    }
+    return all;
+}
+
+/// Makes the takes of a program, each of one tool, tick by tick.
+class Spreader {
+public:
+    Spreader(const CheckedProgram& program, double tick) : program_(program) { made_.tick = tick; }
+
+    Result<void> add(const TimedMove& timed, const Progress& progress) {
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, "program", {}, {}};
+        if (!timed.move.endKnown) return {};
+        beginTake(timed);
+        const ToolPose from = timed.move.begin(), to = timed.move.to;
+        const double length = timed.end - timed.start;
+        ToolPose before = from;
+        // To each tick that falls into the move, then to its end: the way is the program's, whatever the ticks.
+        for (double at = nextTick(); at < timed.end; at = nextTick()) {
+            const double share = length > 0.0 ? std::clamp((at - timed.start) / length, 0.0, 1.0) : 1.0;
+            const ToolPose now{glm::mix(from.tip, to.tip, share), to.axis};
+            move(before, now);
+            tickAt(now, timed.move.motion);
+            before = now;
+        }
+        move(before, to);
+        last_ = to;
+        lastMotion_ = timed.move.motion;
+        return {};
+    }
+
+    ProgramTime finish(double seconds) {
+        if (!made_.time.tracks.empty()) {
+            for (double at = nextTick(); at <= seconds; at = nextTick()) tickAt(last_, lastMotion_);
+            endTake();
+            made_.poses.push_back(last_);
+            made_.motions.push_back(lastMotion_);
+        }
+        return std::move(made_);
+    }
+
+private:
+    /// s of the program, of the tick that comes next.
+    double nextTick() const noexcept { return made_.tick * static_cast<double>(made_.poses.size() + 1); }
+
+    void beginTake(const TimedMove& timed) {
+        const int number = program_.parsed.motions[timed.move.motion].tool;
+        if (!made_.time.tracks.empty() && number == number_) return;
+        const Tool* tool = program_.toolNumbered(number);
+        if (!made_.time.tracks.empty()) endTake();
+        number_ = number;
+        TakeTrack track;
+        track.info.id = static_cast<std::int64_t>(made_.time.tracks.size()) + 1;
+        track.info.tickPeriod = made_.tick;
+        track.info.toolId = tool != nullptr ? tool->id : std::string();
+        track.info.name = tool != nullptr ? tool->name : std::string();
+        made_.time.tracks.push_back(std::move(track));
+        cuts_ = {made_.time.tracks.back().info.id, tool != nullptr ? *tool : Tool{}, {}, 0, 0};
+        made_.first.push_back(made_.poses.size());
+        if (made_.poses.empty()) last_ = timed.move.begin();
+        // What passed before, such as a tool change, is spent where the tool was.
+        for (double at = nextTick(); at <= timed.start; at = nextTick()) tickAt(last_, timed.move.motion);
+    }
+    void endTake() {
+        const std::uint64_t count = made_.poses.size() - made_.first.back();
+        made_.time.tracks.back().info.sampleCount = count;
+        cuts_.sampleCount = count;
+        made_.time.cuts.push_back(std::make_shared<const RecordedCuts>(std::move(cuts_)));
+        cuts_ = {};
+    }
+    /// A motion is over with the tick behind it.
+    void move(const ToolPose& from, const ToolPose& to) {
+        if (from.tip == to.tip && from.axis == to.axis) return;
+        cuts_.motions.add(from, to, made_.poses.size() - made_.first.back());
+    }
+    void tickAt(const ToolPose& pose, std::uint32_t motion) {
+        made_.poses.push_back(pose);
+        made_.motions.push_back(motion);
+    }
+
+    const CheckedProgram& program_;
+    ProgramTime made_;
+    RecordedCuts cuts_; ///< of the newest take
+    ToolPose last_;
+    std::uint32_t lastMotion_ = 0;
+    int number_ = 0;
+};
+
+/// Curves of bins, as a recording has them.
+void addCurves(ProgramTime& made, const CheckedProgram& program) {
+    const auto valuesOf = [&](std::size_t take, TrackCurve curve) -> std::vector<float>& {
+        return made.time.tracks[take].curves[static_cast<std::size_t>(curve)];
+    };
+    constexpr std::uint64_t bin = TakeTrack::samplesPerBin;
+    for (std::size_t take = 0; take < made.time.tracks.size(); ++take) {
+        const std::uint64_t count = made.time.tracks[take].info.sampleCount;
+        for (auto& values : made.time.tracks[take].curves) values.assign((count + bin - 1) / bin, 0.0F);
+        std::vector<float>& feed = valuesOf(take, TrackCurve::feed);
+        std::vector<float>& height = valuesOf(take, TrackCurve::height);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const std::uint64_t place = made.first[take] + i;
+            const glm::dvec3 tip = made.poses[place].tip;
+            const glm::dvec3 before = made.poses[place > 0 ? place - 1 : 0].tip;
+            feed[i / bin] += static_cast<float>(glm::distance(before, tip) / (made.tick * static_cast<double>(bin)));
+            height[i / bin] =
+                i % bin == 0 ? static_cast<float>(tip.z) : std::max(height[i / bin], static_cast<float>(tip.z));
+        }
+    }
+    const auto atEach = [&](double start, double duration, const auto& use) {
+        const auto from = static_cast<std::uint64_t>(std::max(0.0, start / made.tick));
+        const auto to = static_cast<std::uint64_t>(std::max(0.0, (start + duration) / made.tick));
+        for (std::size_t take = 0; take < made.time.tracks.size(); ++take) {
+            const std::uint64_t first = made.first[take], end = first + made.time.tracks[take].info.sampleCount;
+            if (to < first || from >= end) continue;
+            const std::uint64_t last = std::min(to, end - 1) - first;
+            for (std::uint64_t b = (std::max(from, first) - first) / bin; b <= last / bin; ++b) use(take, b);
+        }
+    };
+    for (const LoadStep& load : program.report.loadSteps)
+        atEach(load.start, load.duration, [&](std::size_t take, std::uint64_t b) {
+            float& force = valuesOf(take, TrackCurve::force)[b];
+            force = std::max(force, load.force);
+        });
+    for (const MotionLoad& load : program.report.loads)
+        atEach(load.start, load.duration, [&](std::size_t take, std::uint64_t b) {
+            float& removal = valuesOf(take, TrackCurve::removal)[b];
+            removal = std::max(removal, static_cast<float>(load.removalRate));
+        });
+    for (std::size_t take = 0; take < made.time.tracks.size(); ++take)
+        for (std::size_t b = 0; b < valuesOf(take, TrackCurve::feed).size(); ++b) {
+            const float feed = valuesOf(take, TrackCurve::feed)[b];
+            if (feed > 0.0F) valuesOf(take, TrackCurve::engagement)[b] = valuesOf(take, TrackCurve::removal)[b] / feed;
+        }
+}
+
+/// Where the tool cuts at feed; and each motion, for going from block to block.
+void addStrokes(ProgramTime& made, const CheckedProgram& program) {
+    for (std::size_t take = 0; take < made.time.tracks.size(); ++take) {
+        TakeTrack& track = made.time.tracks[take];
+        for (std::uint64_t i = 0; i < track.info.sampleCount; ++i) {
+            const std::uint32_t motion = made.motions[made.first[take] + i];
+            if (track.steps.empty() || motion != made.motions[made.first[take] + i - 1]) track.steps.push_back(i);
+            const NcMotion& now = program.parsed.motions[motion];
+            if (now.rapid() || now.kind == NcMotionKind::dwell || !now.spindleOn()) continue;
+            if (!track.strokes.empty() && track.strokes.back().first + track.strokes.back().count == i)
+                ++track.strokes.back().count;
+            else
+                track.strokes.push_back({i, 1});
+        }
+    }
+}
+
+/// At the first motion of their lines. A line that makes no move has no time.
+void addFindings(ProgramTime& made, const CheckedProgram& program) {
+    for (const Finding& finding : program.report.findings) {
+        const auto motion = std::ranges::lower_bound(program.parsed.motions, finding.line, {}, &NcMotion::line);
+        if (motion == program.parsed.motions.end() || motion->line != finding.line) continue;
+        const auto place = static_cast<std::size_t>(motion - program.parsed.motions.begin());
+        const TakeMoment at = made.beginOf(place);
+        if (at.take != 0) made.time.markers.push_back({at, std::to_string(finding.line)});
+    }
+    std::ranges::sort(made.time.markers, {}, &TimeMarker::at);
+}
+
+} // namespace
+
+std::size_t ProgramTime::motionAt(const TakeMoment& moment) const noexcept {
+    return motions[placeOf(moment)];
+}
+
+ToolPose ProgramTime::poseAt(const TakeMoment& moment) const noexcept {
+    return poses[placeOf(moment)];
+}
+
+std::size_t ProgramTime::placeOf(const TakeMoment& moment) const noexcept {
+    const auto take = static_cast<std::size_t>(std::max<std::int64_t>(1, moment.take)) - 1;
+    const std::uint64_t over = first[std::min(take, first.size() - 1)] + moment.samples;
+    return static_cast<std::size_t>(std::min<std::uint64_t>(over > 0 ? over - 1 : 0, poses.size() - 1));
+}
+
+TakeMoment ProgramTime::beginOf(std::size_t motion) const noexcept {
+    // A motion shorter than a tick may have none: the next one that has is meant.
+    const auto found = std::ranges::lower_bound(motions, static_cast<std::uint32_t>(motion));
+    if (found == motions.end()) return {};
+    const auto place = static_cast<std::uint64_t>(found - motions.begin());
+    const auto take = std::ranges::upper_bound(first, place) - first.begin();
+    return {take, place - first[static_cast<std::size_t>(take) - 1]};
+}
+
+Result<ProgramTime> programTime(const CheckedProgram& program, const MachineProfile& machine,
+                                const glm::dvec3& workOffset, const Progress& progress) {
+    const double seconds = program.report.machiningSeconds;
+    Spreader spreader(program, std::max(shortestTick, seconds / mostTicks));
+    for (const TimedMove& move : timed(toolMoves(program.parsed, workOffset, machine), program.report.times))
+        if (Result<void> added = spreader.add(move, progress); !added) return std::move(added).error();
+    ProgramTime made = spreader.finish(seconds);
+    addCurves(made, program);
+    addStrokes(made, program);
+    addFindings(made, program);
+    return made;
+}
+
+} // namespace burin

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/job/program_job.h"
+#include "core/job/recorded_time.h"
+
+#include <memory>
+#include <vector>
+
+namespace burin {
+
+/// A program along the time that the machine takes for it, in the form of recordings: a "take" for each stretch with
+/// one tool, in ticks of `tick`. Curves are those of its check.
+struct ProgramTime {
+    RecordedTime time; ///< without kept workpieces; markers: findings, by their lines
+    double tick = 0.0; ///< s
+    /// The motion (place in ParsedProgram::motions) that is under way, or was last, at a moment. There must be one.
+    std::size_t motionAt(const TakeMoment& moment) const noexcept;
+    /// Where the tool is then, setup frame: on its way at the mean speed of the motion.
+    ToolPose poseAt(const TakeMoment& moment) const noexcept;
+    /// The moment at which a motion begins, to a tick.
+    TakeMoment beginOf(std::size_t motion) const noexcept;
+
+    std::vector<ToolPose> poses;        ///< when each tick of all takes is over, one behind the other; and at the end
+    std::vector<std::uint32_t> motions; ///< the same: under way then
+    std::vector<std::uint64_t> first;   ///< by take: ticks before it
+
+private:
+    std::size_t placeOf(const TakeMoment& moment) const noexcept;
+};
+
+/// Spreads a program over its time. Ticks are 10 ms, longer where a program takes more than an hour and a half. Any
+/// thread. Errors: cancelled.
+Result<ProgramTime> programTime(const CheckedProgram& program, const MachineProfile& machine,
+                                const glm::dvec3& workOffset, const Progress& progress);
+
+} // namespace burin

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/recorded_cuts.h"
+
+#include "core/recording/stroke_count.h"
+#include "core/volume/packed/volume_file.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+Error replayCancelled() {
+    return {ErrorCode::cancelled, "replaying takes", {}, {}};
+}
+
+CutFinder::Use cutAgain(CutReplay& replay, const Progress& progress) {
+    return [&](const ToolPose& from, const ToolPose& to, std::uint64_t) -> Result<void> {
+        if (progress.cancelled()) return replayCancelled();
+        return replay.cut(from, to);
+    };
+}
+
+/// Reports how much of a replay is done, now and then.
+class ReplayedShare {
+public:
+    explicit ReplayedShare(Progress& progress) noexcept : progress_(progress) {}
+    void expect(std::uint64_t count) noexcept { all_ += count; }
+    void did(std::uint64_t count) {
+        constexpr std::uint64_t step = 16384;
+        done_ += count;
+        if (done_ < told_ + step) return;
+        told_ = done_;
+        progress_.report(static_cast<double>(done_) / static_cast<double>(std::max(all_, done_)));
+    }
+
+private:
+    Progress& progress_;
+    std::uint64_t all_ = 0, done_ = 0, told_ = 0;
+};
+
+/// Of one grid, with the same materials to the last value.
+bool alike(const RunVolume& volume, const VolumeKind& other) {
+    const PropertyList &one = volume.properties(), &two = other.properties;
+    const Grid &grid = volume.grid(), &wanted = other.grid;
+    if (grid.low() != wanted.low() || grid.edge() != wanted.edge() || grid.count() != wanted.count() ||
+        grid.axisOfRuns() != wanted.axisOfRuns())
+        return false;
+    if (one.size() != two.size()) return false;
+    for (int i = 1; i < one.size(); ++i) {
+        const auto entry = static_cast<PropertyIndex>(i);
+        if (toJson(one[entry]) != toJson(two[entry]) || one.isProtected(entry) != two.isProtected(entry)) return false;
+    }
+    return true;
+}
+
+/// The newest workpiece that was kept and holds, no later than a moment.
+Result<std::optional<KeptWorkpiece>> newestKept(const Project& project, const TakeMoment& until) {
+    const Result<std::vector<TakeMoment>> moments = project.keptMoments();
+    if (!moments) return moments.error();
+    const auto behind = std::ranges::upper_bound(*moments, until);
+    if (behind == moments->begin()) return std::optional<KeptWorkpiece>();
+    Result<KeptWorkpiece> kept = project.keptWorkpiece(*std::prev(behind));
+    if (!kept) return std::move(kept).error();
+    return std::optional(std::move(*kept));
+}
+
+} // namespace
+
+Result<RecordedCuts> cutsOfTake(const Project& project, const TakeInfo& info, const SampleVisitor& also) {
+    const Result<TakeOutline> take = project.takeOutline(info.id);
+    if (!take) return take.error();
+    Result<Tool> tool = toolFor(project, info.toolId);
+    if (!tool) return std::move(tool).error();
+    RecordedCuts cuts{info.id, std::move(*tool), {}, 0, info.sampleCount};
+    CutFinder finder(take->undone);
+    StrokeCounter counter(take->undone);
+    const auto keep = [&cuts](const ToolPose& from, const ToolPose& to, std::uint64_t sample) -> Result<void> {
+        cuts.motions.add(from, to, sample);
+        return {};
+    };
+    Result<void> read = project.visitSamples(info.id, [&](std::span<const Sample> samples) -> Result<void> {
+        counter.add(samples);
+        if (Result<void> done = also ? also(samples) : Result<void>(); !done) return done;
+        return finder.find(samples, keep);
+    });
+    if (!read) return std::move(read).error();
+    cuts.strokes = counter.strokes();
+    return cuts;
+}
+
+Result<std::vector<RecordedCuts>> cutsOf(const Project& project) {
+    const Result<std::vector<TakeInfo>> infos = project.takes();
+    if (!infos) return infos.error();
+    std::vector<RecordedCuts> takes;
+    for (const TakeInfo& info : *infos) {
+        Result<RecordedCuts> cuts = cutsOfTake(project, info);
+        if (!cuts) return std::move(cuts).error();
+        takes.push_back(std::move(*cuts));
+    }
+    return takes;
+}
+
+Result<RecordedWork> recordedWork(const Project& project, bool fromKept) {
+    return recordedWork(project, {std::numeric_limits<std::int64_t>::max(), 0}, fromKept);
+}
+
+Result<RecordedWork> recordedWork(const Project& project, const TakeMoment& until, bool fromKept) {
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    RecordedWork work;
+    if (fromKept) {
+        Result<std::optional<KeptWorkpiece>> kept = newestKept(project, until);
+        if (!kept) return std::move(kept).error();
+        work.kept = std::move(*kept);
+    }
+    if (work.kept) work.strokes = work.kept->strokes;
+    for (const TakeInfo& info : *takes) {
+        if (info.id > until.take) break;
+        work.end = {info.id, info.id == until.take ? std::min(until.samples, info.sampleCount) : info.sampleCount};
+        if (work.kept && work.end <= work.kept->at) continue;
+        Result<RecordedCuts> cuts = cutsOfTake(project, info);
+        if (!cuts) return std::move(cuts).error();
+        if (work.kept && info.id == work.kept->at.take) cuts->done = cuts->motions.countWithin(work.kept->at.samples);
+        cuts->end = cuts->motions.countWithin(work.end.samples);
+        work.strokes[info.id] = cuts->strokes;
+        work.cuts.push_back(std::move(*cuts));
+    }
+    return work;
+}
+
+Result<void> replayTake(const Take& take, const Tool& tool, MillingContext& milling, const Progress& progress) {
+    CutReplay replay(tool, milling.embedded.workpiece);
+    CutFinder finder(take.undone);
+    if (Result<void> cut = finder.find(take.samples, cutAgain(replay, progress)); !cut) return cut;
+    return replay.finish();
+}
+
+Result<RunVolume> workpieceOf(const RecordedWork& work, const std::function<Result<RunVolume>()>& stock,
+                              Progress& progress, const std::optional<VolumeKind>& like) {
+    Result<RunVolume> workpiece = work.kept ? volumeOf(*work.kept, progress) : stock();
+    if (!workpiece) return workpiece;
+    if (work.kept && like && !alike(*workpiece, *like))
+        return Error{ErrorCode::fileDamaged, "workpiece", "kept_workpiece", "of another stock"};
+    ReplayedShare share(progress);
+    for (const RecordedCuts& take : work.cuts) share.expect(std::min(take.end, take.motions.count()) - take.done);
+    for (const RecordedCuts& take : work.cuts) {
+        CutReplay replay(take.tool, *workpiece);
+        const CutFinder::Use cut = cutAgain(replay, progress);
+        Result<void> done = take.motions.visit(take.done, take.end,
+                                               [&](const ToolPose& from, const ToolPose& to, std::uint64_t sample) {
+                                                   share.did(1);
+                                                   return cut(from, to, sample);
+                                               });
+        if (done) done = replay.finish();
+        if (!done) return std::move(done).error();
+    }
+    progress.report(1.0);
+    return workpiece;
+}
+
+Result<void> replayTakes(const RecordedWork& work, MillingContext& milling, Progress& progress) {
+    const VolumeKind like{milling.embedded.workpiece.grid(), milling.embedded.workpiece.properties()};
+    Result<RunVolume> workpiece = workpieceOf(
+        work, [&] { return Result<RunVolume>(std::move(milling.embedded.workpiece)); }, progress, like);
+    if (!workpiece) return std::move(workpiece).error();
+    milling.embedded.workpiece = std::move(*workpiece);
+    return {};
+}
+
+Result<void> replayTakes(const Project& project, MillingContext& milling, Progress& progress) {
+    const Result<RecordedWork> work = recordedWork(project);
+    if (!work) return work.error();
+    Result<void> replayed = replayTakes(*work, milling, progress);
+    if (replayed || !work->kept || replayed.error().code != ErrorCode::fileDamaged) return replayed;
+    const Result<RecordedWork> all = recordedWork(project, false); // what was kept is damaged; the recordings are not
+    if (!all) return all.error();
+    return replayTakes(*all, milling, progress);
+}
+
+Result<KeptWorkpiece> keptAs(const VolumeSnapshot& workpiece, const TakeMoment& at,
+                             const std::map<std::int64_t, std::size_t>& strokes, Progress& progress) {
+    std::ostringstream stream;
+    if (Result<void> written = writeVolume(stream, "workpiece", workpiece, progress); !written)
+        return std::move(written).error();
+    return KeptWorkpiece{at, strokes, std::move(stream).str()};
+}
+
+Result<RunVolume> volumeOf(const KeptWorkpiece& kept, Progress& progress) {
+    std::istringstream stream(kept.volume);
+    Result<VolumeFileContent> content = readVolume(stream, "workpiece", progress);
+    if (!content) return std::move(content).error();
+    if (std::optional<Error> damage = content->damage()) return std::move(*damage);
+    return std::move(content->volume);
+}
+
+} // namespace burin

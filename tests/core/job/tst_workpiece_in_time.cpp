@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/switched_off.h"
+#include "core/job/workpiece_in_time.h"
+#include "core/volume/operations/fingerprint.h"
+#include "tests/core/job/session_stage.h"
+#include "tests/test_program.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <random>
+
+namespace burin::tst_workpiece_in_time {
+
+using namespace burin::test;
+
+namespace {
+
+/// Takes of so many strokes, of the last but one of which the newest three are taken back.
+struct Recorded {
+    explicit Recorded(const std::vector<int>& strokes) : stage(folder.filePath("p.burin").toStdString()) {
+        for (std::size_t i = 0; i < strokes.size(); ++i) {
+            SessionRequest request = handRequest(Pace::fast);
+            request.takeName = "take " + std::to_string(i + 1);
+            const auto session = stage.begin(request);
+            good = good && session && millStrokes(stage, *session, strokes[i]);
+            for (int back = 0; good && i + 2 == strokes.size() && back < 3; ++back)
+                good = session->undoStroke().hasValue();
+            good = good && session->end();
+        }
+        const Result<std::vector<TakeInfo>> infos = stage.project.takes();
+        for (const TakeInfo& info : *infos) takes.push_back(*stage.project.take(info.id));
+    }
+    QTemporaryDir folder;
+    Stage stage;
+    std::vector<Take> takes;
+    bool good = true;
+};
+
+/// Takes of rows beside each other, each take lower than the one before: every tick cuts. Some of it is taken back.
+struct Rows {
+    explicit Rows(const std::vector<std::uint64_t>& counts)
+        : project(*Project::create(folder.filePath("p.burin").toStdString())) {
+        good = project.setModel(Model{}) && project.setSetup(blockSetup()) && project.setTool(sessionTool());
+        MillingContext milling = blockMilling();
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            TakeInfo info;
+            info.name = "rows";
+            info.toolId = sessionTool().id;
+            Result<Project::TakeWriter> writer = project.beginTake(info);
+            const std::vector<Sample> samples = rows(counts[i], 1.0 + static_cast<double>(i), milling);
+            good = good && writer && writer->append(samples) && writer->finish();
+            if (i == 1) good = good && project.undoStretch(writer->id(), {counts[i] / 3, 400});
+            if (good) takes.push_back(*project.take(writer->id()));
+        }
+    }
+    static std::vector<Sample> rows(std::uint64_t count, double depth, MillingContext& milling) {
+        MaterialRemoval removal(sessionTool().cutter, milling.embedded.workpiece.grid(), Writing::everyCut);
+        std::vector<Sample> samples;
+        double along = 0.0;
+        for (std::uint64_t i = 0; i < count; ++i, along += 0.1) {
+            const double row = std::floor(along / side), in = along - row * side;
+            Sample sample;
+            sample.tick = i;
+            sample.time = 0.001 * static_cast<double>(i);
+            sample.proxy.tip = {std::fmod(row, 2.0) == 0.0 ? in : side - in, 0.35 * row, top - depth};
+            if (!samples.empty()) {
+                const RunAmounts before = milling.embedded.workpiece.amounts();
+                (void)removal.cut(milling.embedded.workpiece, samples.back().proxy, sample.proxy);
+                const PropertyIndex stock = milling.embedded.stockProperty;
+                sample.removed[0] = {before.units[stock] - milling.embedded.workpiece.amounts().units[stock], stock};
+            }
+            samples.push_back(sample);
+        }
+        return samples;
+    }
+    QTemporaryDir folder;
+    Project project;
+    std::vector<Take> takes;
+    bool good = true;
+};
+
+/// The workpiece at moments, each cut at once where the hand cut, from the first tick on: nothing is remembered,
+/// packed or deferred.
+std::vector<Lines> replayedTo(const std::vector<Take>& takes, const std::vector<TakeMoment>& rising) {
+    MillingContext milling = blockMilling();
+    RunVolume& volume = milling.embedded.workpiece;
+    std::vector<Lines> workpieces;
+    const auto reached = [&](const TakeMoment& now) {
+        while (workpieces.size() < rising.size() && rising[workpieces.size()] <= now)
+            workpieces.push_back(linesOf(volume));
+    };
+    for (const Take& take : takes) {
+        MaterialRemoval removal(sessionTool().cutter, volume.grid(), Writing::everyCut);
+        for (std::size_t i = 0; i < take.samples.size(); ++i) {
+            reached({take.info.id, i});
+            const bool undone =
+                std::ranges::any_of(take.undone, [&](const SampleRange& range) { return range.contains(i); });
+            const bool cut = std::ranges::any_of(take.samples[i].removed,
+                                                 [](const RemovedMaterial& removed) { return removed.units > 0; });
+            if (i > 0 && cut && !undone) (void)removal.cut(volume, take.samples[i - 1].proxy, take.samples[i].proxy);
+        }
+        reached({take.info.id, take.samples.size()});
+    }
+    reached({std::numeric_limits<std::int64_t>::max(), 0});
+    return workpieces;
+}
+
+std::vector<SharedCuts> sharedCuts(const Project& project) {
+    std::vector<SharedCuts> cuts;
+    const Result<std::vector<RecordedCuts>> takes = cutsOf(project);
+    for (const RecordedCuts& take : *takes) cuts.push_back(std::make_shared<const RecordedCuts>(take));
+    return cuts;
+}
+
+KeptWorkpiece stock() {
+    Progress progress;
+    return *keptAs(blockMilling().embedded.workpiece.snapshot(), {}, {}, progress);
+}
+
+} // namespace
+
+class TestWorkpieceInTime : public QObject {
+    Q_OBJECT
+private slots:
+    /// 200 moments in any order, forwards and backwards, over takes and over strokes that were taken back: every
+    /// scanline is what a replay from the start leaves. Also with workpieces that were kept on the way.
+    void anyMomentIsAReplayFromTheStart() {
+        const Rows recorded({4200, 3700, 2900});
+        QVERIFY(recorded.good);
+        std::mt19937 random(37);
+        std::vector<TakeMoment> moments{{0, 0}, {recorded.takes.back().info.id + 5, 1}};
+        for (int i = 0; i < 198; ++i) {
+            const Take& take = recorded.takes[random() % recorded.takes.size()];
+            moments.push_back({take.info.id, random() % (take.samples.size() + 1)});
+        }
+        std::vector<TakeMoment> rising = moments;
+        std::ranges::sort(rising);
+        const std::vector<Lines> expected = replayedTo(recorded.takes, rising);
+        QCOMPARE(expected.size(), moments.size());
+        std::map<TakeMoment, const Lines*> at;
+        for (std::size_t i = 0; i < rising.size(); ++i) at[rising[i]] = &expected[i];
+
+        Progress progress;
+        std::vector<KeptWorkpiece> kept;
+        for (const bool again : {false, true}) { // from the stock alone, then with what was kept
+            Result<WorkpieceInTime> time = WorkpieceInTime::make(stock(), sharedCuts(recorded.project), kept, progress);
+            QVERIFY(time);
+            std::ranges::shuffle(moments, random);
+            for (const TakeMoment& moment : moments) {
+                const Result<VolumeSnapshot> workpiece = time->at(moment, progress);
+                QVERIFY(workpiece);
+                QVERIFY2(linesOf(*workpiece) == *at[moment],
+                         qPrintable(QString("take %1, sample %2").arg(moment.take).arg(moment.samples)));
+            }
+            std::vector<KeptWorkpiece> made = time->takeWorthKeeping();
+            QCOMPARE(made.empty(), again);
+            if (!again) kept = std::move(made);
+        }
+        QCOMPARE(kept.size(), recorded.takes.size()); // at their ends
+    }
+
+    /// Where one was before costs no cutting, and neither does what is kept; the way to a moment does.
+    void nothingIsCutTwice() {
+        const Rows recorded({6000});
+        QVERIFY(recorded.good);
+        const std::int64_t take = recorded.takes.front().info.id;
+        const std::uint64_t samples = recorded.takes.front().samples.size();
+        Progress progress;
+        Result<WorkpieceInTime> time = WorkpieceInTime::make(stock(), sharedCuts(recorded.project), {}, progress);
+        QVERIFY(time && time->at({take, samples}, progress));
+        const std::uint64_t all = time->takes().front()->motions.count();
+        QVERIFY2(all > 4 * WorkpieceInTime::motionsPerStep, qPrintable(QString::number(all)));
+        QCOMPARE(time->motionsCut(), all);
+        QVERIFY(time->at({0, 0}, progress) && time->at({take, samples}, progress));
+        QVERIFY(time->motionsCut() < all + WorkpieceInTime::motionsPerStep);
+
+        Result<WorkpieceInTime> later =
+            WorkpieceInTime::make(stock(), sharedCuts(recorded.project), time->takeWorthKeeping(), progress);
+        QVERIFY(later && later->at({take, samples}, progress));
+        QCOMPARE(later->motionsCut(), std::uint64_t{0});
+    }
+
+    /// One that is cancelled leaves the place where it was, or on the way, and goes on from there.
+    void cancellingLosesNothing() {
+        const Recorded recorded({40});
+        QVERIFY(recorded.good);
+        const TakeMoment end{recorded.takes.front().info.id, recorded.takes.front().samples.size()};
+        Progress progress, cancelled;
+        cancelled.cancel();
+        Result<WorkpieceInTime> time = WorkpieceInTime::make(stock(), sharedCuts(recorded.stage.project), {}, progress);
+        QVERIFY(time);
+        const Result<VolumeSnapshot> none = time->at(end, cancelled);
+        QVERIFY(!none && none.error().code == ErrorCode::cancelled);
+        const Result<VolumeSnapshot> all = time->at(end, progress);
+        QVERIFY(all && linesOf(*all) == recorded.stage.workpiece());
+    }
+
+    /// What comes after a moment is switched off: the workpiece is the one of that moment, whether it was kept or not;
+    /// switched on again it is what it was. A stroke that is off is cut by nobody, and strokes are taken back as
+    /// before.
+    void whatIsSwitchedOffCountsNoMore() {
+        Recorded recorded({20, 12, 9});
+        QVERIFY(recorded.good);
+        Project& project = recorded.stage.project;
+        Progress progress;
+        const Lines all = recorded.stage.workpiece();
+        const auto remade = [&] {
+            MillingContext milling = blockMilling();
+            return replayTakes(project, milling, progress) ? linesOf(milling.embedded.workpiece) : Lines{};
+        };
+        const Take& second = recorded.takes[1];
+        const TakeMoment middle{second.info.id, second.samples.size() / 2 + 7};
+        const Lines then = replayedTo(recorded.takes, {middle}).front();
+        const Result<SwitchedOff> off = offAfter(project, middle);
+        QVERIFY(off && off->size() == 2);
+        const Result<SwitchedOff> before = switchedOff(project, *off);
+        QVERIFY(before && setSwitchedOff(project, *off));
+        QVERIFY(remade() == then);
+        const Result<TakeOutline> outline = project.takeOutline(second.info.id);
+        QVERIFY(outline && outline->info.undoneCount >= second.samples.size() - middle.samples);
+
+        // Kept at the moment, nothing is cut again: neither what is before it, nor what is off.
+        MillingContext milling = blockMilling();
+        QVERIFY(replayTakes(project, milling, progress));
+        QVERIFY(project.keepWorkpiece(*keptAs(milling.embedded.workpiece.snapshot(), middle, {}, progress),
+                                      *project.recordedState()));
+        const Result<RecordedWork> work = recordedWork(project);
+        QVERIFY(work && work->kept && work->kept->at == middle);
+        for (const RecordedCuts& cuts : work->cuts) QCOMPARE(cuts.motions.count(), cuts.done);
+        QVERIFY(remade() == then);
+
+        QVERIFY(setSwitchedOff(project, *before));
+        QVERIFY(remade() == all);
+        QVERIFY(recordedWork(project)->kept); // what is before the moment is the same
+        QVERIFY(project.save());
+        QVERIFY(remade() == all);
+    }
+
+    /// Ranges against a set of samples, one by one.
+    void stretchesAreSwitchedSampleBySample() {
+        Recorded recorded({3});
+        QVERIFY(recorded.good);
+        Project& project = recorded.stage.project;
+        const std::int64_t take = recorded.takes.front().info.id;
+        const std::uint64_t count = recorded.takes.front().samples.size();
+        std::vector<bool> expected(count, false);
+        std::mt19937 random(5);
+        for (int i = 0; i < 200; ++i) {
+            const SampleRange stretch{random() % count, 1 + random() % 40};
+            const bool off = random() % 2 == 0;
+            const Result<SwitchedOff> wanted = withStretch(project, take, stretch, off);
+            QVERIFY(wanted && setSwitchedOff(project, *wanted));
+            for (std::uint64_t s = stretch.first; s < std::min(count, stretch.first + stretch.count); ++s)
+                expected[s] = off;
+            std::vector<bool> found(count, false);
+            const Result<std::vector<SampleRange>> ranges = project.switchedOff(take);
+            std::uint64_t end = 0;
+            for (const SampleRange& range : *ranges) {
+                QVERIFY(range.first > end || (range.first == 0 && end == 0)); // apart
+                end = range.first + range.count;
+                for (std::uint64_t s = range.first; s < end; ++s) found[s] = true;
+            }
+            QVERIFY(found == expected);
+        }
+        QVERIFY(!withStretch(project, take, {count, 1}, true));
+        QVERIFY(!withStretch(project, take + 1, {0, 1}, true));
+        const std::vector<SampleRange> beyond{{count - 1, 2}}, crossed{{5, 5}, {7, 2}};
+        QVERIFY(!project.setSwitchedOff(take, beyond) && !project.setSwitchedOff(take, crossed));
+    }
+
+    /// A project gives back what was kept as long as nothing changed that it is made of; opening cuts nothing then.
+    void whatIsKeptHoldsUntilWhatItIsMadeOfChanges() {
+        Recorded recorded({10, 6});
+        QVERIFY(recorded.good);
+        Project& project = recorded.stage.project;
+        Progress progress;
+        std::map<std::int64_t, std::size_t> strokes;
+        const Result<std::vector<RecordedCuts>> takes = cutsOf(project);
+        for (const RecordedCuts& cuts : *takes) strokes[cuts.take] = cuts.strokes;
+        const TakeMoment end{recorded.takes.back().info.id, recorded.takes.back().samples.size()};
+        QVERIFY(project.save());
+        const Result<bool> unsaved = project.unsaved();
+        QVERIFY(
+            project.keepWorkpiece(*keptAs(recorded.stage.milling.embedded.workpiece.snapshot(), end, strokes, progress),
+                                  *project.recordedState()));
+        QCOMPARE(*project.unsaved(), *unsaved); // it asks for no save
+        QCOMPARE(project.keptMoments()->size(), std::size_t{1});
+
+        const Result<RecordedWork> work = recordedWork(project);
+        QVERIFY(work && work->kept && work->cuts.empty());
+        QVERIFY(work->strokes == strokes);
+        MillingContext opened = blockMilling();
+        QVERIFY(replayTakes(*work, opened, progress));
+        QVERIFY(linesOf(opened.embedded.workpiece) == recorded.stage.workpiece());
+        QCOMPARE(fingerprint(opened.embedded.workpiece.snapshot()),
+                 fingerprint(recorded.stage.milling.embedded.workpiece.snapshot()));
+        QVERIFY(opened.embedded.workpiece.amounts() == recorded.stage.milling.embedded.workpiece.amounts());
+
+        const SampleRange stroke{0, 20};
+        QVERIFY(project.undoStretch(recorded.takes.front().info.id, stroke));
+        QVERIFY(project.keptMoments()->empty());
+        QVERIFY(!recordedWork(project)->kept);
+        QVERIFY(project.redoStretch(recorded.takes.front().info.id, stroke));
+        QCOMPARE(project.keptMoments()->size(), std::size_t{1});
+        Setup finer = blockSetup();
+        finer.voxel = 0.25;
+        QVERIFY(project.setSetup(finer));
+        QVERIFY(project.keptMoments()->empty());
+        QVERIFY(project.setSetup(blockSetup()));
+        QVERIFY(project.removeTake(recorded.takes.back().info.id));
+        QVERIFY(project.keptMoments()->empty());
+    }
+};
+
+BURIN_TEST(TestWorkpieceInTime, QCoreApplication)
+
+} // namespace burin::tst_workpiece_in_time
+
+#include "tst_workpiece_in_time.moc"

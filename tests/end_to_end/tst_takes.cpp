@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "program_run.h"
+#include "tests/test_program.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+#include <memory>
+
+namespace burin::tst_takes {
+
+/// Takes along their time, from the command line: switched off and on, milled on from a moment, the workpiece then.
+class TakesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void init() {
+        folder_ = std::make_unique<QTemporaryDir>();
+        QCOMPARE(
+            run({"embed", BURIN_SOURCE_DIRECTORY "/resources/samples/mouse.step", "-o", in("p.burin"), "--voxel", "1"})
+                .status,
+            0);
+        const ProgramRun milled = mill({"--intent", "scribble", "--seconds", "6"});
+        QVERIFY2(milled.status == 0, milled.messages.constData());
+        first_ = milled.json()["workpiece_hash"].toString();
+        QCOMPARE(first_.size(), 16);
+    }
+
+    /// The same job once more gives the same hash; what opens the project, or makes it from the recordings, as well.
+    void theSameRecordingsGiveTheSameHash() {
+        QCOMPARE(hash({}), first_);
+        QVERIFY(hash({"--stock"}) != first_);
+        QCOMPARE(hash({"--at", "1:0"}), hash({"--stock"}));
+        QCOMPARE(hash({"--at", "1"}), first_);
+        QCOMPARE(hash({"--at", "1:2.5"}), hash({"--at", "1:2.5"}));
+        QVERIFY(hash({"--at", "1:2.5"}) != first_);
+        const QString other = in("again.burin");
+        QVERIFY(QFile::copy(in("p.burin"), other)); // without what is kept
+        QCOMPARE(run({"take", "off", other, "1", "--to", "0.001"}).status, 0);
+        QCOMPARE(run({"take", "on", other, "1"}).status, 0);
+        QCOMPARE(run({"volume", "export", other, "-o", in("other.srle")}).json()["hash"].toString(), first_);
+        QCOMPARE(run({"volume", "moments", in("other.srle")}).json()["hash"].toString(), first_);
+    }
+
+    void aTakeIsSwitchedOffAndOn() {
+        const QString stock = hash({"--stock"});
+        const ProgramRun off = run({"take", "off", in("p.burin"), "1"});
+        QVERIFY2(off.status == 0, off.messages.constData());
+        QCOMPARE(off.json()["switched_off"].toArray().size(), 1);
+        QCOMPARE(hash({}), stock);
+        QCOMPARE(
+            run({"take", "on", in("p.burin"), "1", "--from", "2", "--to", "3"}).json()["switched_off"].toArray().size(),
+            2);
+        const QString some = hash({});
+        QVERIFY(some != stock && some != first_);
+        QCOMPARE(run({"take", "on", in("p.burin"), "1"}).json()["switched_off"].toArray().size(), 0);
+        QCOMPARE(hash({}), first_);
+        QCOMPARE(run({"take", "rename", in("p.burin"), "1", "crown"}).json()["name"].toString(), QString("crown"));
+        QCOMPARE(run({"info", in("p.burin")}).json()["takes"].toArray()[0].toObject()["name"].toString(),
+                 QString("crown"));
+    }
+
+    /// What came after the moment is off, and can be switched on again on top.
+    void millingGoesOnFromAMoment() {
+        const QString then = hash({"--at", "1:2.5"});
+        const ProgramRun on = mill({"--from", "1:2.5", "--intent", "scribble", "--seconds", "2", "--seed", "7"});
+        QVERIFY2(on.status == 0, on.messages.constData());
+        QCOMPARE(hash({}), on.json()["workpiece_hash"].toString());
+        const QJsonArray takes = run({"info", in("p.burin")}).json()["takes"].toArray();
+        QCOMPARE(takes.size(), 2);
+        QVERIFY(takes[0].toObject()["samples_that_count_no_more"].toInt() > 1000);
+        QCOMPARE(run({"take", "off", in("p.burin"), "2"}).status, 0);
+        QCOMPARE(hash({}), then);
+        QCOMPARE(run({"take", "on", in("p.burin"), "1"}).status, 0);
+        QCOMPARE(hash({}), first_);
+    }
+
+    /// The workpiece at a time of a program: before its first cut the stock, at its end what "post" left.
+    void aProgramsWorkpieceIsWrittenAtAnyTime() {
+        QCOMPARE(run({"path", in("p.burin"), "new"}).status, 0);
+        const ProgramRun posted = run({"post", in("p.burin"), "-o", in("p.ngc"), "--override", "a test reads it"});
+        QVERIFY2(posted.status == 0, posted.messages.constData());
+        const auto at = [&](const QStringList& until) {
+            const ProgramRun run = runBurin(QStringList{"verify", in("p.ngc"), "--project", in("p.burin"),
+                                                        "--workpiece", in("then.srle"), "--exact", "0", "--json"} +
+                                            until);
+            return run.json();
+        };
+        const QJsonObject start = at({"--until", "0"}), end = at({});
+        QCOMPARE(start["workpiece_hash"].toString(), hash({"--stock"}));
+        QVERIFY(std::abs(end["workpiece_at_s"].toDouble() - end["machining_s"].toDouble()) < 0.02);
+        const double half = 0.5 * end["workpiece_at_s"].toDouble();
+        const QJsonObject middle = at({"--until", QString::number(half)});
+        QVERIFY(middle["workpiece_hash"] != end["workpiece_hash"] &&
+                middle["workpiece_hash"] != start["workpiece_hash"]);
+        QVERIFY(middle["workpiece_at_line"].toInt() > start["workpiece_at_line"].toInt());
+        QVERIFY(middle["workpiece_at_line"].toInt() < end["workpiece_at_line"].toInt());
+        QCOMPARE(run({"volume", "moments", in("then.srle")}).json()["hash"].toString(),
+                 middle["workpiece_hash"].toString());
+    }
+
+    void whatIsWrongChangesNothing() {
+        const QByteArray before = bytes();
+        for (const QStringList& wrong : {QStringList{"take", "off", in("p.burin"), "7"},
+                                         {"take", "off", in("p.burin"), "1", "--from", "99"},
+                                         {"take", "off", in("p.burin"), "1", "--from", "3", "--to", "2"},
+                                         {"take", "rename", in("p.burin"), "1", " "},
+                                         {"mill", in("p.burin"), "--from", "1:99"},
+                                         {"mill", in("p.burin"), "--from", "x"},
+                                         {"volume", "export", in("p.burin"), "--at", "9:1", "-o", in("w.srle")},
+                                         {"volume", "export", in("p.burin"), "--at", "1:-1", "-o", in("w.srle")}}) {
+            const ProgramRun refused = run(wrong);
+            QVERIFY2(refused.status == 2 || refused.status == 3, qPrintable(wrong.join(' ')));
+            QVERIFY2(refused.json().contains("error") && refused.messages.count('\n') == 1,
+                     refused.messages.constData());
+        }
+        QVERIFY(!QFileInfo::exists(in("w.srle")));
+        QCOMPARE(bytes(), before);
+    }
+
+private:
+    QString in(const char* name) const { return folder_->filePath(name); }
+    static ProgramRun run(QStringList arguments) { return runBurin(arguments << "--json"); }
+    ProgramRun mill(const QStringList& more) const {
+        return run(QStringList{"mill", in("p.burin"), "--tool", "ball-6"} + more);
+    }
+    QString hash(const QStringList& more) const {
+        const ProgramRun written = run(QStringList{"volume", "export", in("p.burin"), "-o", in("volume.srle")} + more);
+        if (written.status != 0) qWarning("%s", written.messages.constData());
+        return written.json()["hash"].toString();
+    }
+    QByteArray bytes() const {
+        QFile file(in("p.burin"));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    std::unique_ptr<QTemporaryDir> folder_;
+    QString first_;
+};
+
+BURIN_TEST(TakesTest, QCoreApplication)
+
+} // namespace burin::tst_takes
+
+#include "tst_takes.moc"

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/document/project.h"
+#include "core/volume/operations/fingerprint.h"
+#include "tests/test_program.h"
+#include "tests/ui/window_steps.h"
+#include "ui/panels/program_view.h"
+#include "ui/panels/timeline_panel.h"
+
+#include <QMenu>
+#include <QtTest>
+
+namespace burin::tst_window_timeline {
+
+using namespace burin::testing;
+
+/// The timeline: going to a moment, playing, milling on from there, and taking all of it back.
+class TestWindowTimeline : public QObject {
+    Q_OBJECT
+private slots:
+    void init() {
+        driver_ = std::make_unique<WindowDriver>();
+        QVERIFY(makeReady(*driver_));
+        QVERIFY(saveAs(*driver_, driver_->folder().filePath("hand.burin")));
+        viewport().setStandardView(StandardView::top);
+        QTest::qWait(400); // the view turns
+        QVERIFY(driver_->step(JobStep::mill));
+        stock_ = now();
+        QVERIFY(driver_->clickOn("millButton"));
+        QVERIFY(driver_->waitFor([&] { return workbench().mill.active(); }, 5000));
+        millLine(*driver_, {-15, -8}, {-5, -8});
+        QVERIFY(strokesAre(1));
+        QVERIFY(leaveMilling());
+        first_ = now();
+        QVERIFY(first_ != stock_);
+        QVERIFY(enterMilling());
+        millLine(*driver_, {0, -8}, {12, -8});
+        QVERIFY(strokesAre(2));
+        millLine(*driver_, {0, 6}, {12, 6});
+        QVERIFY(strokesAre(3));
+        QVERIFY(leaveMilling());
+        all_ = now();
+        QVERIFY(driver_->waitFor([&] { return time().possible() && time().recorded()->tracks.size() == 2; }));
+    }
+    void cleanup() { driver_.reset(); }
+
+    /// A drag through the timeline shows the workpiece as it was, the workpiece itself stays; Esc shows the present.
+    void aDragThroughTheTimeShowsWhatStoodThere() {
+        driver_->shoot("timeline");
+        const double middle = secondsOfTake(1);
+        QVERIFY(seek(middle));
+        QCOMPARE(fingerprint(time().shown()->workpiece), first_);
+        QCOMPARE(now(), all_);
+        QVERIFY(driver_->waitFor([&] { return time().shown()->sample.has_value(); }));
+        driver_->shoot("timeline-middle");
+        QVERIFY(seek(0.0));
+        QCOMPARE(fingerprint(time().shown()->workpiece), stock_);
+        QVERIFY(seek(time().recorded()->seconds()));
+        QCOMPARE(fingerprint(time().shown()->workpiece), all_);
+        QVERIFY(seek(0.0)); // and back, cut by nobody again
+        QCOMPARE(fingerprint(time().shown()->workpiece), stock_);
+        driver_->key(Qt::Key_Escape);
+        QVERIFY(driver_->waitFor([&] { return !time().away(); }));
+        QCOMPARE(now(), all_);
+    }
+
+    /// Keys, the play with its pause, and its end.
+    void itPlaysToTheEnd() {
+        QVERIFY(driver_->clickOn("timeStartButton"));
+        QVERIFY(driver_->waitFor([&] { return time().shown() && !time().arriving() && time().seconds() == 0.0; }));
+        auto* speed = driver_->visible<QComboBox>("playSpeed");
+        speed->setFocus();
+        driver_->key(Qt::Key_End); // 64 ×
+        QCOMPARE(time().speed(), 64.0);
+        QVERIFY(driver_->clickOn("playButton"));
+        QVERIFY(driver_->waitFor([&] { return time().seconds() > 0.0; }));
+        QVERIFY(driver_->waitFor([&] { return !time().playing() && !time().arriving(); }));
+        QCOMPARE(time().seconds(), time().recorded()->seconds());
+        QCOMPARE(fingerprint(time().shown()->workpiece), all_);
+        auto* view = driver_->visible<TimelineView>("timelineView");
+        view->setFocus();
+        driver_->key(Qt::Key_Home);
+        QVERIFY(driver_->waitFor([&] { return time().seconds() == 0.0 && !time().arriving(); }));
+        driver_->key(Qt::Key_Right, Qt::ControlModifier); // the first stroke
+        const SampleRange stroke = time().recorded()->tracks.front().strokes.front();
+        QVERIFY(driver_->waitFor([&] { return !time().arriving() && time().shown()->moment.samples == stroke.first; }));
+    }
+
+    /// To the middle, mill on from there: what came after is off; undone, all is as it was, to the bit; done again too.
+    void punchedInAndTakenBack() {
+        QVERIFY(seek(secondsOfTake(1)));
+        QVERIFY(driver_->clickOn("punchInButton"));
+        QVERIFY(driver_->waitFor([&] { return workbench().mill.recording(); }));
+        QCOMPARE(fingerprint(workbench().session.workpiece()), first_);
+        millLine(*driver_, {-10, 2}, {10, 2});
+        QVERIFY(driver_->waitFor([&] { return workbench().workpiece.strokes().count() == 1; }));
+        QVERIFY(leaveMilling());
+        const std::uint64_t punched = now();
+        QVERIFY(punched != first_ && punched != all_);
+        QVERIFY(driver_->waitFor([&] { return time().possible() && time().recorded()->tracks.size() == 3; }));
+        QVERIFY(!time().recorded()->tracks[1].switchedOff.empty());
+        driver_->shoot("timeline-punched-in");
+        QVERIFY(replayed() == punched);
+
+        driver_->key(Qt::Key_Z, Qt::ControlModifier); // the stroke
+        QVERIFY(stands(first_));
+        driver_->key(Qt::Key_Z, Qt::ControlModifier); // the punch-in
+        QVERIFY(stands(all_));
+        driver_->key(Qt::Key_Z, Qt::ControlModifier); // a stroke from before, which no snapshot is left of
+        QVERIFY(driver_->waitFor([&] { return !busy() && now() != all_; }));
+        for (int i = 0; i < 3; ++i) {
+            driver_->key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+            QVERIFY(driver_->waitFor([&] { return !busy(); }));
+            QTest::qWait(100);
+            QVERIFY(driver_->waitFor([&] { return !busy(); }));
+        }
+        QVERIFY(stands(punched));
+        QVERIFY(replayed() == punched);
+    }
+
+    /// What was switched off is milled on top again from its menu; the project opens with the same workpiece.
+    void bothVersionsAreKept() {
+        QVERIFY(seek(secondsOfTake(1)));
+        QVERIFY(driver_->clickOn("punchInButton"));
+        QVERIFY(driver_->waitFor([&] { return workbench().mill.recording(); }));
+        millLine(*driver_, {-10, 2}, {10, 2});
+        QVERIFY(driver_->waitFor([&] { return workbench().workpiece.strokes().count() == 1; }));
+        QVERIFY(leaveMilling());
+        const std::uint64_t punched = now();
+        QVERIFY(driver_->waitFor([&] { return time().possible() && time().recorded()->tracks.size() == 3; }));
+        QVERIFY(chooseInMenu(1.5, "takeOnAction"));
+        QVERIFY(driver_->waitFor([&] { return !busy() && now() != punched; }));
+        const std::uint64_t together = now();
+        QVERIFY(together != all_);
+        QVERIFY(replayed() == together);
+        driver_->key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(stands(punched));
+        driver_->key(Qt::Key_S, Qt::ControlModifier);
+        QVERIFY(driver_->settle());
+    }
+
+    /// The program's own time: its workpiece at the end is that of the check, its line follows, blocks are stepped
+    /// through; in the other steps it is the takes' time again.
+    void aProgramIsGoneThrough() {
+        QVERIFY(newPath(*driver_));
+        QVERIFY(postProgram(*driver_));
+        QVERIFY(driver_->step(JobStep::program));
+        QVERIFY(driver_->waitFor([&] { return time().showsProgram() && time().possible(); }));
+        const auto program = workbench().program.program();
+        QVERIFY(std::abs(time().recorded()->seconds() - program->report.machiningSeconds) < 0.02);
+        QVERIFY(seek(time().recorded()->seconds()));
+        QCOMPARE(fingerprint(time().shown()->workpiece), fingerprint(program->machined));
+        QVERIFY(seek(0.0));
+        QCOMPARE(fingerprint(time().shown()->workpiece), stock_);
+        auto* view = driver_->visible<TimelineView>("timelineView");
+        view->setFocus();
+        int before = 0;
+        for (int i = 0; i < 5; ++i) {
+            driver_->key(Qt::Key_Right, Qt::ControlModifier);
+            QVERIFY(driver_->waitFor([&] { return !time().arriving() && time().line() > 0; }));
+            QVERIFY(time().line() >= before);
+            before = time().line();
+        }
+        QVERIFY(driver_->waitFor([&] { return driver_->window().findChild<ProgramView*>()->line() == before; }));
+        QVERIFY(seek(0.6 * time().recorded()->seconds()));
+        driver_->shoot("timeline-program");
+        QVERIFY(driver_->step(JobStep::mill));
+        QVERIFY(driver_->waitFor([&] { return !time().showsProgram() && !time().away(); }));
+        QCOMPARE(time().recorded()->tracks.size(), std::size_t{2});
+    }
+
+private:
+    Workbench& workbench() { return driver_->window().workbench(); }
+    Viewport& viewport() { return driver_->window().viewport(); }
+    TimeController& time() { return workbench().time; }
+    std::uint64_t now() { return fingerprint(workbench().workpiece.milling()->embedded.workpiece.snapshot()); }
+    bool busy() { return workbench().workpiece.embedding() || !workbench().tasks().idle(); }
+    bool stands(std::uint64_t wanted) {
+        return driver_->waitFor([&] { return !busy() && now() == wanted; }, 10000);
+    }
+    bool strokesAre(std::size_t count) {
+        return driver_->waitFor([&] { return workbench().workpiece.strokes().count() == count; }, 10000);
+    }
+    bool enterMilling() {
+        return driver_->clickOn("millButton") && driver_->waitFor([&] { return workbench().mill.active(); }, 5000);
+    }
+    bool leaveMilling() {
+        return driver_->clickOn("millButton") &&
+               driver_->waitFor([&] { return !workbench().mill.active() && !workbench().session.running(); }, 5000) &&
+               driver_->settle();
+    }
+    double secondsOfTake(std::size_t end) {
+        double seconds = 0.0;
+        for (std::size_t i = 0; i < end; ++i) seconds += time().recorded()->tracks[i].seconds();
+        return seconds;
+    }
+    /// A press and a drag to a moment.
+    bool seek(double seconds) {
+        auto* view = driver_->visible<TimelineView>("timelineView");
+        const auto place = [&](double at) {
+            return QPoint(static_cast<int>(std::lround(view->placeOf(at))), view->height() - 16);
+        };
+        QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, place(0.5 * seconds));
+        QTest::mouseMove(view, place(0.7 * seconds));
+        QTest::mouseMove(view, place(seconds));
+        QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, place(seconds));
+        time().goTo(seconds); // to a sample, which a pixel is not
+        return driver_->waitFor([&] {
+            return time().shown() && !time().arriving() &&
+                   time().shown()->moment == time().recorded()->momentAt(seconds);
+        });
+    }
+    /// @param take the middle of so many takes
+    bool chooseInMenu(double take, const char* action) {
+        auto* view = driver_->visible<TimelineView>("timelineView");
+        const auto before = static_cast<std::size_t>(take);
+        const double seconds =
+            secondsOfTake(before) + (take - static_cast<double>(before)) * time().recorded()->tracks[before].seconds();
+        const QPoint place(static_cast<int>(std::lround(view->placeOf(seconds))), view->height() - 16);
+        QContextMenuEvent wanted(QContextMenuEvent::Mouse, place, view->mapToGlobal(place));
+        QCoreApplication::sendEvent(view, &wanted);
+        QMenu* menu = nullptr;
+        if (!driver_->waitFor([&] { return (menu = driver_->window().findChild<QMenu*>("takeMenu")) != nullptr; },
+                              3000))
+            return false;
+        driver_->shoot("timeline-menu");
+        for (QAction* each : menu->actions())
+            if (each->objectName() == QLatin1String(action)) {
+                QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(each).center());
+                return true;
+            }
+        return false;
+    }
+    /// The workpiece as it is made again from all recordings, without what is kept.
+    std::uint64_t replayed() {
+        const std::shared_ptr<MillingContext> milling = workbench().workpiece.milling();
+        driver_->key(Qt::Key_S, Qt::ControlModifier);
+        if (!driver_->settle()) return 0;
+        const Result<Project> project = Project::openForReading(workbench().document.file());
+        if (!project) return 0;
+        Progress progress;
+        const Result<RecordedWork> all = recordedWork(*project, false);
+        if (!all) return 0;
+        Result<RunVolume> volume = workpieceOf(
+            *all, [&] { return milling->stock->makeStock(progress); }, progress);
+        return volume ? fingerprint(volume->snapshot()) : 0;
+    }
+
+    std::unique_ptr<WindowDriver> driver_;
+    std::uint64_t stock_ = 0, first_ = 0, all_ = 0;
+};
+
+BURIN_TEST(TestWindowTimeline, QApplication)
+
+} // namespace burin::tst_window_timeline
+
+#include "tst_window_timeline.moc"

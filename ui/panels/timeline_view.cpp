@@ -1,0 +1,520 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/timeline_view.h"
+
+#include "ui/panels/texts.h"
+#include "ui/theme/colour.h"
+#include "ui/theme/number_font.h"
+#include "ui/theme/theme.h"
+
+#include <QCoreApplication>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+
+namespace {
+
+constexpr int labelWidth = 132, rulerHeight = 18, clipHeight = 26, laneGap = 4, edge = 8; // pixels
+constexpr int leastLane = 20, usualLane = 34;
+constexpr double shortestSeen = 0.2; // s: below that samples are seen one by one
+constexpr double zoomStep = 1.25;
+
+ColourRole roleOf(TrackCurve curve) {
+    constexpr std::array roles{&Palette::force, &Palette::accent, &Palette::inOrder,
+                               &Palette::path,  &Palette::part,   &Palette::quietText};
+    return roles[static_cast<std::size_t>(curve)];
+}
+
+/// A step of a ruler: the next of 1, 2, 5 × 10^n, of minutes 15 and 30 s.
+double niceStep(double least) {
+    for (const double step :
+         {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0, 1800.0})
+        if (step >= least) return step;
+    return 3600.0;
+}
+
+QString clockText(double seconds, double step) {
+    QString text = durationText(std::floor(seconds + 1e-9));
+    const int decimals = step < 0.1 ? 2 : step < 1.0 ? 1 : 0;
+    if (decimals > 0) text += QLocale().toString(seconds - std::floor(seconds + 1e-9), 'f', decimals).mid(1);
+    return text;
+}
+
+} // namespace
+
+QString curveName(TrackCurve curve) {
+    switch (curve) {
+    case TrackCurve::force:
+        return TimelineView::tr("Force");
+    case TrackCurve::removal:
+        return TimelineView::tr("Removal rate");
+    case TrackCurve::feed:
+        return TimelineView::tr("Feed");
+    case TrackCurve::engagement:
+        return TimelineView::tr("Engagement");
+    case TrackCurve::pushBack:
+        return TimelineView::tr("Push-back");
+    case TrackCurve::height:
+        return TimelineView::tr("Height");
+    }
+    return {};
+}
+
+TimelineView::TimelineView(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("timelineView"));
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Timeline of the takes"));
+    setAccessibleDescription(tr("Left and right arrow keys move through the time, Space plays, plus and minus zoom."));
+    setMouseTracking(false);
+}
+
+void TimelineView::setState(const TimelineState& state) {
+    const bool other = state.recorded != state_.recorded;
+    state_ = state;
+    if (other) {
+        begin_ = length_ = 0.0;
+        findRanges();
+    }
+    if (length_ > 0.0 && (state_.seconds < begin_ || state_.seconds > begin_ + length_))
+        moveTo(state_.seconds - 0.1 * length_); // it plays on beyond what is seen
+    update();
+}
+
+void TimelineView::setUnit(LengthUnit unit) {
+    unit_ = unit;
+    update();
+}
+
+void TimelineView::showCurve(TrackCurve curve, bool shown) {
+    if (shown)
+        shown_.insert(curve);
+    else
+        shown_.erase(curve);
+    updateGeometry();
+    update();
+}
+
+QSize TimelineView::sizeHint() const {
+    return {600, rulerHeight + clipHeight + 2 * laneGap + static_cast<int>(shown_.size()) * (usualLane + laneGap)};
+}
+
+QSize TimelineView::minimumSizeHint() const {
+    return {320, rulerHeight + clipHeight + 2 * laneGap + static_cast<int>(shown_.size()) * (leastLane + laneGap)};
+}
+
+double TimelineView::all() const {
+    return state_.recorded ? state_.recorded->seconds() : 0.0;
+}
+
+double TimelineView::secondsAt(double x) const {
+    const double share = (x - labelWidth) / std::max(1, width() - labelWidth - edge);
+    const double length = length_ > 0.0 ? length_ : all();
+    return std::clamp(begin_ + share * length, 0.0, all());
+}
+
+double TimelineView::placeOf(double seconds) const {
+    const double length = length_ > 0.0 ? length_ : all();
+    if (!(length > 0.0)) return labelWidth;
+    return labelWidth + (seconds - begin_) / length * std::max(1, width() - labelWidth - edge);
+}
+
+double TimelineView::startOf(std::size_t track) const {
+    double start = 0.0;
+    for (std::size_t i = 0; i < track; ++i) start += state_.recorded->tracks[i].seconds();
+    return start;
+}
+
+std::optional<std::size_t> TimelineView::trackAt(double seconds) const {
+    if (!state_.recorded) return std::nullopt;
+    double start = 0.0;
+    for (std::size_t i = 0; i < state_.recorded->tracks.size(); ++i) {
+        start += state_.recorded->tracks[i].seconds();
+        if (seconds < start) return i;
+    }
+    return std::nullopt;
+}
+
+std::vector<TimelineView::Lane> TimelineView::lanes() const {
+    std::vector<Lane> lanes;
+    if (shown_.empty()) return lanes;
+    const int room = height() - rulerHeight - clipHeight - 2 * laneGap;
+    const int each = room / static_cast<int>(shown_.size());
+    int top = rulerHeight;
+    for (const TrackCurve curve : shown_) {
+        lanes.push_back({curve, QRect(0, top, width(), std::max(1, each - laneGap))});
+        top += each;
+    }
+    return lanes;
+}
+
+QRect TimelineView::clipRow() const {
+    return {labelWidth, height() - clipHeight - laneGap, std::max(1, width() - labelWidth - edge), clipHeight};
+}
+
+void TimelineView::findRanges() {
+    ranges_ = {};
+    if (!state_.recorded) return;
+    for (std::size_t curve = 0; curve < trackCurves; ++curve) {
+        Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+        for (const TakeTrack& track : state_.recorded->tracks)
+            for (const float value : track.curves[curve]) {
+                range.low = std::min(range.low, static_cast<double>(value));
+                range.high = std::max(range.high, static_cast<double>(value));
+            }
+        if (static_cast<TrackCurve>(curve) != TrackCurve::height) range.low = 0.0;
+        if (range.high >= range.low) ranges_[curve] = range;
+    }
+}
+
+std::vector<double> TimelineView::columns(TrackCurve curve, int count) const {
+    std::vector<double> greatest(static_cast<std::size_t>(std::max(0, count)), std::nan(""));
+    double start = 0.0;
+    for (const TakeTrack& track : state_.recorded->tracks) {
+        const std::vector<float>& values = track.curves[static_cast<std::size_t>(curve)];
+        const double bin = static_cast<double>(TakeTrack::samplesPerBin) * track.info.tickPeriod;
+        for (int x = 0; x < count; ++x) {
+            const double from = (secondsAt(labelWidth + x) - start) / bin,
+                         to = (secondsAt(labelWidth + x + 1) - start) / bin;
+            if (to < 0.0 || from >= static_cast<double>(values.size())) continue;
+            const auto first = static_cast<std::size_t>(std::max(0.0, from));
+            const auto end = std::min(values.size(), static_cast<std::size_t>(std::max(0.0, to)) + 1);
+            for (std::size_t i = first; i < end; ++i)
+                greatest[static_cast<std::size_t>(x)] =
+                    std::fmax(greatest[static_cast<std::size_t>(x)], static_cast<double>(values[i]));
+        }
+        start += track.seconds();
+    }
+    return greatest;
+}
+
+QString TimelineView::valueText(TrackCurve curve, double value) const {
+    switch (curve) {
+    case TrackCurve::force:
+        return tr("%1 N").arg(QLocale().toString(value, 'f', 1));
+    case TrackCurve::removal:
+        return rateText(value, unit_);
+    case TrackCurve::feed:
+        return feedText(60.0 * value, unit_);
+    case TrackCurve::engagement:
+        return areaText(value, unit_);
+    case TrackCurve::pushBack:
+    case TrackCurve::height:
+        return shortLength(std::round(value * 1e3) / 1e3, unit_);
+    }
+    return {};
+}
+
+void TimelineView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    const Palette& palette = activePalette();
+    painter.fillRect(rect(), palette.panel);
+    if (!state_.recorded || state_.recorded->tracks.empty()) {
+        painter.setPen(palette.quietText);
+        painter.drawText(rect(), Qt::AlignCenter,
+                         state_.program ? tr("The program's time is being read.")
+                                        : tr("Takes appear here once something was milled."));
+        return;
+    }
+    paintRuler(painter);
+    for (const Lane& lane : lanes()) paintLane(painter, lane);
+    paintClips(painter);
+    paintMarkers(painter);
+    paintCursor(painter);
+    if (hasFocus()) {
+        painter.setPen(palette.accent);
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+}
+
+void TimelineView::paintRuler(QPainter& painter) const {
+    const Palette& palette = activePalette();
+    const double length = length_ > 0.0 ? length_ : all();
+    const double pixels = std::max(1, width() - labelWidth - edge);
+    const double step = niceStep(70.0 * length / pixels);
+    painter.setFont(numberFont(font()));
+    for (double at = std::ceil(begin_ / step) * step; at <= begin_ + length + 1e-9; at += step) {
+        const int x = static_cast<int>(std::lround(placeOf(at)));
+        painter.setPen(palette.border);
+        painter.drawLine(x, rulerHeight - 4, x, height() - laneGap);
+        painter.setPen(palette.quietText);
+        const QString text = clockText(at, step);
+        const int wide = painter.fontMetrics().horizontalAdvance(text);
+        if (x + 4 + wide <= width()) painter.drawText(x + 4, rulerHeight - 5, text);
+    }
+    painter.setFont(font());
+}
+
+void TimelineView::paintLane(QPainter& painter, const Lane& lane) const {
+    const Palette& palette = activePalette();
+    const QColor colour = palette.*roleOf(lane.curve);
+    const Range range = ranges_[static_cast<std::size_t>(lane.curve)];
+    const int count = width() - labelWidth - edge;
+    const QRect& area = lane.area;
+    painter.setPen(palette.border);
+    painter.drawLine(labelWidth, area.bottom(), width() - edge, area.bottom());
+    const std::vector<double> values = columns(lane.curve, count);
+    const double scale = range.high > range.low ? (area.height() - 2) / (range.high - range.low) : 0.0;
+    const QColor fill = mixed(palette.panel, colour, 0.3);
+    int before = -1;
+    for (int x = 0; x < count; ++x) {
+        const double value = values[static_cast<std::size_t>(x)];
+        if (std::isnan(value)) {
+            before = -1;
+            continue;
+        }
+        const int top = area.bottom() - static_cast<int>(std::lround((value - range.low) * scale));
+        if (top < area.bottom()) painter.fillRect(labelWidth + x, top, 1, area.bottom() - top, fill);
+        const int from = before < 0 ? top : before; // a line without holes
+        painter.fillRect(labelWidth + x, std::min(from, top), 1, std::abs(from - top) + 1, colour);
+        before = top;
+    }
+    const QRect label(edge, area.top(), labelWidth - 2 * edge, area.height());
+    painter.setPen(palette.text);
+    const bool twoLines = area.height() >= 2 * painter.fontMetrics().height() - 2;
+    const Qt::Alignment place = Qt::AlignLeft | (twoLines ? Qt::AlignTop : Qt::AlignVCenter);
+    painter.drawText(label, static_cast<int>(place),
+                     painter.fontMetrics().elidedText(curveName(lane.curve), Qt::ElideRight, label.width()));
+    if (!twoLines) return;
+    painter.setPen(palette.quietText);
+    painter.drawText(label, Qt::AlignLeft | Qt::AlignBottom,
+                     painter.fontMetrics().elidedText(tr("to %1").arg(valueText(lane.curve, range.high)),
+                                                      Qt::ElideRight, label.width()));
+}
+
+QString TimelineView::clipText(std::size_t track) const {
+    const TakeInfo& info = state_.recorded->tracks[track].info;
+    return state_.program ? QCoreApplication::translate("Resource", info.name.c_str()) : takeName(info.name);
+}
+
+void TimelineView::paintClips(QPainter& painter) const {
+    const Palette& palette = activePalette();
+    const QRect row = clipRow();
+    painter.setPen(palette.text);
+    painter.drawText(QRect(edge, row.top(), labelWidth - 2 * edge, row.height()), Qt::AlignLeft | Qt::AlignVCenter,
+                     state_.program ? tr("Tools") : tr("Takes"));
+    painter.save();
+    painter.setClipRect(row);
+    double start = 0.0;
+    for (std::size_t i = 0; i < state_.recorded->tracks.size(); ++i) {
+        const TakeTrack& track = state_.recorded->tracks[i];
+        const auto placeOfSample = [&](std::uint64_t sample) {
+            return placeOf(start + static_cast<double>(sample) * track.info.tickPeriod);
+        };
+        const QRectF clip(
+            QPointF(placeOf(start), row.top()),
+            QPointF(std::max(placeOf(start) + 2.0, placeOf(start + track.seconds()) - 1.0), row.bottom()));
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(mixed(palette.panel, palette.part, 0.35));
+        painter.drawRoundedRect(clip, 3, 3);
+        for (const SampleRange& stroke : track.strokes) {
+            const double left = placeOfSample(stroke.first), right = placeOfSample(stroke.first + stroke.count);
+            painter.fillRect(QRectF(left, row.bottom() - 7, std::max(1.0, right - left), 5), palette.part);
+        }
+        for (const SampleRange& undone : track.undone) {
+            const double left = placeOfSample(undone.first), right = placeOfSample(undone.first + undone.count);
+            const QRectF gone(left, row.top(), std::max(1.0, right - left), row.height());
+            painter.fillRect(gone, palette.panel);
+            painter.fillRect(gone, QBrush(palette.quietText, Qt::BDiagPattern));
+        }
+        painter.setPen(QPen(palette.quietText, 1, Qt::DashLine));
+        painter.setBrush(Qt::NoBrush);
+        for (const SampleRange& off : track.switchedOff)
+            painter.drawRect(QRectF(QPointF(placeOfSample(off.first), row.top()),
+                                    QPointF(placeOfSample(off.first + off.count) - 1.0, row.bottom() - 1.0)));
+        painter.setPen(palette.text);
+        const QRectF text = clip.intersected(row).adjusted(6, 0, -4, -6);
+        if (text.width() > 20)
+            painter.drawText(
+                text, Qt::AlignLeft | Qt::AlignVCenter,
+                painter.fontMetrics().elidedText(clipText(i), Qt::ElideRight, static_cast<int>(text.width())));
+        start += track.seconds();
+    }
+    painter.restore();
+}
+
+void TimelineView::paintMarkers(QPainter& painter) const {
+    const Palette& palette = activePalette();
+    for (const TimeMarker& marker : state_.markers) {
+        const double x = std::round(placeOf(state_.recorded->secondsAt(marker.at)));
+        if (x < labelWidth - 1 || x > width() - edge + 1) continue;
+        painter.fillRect(QRectF(x, 2, 1, height() - 2 * laneGap), palette.guide);
+        const QString name = QString::fromStdString(marker.name);
+        const QRectF flag(x, 2, std::min(120, painter.fontMetrics().horizontalAdvance(name) + 10), rulerHeight - 4);
+        painter.fillRect(flag, palette.guide);
+        painter.setPen(palette.panel);
+        painter.drawText(flag.adjusted(5, 0, -4, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                         painter.fontMetrics().elidedText(name, Qt::ElideRight, static_cast<int>(flag.width()) - 8));
+    }
+}
+
+/// Its flag, the newest on top.
+std::optional<std::size_t> TimelineView::markerAt(const QPointF& place) const {
+    if (!state_.recorded || place.y() > rulerHeight) return std::nullopt;
+    for (std::size_t i = state_.markers.size(); i-- > 0;) {
+        const double x = placeOf(state_.recorded->secondsAt(state_.markers[i].at));
+        const int wide = fontMetrics().horizontalAdvance(QString::fromStdString(state_.markers[i].name)) + 10;
+        if (place.x() >= x - 3 && place.x() <= x + std::min(120, wide)) return i;
+    }
+    return std::nullopt;
+}
+
+void TimelineView::paintCursor(QPainter& painter) const {
+    const Palette& palette = activePalette();
+    const double x = placeOf(state_.seconds);
+    if (x < labelWidth - 1 || x > width() - edge + 1) return;
+    const QColor colour = state_.away ? palette.accent : palette.text;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawPolygon(QPolygonF{{x - 5, rulerHeight - 10.0}, {x + 5, rulerHeight - 10.0}, {x, rulerHeight - 2.0}});
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.fillRect(QRectF(std::round(x), rulerHeight - 3, 1, height() - rulerHeight), colour);
+}
+
+void TimelineView::seek(double x) {
+    if (state_.enabled) emit sought(secondsAt(x));
+}
+
+void TimelineView::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) return;
+    if (const std::optional<std::size_t> marker = markerAt(event->position()); marker && state_.enabled)
+        emit sought(state_.recorded->secondsAt(state_.markers[*marker].at));
+    else
+        seek(event->position().x());
+}
+
+void TimelineView::mouseMoveEvent(QMouseEvent* event) {
+    if ((event->buttons() & Qt::LeftButton) != 0) seek(event->position().x());
+}
+
+/// A clip fills the view; again, all is seen.
+void TimelineView::mouseDoubleClickEvent(QMouseEvent* event) {
+    const std::optional<std::size_t> track = trackAt(secondsAt(event->position().x()));
+    if (!track || !clipRow().contains(event->position().toPoint())) return;
+    const double length = state_.recorded->tracks[*track].seconds();
+    const bool fills = begin_ == startOf(*track) && length_ == length;
+    length_ = fills ? 0.0 : length;
+    begin_ = fills ? 0.0 : startOf(*track);
+    update();
+}
+
+void TimelineView::contextMenuEvent(QContextMenuEvent* event) {
+    const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
+    const QPoint place =
+        byKey ? QPoint(static_cast<int>(placeOf(state_.seconds)), clipRow().center().y()) : event->pos();
+    if (const std::optional<std::size_t> marker = markerAt(place); marker && state_.enabled)
+        return emit markerMenuWanted(static_cast<int>(*marker), mapToGlobal(place));
+    const double at = secondsAt(place.x());
+    const std::optional<std::size_t> track = place.x() < labelWidth ? std::nullopt : trackAt(at);
+    if (!track || !state_.enabled) return;
+    const TakeInfo& info = state_.recorded->tracks[*track].info;
+    const auto sample = static_cast<quint64>(std::max(0.0, at - startOf(*track)) / info.tickPeriod);
+    emit menuWanted(info.id, std::min<quint64>(sample, info.sampleCount - 1), mapToGlobal(place));
+}
+
+void TimelineView::zoom(double factor, double at) {
+    const double length = length_ > 0.0 ? length_ : all();
+    if (!(length > 0.0)) return;
+    const double share = (at - begin_) / length;
+    length_ = std::clamp(length / factor, std::min(shortestSeen, all()), all());
+    moveTo(at - share * length_);
+}
+
+void TimelineView::moveTo(double begin) {
+    begin_ = std::clamp(begin, 0.0, std::max(0.0, all() - length_));
+    update();
+}
+
+void TimelineView::wheelEvent(QWheelEvent* event) {
+    const QPoint turned = event->angleDelta();
+    const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / 120.0;
+    if ((event->modifiers() & Qt::ShiftModifier) != 0 || turned.y() == 0)
+        moveTo(begin_ - 0.15 * notches * (length_ > 0.0 ? length_ : all()));
+    else
+        zoom(std::pow(zoomStep, notches), secondsAt(event->position().x()));
+    event->accept();
+}
+
+void TimelineView::seekStroke(int direction) {
+    constexpr double near = 1e-6; // s
+    double best = direction < 0 ? 0.0 : all();
+    double start = 0.0;
+    for (const TakeTrack& track : state_.recorded->tracks) {
+        const auto consider = [&](std::uint64_t sample) {
+            const double at = start + static_cast<double>(sample) * track.info.tickPeriod;
+            if (direction > 0 && at > state_.seconds + near) best = std::min(best, at);
+            if (direction < 0 && at < state_.seconds - near) best = std::max(best, at);
+        };
+        for (const std::uint64_t step : track.steps) consider(step);
+        if (track.steps.empty())
+            for (const SampleRange& stroke : track.strokes) consider(stroke.first);
+        start += track.seconds();
+    }
+    emit sought(best);
+}
+
+void TimelineView::keyPressEvent(QKeyEvent* event) {
+    if (!state_.recorded || !state_.enabled) return QWidget::keyPressEvent(event);
+    const double seen = length_ > 0.0 ? length_ : all();
+    const bool far = (event->modifiers() & Qt::ControlModifier) != 0;
+    const double step = seen / ((event->modifiers() & Qt::ShiftModifier) != 0 ? 1000.0 : 100.0);
+    switch (event->key()) {
+    case Qt::Key_Left:
+        return far ? seekStroke(-1) : emit sought(std::max(0.0, state_.seconds - step));
+    case Qt::Key_Right:
+        return far ? seekStroke(1) : emit sought(std::min(all(), state_.seconds + step));
+    case Qt::Key_Home:
+        return emit sought(0.0);
+    case Qt::Key_End:
+        return emit sought(all());
+    case Qt::Key_Space:
+        return emit playToggled();
+    case Qt::Key_Plus:
+        return zoom(zoomStep, state_.seconds);
+    case Qt::Key_Minus:
+        return zoom(1.0 / zoomStep, state_.seconds);
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+bool TimelineView::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip || !state_.recorded) return QWidget::event(event);
+    auto* help = static_cast<QHelpEvent*>(event);
+    if (const std::optional<std::size_t> marker = markerAt(help->pos())) {
+        QToolTip::showText(help->globalPos(), QString::fromStdString(state_.markers[*marker].name), this);
+        return true;
+    }
+    const double at = secondsAt(help->pos().x());
+    const std::optional<std::size_t> track = help->pos().x() < labelWidth ? std::nullopt : trackAt(at);
+    if (!track) {
+        QToolTip::showText(help->globalPos(),
+                           tr("Click or drag to go to a moment; the wheel zooms, with Shift it moves along."), this);
+        return true;
+    }
+    QStringList lines{tr("%1, %2").arg(clipText(*track), clockText(at, 0.01))};
+    const auto bin =
+        static_cast<std::size_t>((at - startOf(*track)) / (static_cast<double>(TakeTrack::samplesPerBin) *
+                                                           state_.recorded->tracks[*track].info.tickPeriod));
+    for (const TrackCurve curve : shown_) {
+        const std::vector<float>& values = state_.recorded->tracks[*track].curves[static_cast<std::size_t>(curve)];
+        if (bin < values.size())
+            lines.append(tr("%1: %2").arg(curveName(curve), valueText(curve, static_cast<double>(values[bin]))));
+    }
+    QToolTip::showText(help->globalPos(), lines.join(QLatin1Char('\n')), this);
+    return true;
+}
+
+} // namespace burin

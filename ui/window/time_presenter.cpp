@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/time_presenter.h"
+
+#include "ui/panels/texts.h"
+#include "ui/window/take_menu.h"
+
+#include <utility>
+
+namespace burin {
+
+TimePresenter::TimePresenter(Workbench& workbench, TimelinePanel& panel, ScenePresenter& scene, QObject* parent)
+    : Presenter(workbench, {&workbench.time, &workbench.session, &workbench.workpiece, &workbench.program}, parent)
+    , panel_(panel)
+    , scene_(scene) {
+    TimeController& time = workbench.time;
+    connect(&time, &TimeController::momentChanged, this, &TimePresenter::showMoment);
+    connect(&time, &TimeController::recordedChanged, this, &Presenter::presentSoon);
+    connect(&panel, &TimelinePanel::sought, this, [&time](double seconds) {
+        time.pause();
+        time.goTo(seconds);
+    });
+    connect(&panel.view(), &TimelineView::menuWanted, this,
+            [this](qint64 take, quint64 sample, const QPoint& position) {
+                if (!workbench_.time.showsProgram()) showTakeMenu(workbench_, take, sample, position, &panel_);
+            });
+    connect(&panel.view(), &TimelineView::markerMenuWanted, this, [this](int marker, const QPoint& position) {
+        if (!workbench_.time.showsProgram())
+            showMarkerMenu(workbench_, static_cast<std::size_t>(marker), position, &panel_);
+    });
+    connect(&panel, &TimelinePanel::speedChosen, this, [this, &time](double speed) {
+        time.setSpeed(speed);
+        presentSoon();
+    });
+}
+
+void TimePresenter::connectActions(const Actions& actions) {
+    TimeController& time = workbench_.time;
+    connect(actions[ActionId::playTime], &QAction::triggered, this, [&time] {
+        if (time.playing())
+            time.pause();
+        else
+            time.play();
+    });
+    connect(actions[ActionId::addMarker], &QAction::triggered, this, [this] { addMarker(workbench_, &panel_); });
+    connect(actions[ActionId::presentTime], &QAction::triggered, &time, &TimeController::backToPresent);
+}
+
+void TimePresenter::setUnit(LengthUnit unit) {
+    panel_.setUnit(unit);
+    Presenter::setUnit(unit);
+}
+
+void TimePresenter::setShown(JobStep step) {
+    program_ = step == JobStep::program;
+    present();
+}
+
+/// Of a program what its check found.
+std::vector<TimeMarker> TimePresenter::markers() const {
+    std::vector<TimeMarker> markers = workbench_.time.markers();
+    if (!workbench_.time.showsProgram()) return markers;
+    for (TimeMarker& marker : markers)
+        for (const Finding& finding : workbench_.program.program()->report.findings)
+            if (std::to_string(finding.line) == marker.name) {
+                marker.name = findingText(finding, unit()).toStdString();
+                break;
+            }
+    return markers;
+}
+
+void TimePresenter::present() {
+    TimeController& time = workbench_.time;
+    const bool program = program_ && workbench_.workpiece.milling() && !workbench_.program.edited();
+    time.showProgram(program ? workbench_.program.program() : nullptr);
+    TimelinePanelState state;
+    state.view.recorded = time.recorded();
+    state.view.markers = markers();
+    state.view.program = time.showsProgram();
+    state.view.seconds = time.seconds();
+    state.view.away = time.away();
+    state.view.enabled = time.possible();
+    state.reading = time.reading();
+    state.arriving = time.arriving();
+    state.playing = time.playing();
+    state.speed = time.speed();
+    panel_.setState(state);
+}
+
+void TimePresenter::showMoment() {
+    scene_.showMoment(workbench_.time.shown());
+    if (const int line = workbench_.time.line(); line != std::exchange(line_, line) && line > 0) emit lineReached(line);
+    presentSoon();
+}
+
+} // namespace burin

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/actions/actions.h"
+#include "ui/panels/job_states.h"
+#include "ui/panels/timeline_panel.h"
+#include "ui/window/presenter.h"
+#include "ui/window/scene_presenter.h"
+
+namespace burin {
+
+/// The timeline, and in the view what stood there at its moment: workpiece, tool, hand and force.
+class TimePresenter final : public Presenter {
+    Q_OBJECT
+public:
+    TimePresenter(Workbench& workbench, TimelinePanel& panel, ScenePresenter& scene, QObject* parent);
+    void setUnit(LengthUnit unit) override;
+    void connectActions(const Actions& actions);
+    /// In the program's step its time is shown.
+    void setShown(JobStep step);
+
+signals:
+    void lineReached(int line); ///< of the program, from 1
+
+private:
+    void present() override;
+    void showMoment();
+    std::vector<TimeMarker> markers() const;
+
+    TimelinePanel& panel_;
+    ScenePresenter& scene_;
+    bool program_ = false;
+    int line_ = 0; ///< that was told last
+};
+
+} // namespace burin

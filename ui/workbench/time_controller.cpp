@@ -1,0 +1,405 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workbench/time_controller.h"
+
+#include "ui/workbench/value_command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::chrono::milliseconds frame = 33ms; // of the play
+constexpr std::chrono::milliseconds longWay = 400ms;
+constexpr std::chrono::milliseconds settling = 100ms; // what changes recordings often changes them twice
+
+} // namespace
+
+/// Made when somebody goes somewhere first: what it takes to go to any moment.
+struct TimeController::Source {
+    std::shared_ptr<MillingContext> milling; ///< of the stock
+    std::vector<SharedCuts> cuts;
+    std::vector<KeptWorkpiece> kept;
+    RecordedState state; ///< that they are of
+    std::optional<WorkpieceInTime> workpieces;
+
+    Result<VolumeSnapshot> at(const TakeMoment& moment, Progress& progress) {
+        if (!workpieces) {
+            Result<WorkpieceInTime> made = make(progress);
+            if (!made) return std::move(made).error();
+            workpieces = std::move(*made);
+        }
+        return workpieces->at(moment, progress);
+    }
+
+private:
+    Result<WorkpieceInTime> make(Progress& progress) {
+        Result<RunVolume> stock = milling->stock->makeStock(progress);
+        if (!stock) return std::move(stock).error();
+        Result<KeptWorkpiece> packed = keptAs(stock->snapshot(), {}, {}, progress);
+        if (!packed) return std::move(packed).error();
+        return WorkpieceInTime::make(std::move(*packed), cuts, kept, progress);
+    }
+};
+
+TimeController::TimeController(const Desk& desk, WorkpieceController& workpiece, SessionRunner& session,
+                               MillController& mill, QObject* parent)
+    : Controller(desk, parent), workpiece_(workpiece), session_(session), mill_(mill) {
+    play_.setInterval(frame);
+    play_.setTimerType(Qt::PreciseTimer);
+    connect(&play_, &QTimer::timeout, this, &TimeController::tick);
+    readSoon_.setSingleShot(true);
+    readSoon_.setInterval(settling);
+    connect(&readSoon_, &QTimer::timeout, this, &TimeController::read);
+    connect(&mill_, &MillController::takesChanged, this, &TimeController::stale);
+    connect(&mill_, &MillController::left, this, &TimeController::stale);
+    connect(&workpiece_, &WorkpieceController::workpieceChanged, this, &TimeController::stale);
+    connect(&workpiece_, &Controller::changed, this, &TimeController::recordFromHere);
+    connect(&workpiece_, &Controller::failed, this, [this] { recordWhenReady_ = false; });
+    connect(&session_, &SessionRunner::ticked, this, [this] {
+        if (away_) backToPresent();
+    });
+}
+
+void TimeController::setFollowed(bool followed) {
+    if (std::exchange(followed_, followed) == followed) return;
+    if (!followed) backToPresent();
+    if (followed && stale_) readSoon_.start();
+    if (followed && program_) spread();
+}
+
+bool TimeController::possible() const {
+    return recorded() && !recorded()->tracks.empty() && workpiece_.embedded() && !workpiece_.embedding() &&
+           !session_.running();
+}
+
+/// What was read says no longer what is recorded.
+void TimeController::stale() {
+    stale_ = true;
+    backToPresent();
+    if (followed_) readSoon_.start();
+}
+
+void TimeController::forget() {
+    ++generation_;
+    pause();
+    desk_.tasks.abandon(TaskKind::time);
+    desk_.tasks.abandon(TaskKind::punchingIn);
+    showProgram(nullptr);
+    recorded_.reset();
+    markers_.clear();
+    source_.reset();
+    shown_.reset();
+    wanted_.reset();
+    away_ = reading_ = recordWhenReady_ = false;
+    stale_ = true;
+    seconds_ = 0.0;
+    emit recordedChanged();
+    emit momentChanged();
+    emit changed();
+    if (followed_) readSoon_.start();
+}
+
+/// A recording that is being made is read when it is over.
+void TimeController::read() {
+    if (!followed_ || !stale_ || reading_ || session_.running() || !workpiece_.embedded() || workpiece_.embedding())
+        return;
+    reading_ = true;
+    stale_ = false;
+    emit changed();
+    desk_.project.ask([before = recorded_](Project& project) { return readRecordedTime(project, before.get()); },
+                      [this, generation = generation_](Result<RecordedTime> time) {
+                          if (generation != generation_) return;
+                          reading_ = false;
+                          if (time)
+                              adopt(std::move(*time));
+                          else
+                              emit failed(time.error());
+                          if (stale_) readSoon_.start();
+                          emit changed();
+                      });
+}
+
+void TimeController::adopt(RecordedTime time) {
+    if (!program_) backToPresent();
+    auto source = std::make_shared<Source>();
+    source->milling = workpiece_.milling();
+    source->cuts = time.cuts;
+    source->kept = std::exchange(time.kept, {});
+    source->state = time.state;
+    source_ = std::move(source);
+    markers_ = std::move(time.markers);
+    time.markers.clear();
+    recorded_ = std::make_shared<const RecordedTime>(std::move(time));
+    if (!program_) seconds_ = recorded_->seconds();
+    emit recordedChanged();
+}
+
+void TimeController::goTo(double seconds) {
+    if (!possible()) return;
+    seconds_ = std::clamp(seconds, 0.0, recorded()->seconds());
+    wanted_ = recorded()->momentAt(seconds_);
+    away_ = true;
+    // A long way to elsewhere is given up; what was cut on it is remembered.
+    if (arriving() && onItsWay_.hasExpired(longWay.count())) desk_.tasks.cancel(TaskKind::time);
+    arrive();
+    emit changed();
+}
+
+void TimeController::goTo(const TakeMoment& moment) {
+    if (possible()) goTo(recorded()->secondsAt(moment));
+}
+
+void TimeController::arrive() {
+    if (!wanted_ || arriving()) return;
+    const TakeMoment moment = *std::exchange(wanted_, std::nullopt);
+    onItsWay_.start();
+    desk_.tasks.start(
+        TaskKind::time, tr("Going to a moment"),
+        [source = source(), moment](Progress& progress) { return source->at(moment, progress); },
+        [this, moment, generation = generation_](const Result<VolumeSnapshot>& workpiece) {
+            if (generation != generation_ || !away_) return;
+            if (workpiece) {
+                show(moment, *workpiece);
+                keepWorthKeeping();
+            } else if (!wanted_ || workpiece.error().code != ErrorCode::cancelled) {
+                pause();
+                wanted_.reset();
+                if (workpiece.error().code != ErrorCode::cancelled) emit failed(workpiece.error());
+                if (!shown_) backToPresent();
+            }
+            arrive();
+            emit changed();
+        });
+}
+
+void TimeController::show(const TakeMoment& moment, const VolumeSnapshot& workpiece) {
+    if (!shown_) shown_.emplace();
+    if (const std::optional<Tool> tool = toolOf(moment.take)) shown_->tool = *tool;
+    shown_->moment = moment;
+    shown_->workpiece = workpiece;
+    readSample(moment);
+    emit momentChanged();
+}
+
+std::optional<Tool> TimeController::toolOf(std::int64_t take) const {
+    for (const SharedCuts& cuts : source()->cuts)
+        if (cuts->take == take) return cuts->tool;
+    return std::nullopt;
+}
+
+/// Where hand and tool were: a chunk of the recording, some milliseconds at most.
+void TimeController::readSample(const TakeMoment& moment) {
+    if (program_) {
+        shown_->sample.emplace();
+        shown_->sample->proxy = programTime_->poseAt(moment);
+        shown_->sample->stylusTip = shown_->sample->proxy.tip;
+        return;
+    }
+    desk_.project.ask(
+        [moment](Project& project) { return project.sample(moment.take, moment.samples > 0 ? moment.samples - 1 : 0); },
+        [this, generation = generation_](const Result<Sample>& sample) {
+            if (generation != generation_ || !shown_ || !sample) return;
+            shown_->sample = *sample;
+            emit momentChanged();
+        });
+}
+
+void TimeController::keepWorthKeeping() {
+    if (program_ || !source_->workpieces) return;
+    for (KeptWorkpiece& kept : source_->workpieces->takeWorthKeeping()) keepInProject(std::move(kept), source_->state);
+}
+
+/// What can't be kept is cut again.
+void TimeController::keepInProject(KeptWorkpiece kept, const RecordedState& state) {
+    desk_.project.ask(
+        [kept = std::move(kept), state](Project& project) -> Result<void> {
+            return project.readOnly() ? Result<void>() : project.keepWorkpiece(kept, state);
+        },
+        [](const Result<void>&) {});
+}
+
+void TimeController::backToPresent() {
+    pause();
+    wanted_.reset();
+    if (!std::exchange(away_, false)) return;
+    if (desk_.tasks.running(TaskKind::time)) desk_.tasks.cancel(TaskKind::time);
+    shown_.reset();
+    if (recorded()) seconds_ = recorded()->seconds();
+    emit momentChanged();
+    emit changed();
+}
+
+void TimeController::switchStretch(std::int64_t take, const SampleRange& stretch, bool on) {
+    mill_.setSwitchedOff(on ? tr("switch on") : tr("switch off"), [take, stretch, on](const Project& project) {
+        return withStretch(project, take, stretch, !on);
+    });
+}
+
+/// What stands there is kept first, so that making the workpiece anew cuts nothing.
+void TimeController::punchIn() {
+    if (program_ || !shown_ || arriving() || !workpiece_.ready()) return;
+    pause();
+    desk_.tasks.start(
+        TaskKind::punchingIn, tr("Keeping the workpiece"),
+        [workpiece = shown_->workpiece, moment = shown_->moment, strokes = strokesBefore(shown_->moment)](
+            Progress& progress) { return keptAs(workpiece, moment, strokes, progress); },
+        [this, moment = shown_->moment, state = source_->state,
+         generation = generation_](const Result<KeptWorkpiece>& kept) {
+            if (generation != generation_) return;
+            if (kept) keepInProject(*kept, state);
+            mill_.setSwitchedOff(
+                tr("punch in"), [moment](const Project& project) { return offAfter(project, moment); },
+                [this] {
+                    recordWhenReady_ = true;
+                    recordFromHere(); // where nothing came after it the workpiece is ready
+                });
+        });
+}
+
+std::map<std::int64_t, std::size_t> TimeController::strokesBefore(const TakeMoment& moment) const {
+    std::map<std::int64_t, std::size_t> strokes;
+    for (const SharedCuts& take : source_->cuts)
+        if (take->take < moment.take || (take->take == moment.take && moment.samples >= take->sampleCount))
+            strokes[take->take] = take->strokes;
+    return strokes;
+}
+
+void TimeController::recordFromHere() {
+    if (!recordWhenReady_ || !workpiece_.ready()) return;
+    recordWhenReady_ = false;
+    backToPresent();
+    mill_.startRecording();
+}
+
+void TimeController::addMarker(const QString& name) {
+    if (program_ || !possible() || name.trimmed().isEmpty()) return;
+    const TimeMarker marker{recorded_->momentAt(seconds_), name.trimmed().toStdString()};
+    std::vector<TimeMarker> markers = markers_;
+    std::erase_if(markers, [&](const TimeMarker& other) { return other.at == marker.at; });
+    markers.insert(std::ranges::upper_bound(markers, marker.at, {}, &TimeMarker::at), marker);
+    setMarkers(tr("marker"), std::move(markers));
+}
+
+void TimeController::changeMarker(std::size_t marker, const QString& name) {
+    if (program_ || marker >= markers_.size()) return;
+    std::vector<TimeMarker> markers = markers_;
+    if (name.trimmed().isEmpty())
+        markers.erase(markers.begin() + static_cast<std::ptrdiff_t>(marker));
+    else
+        markers[marker].name = name.trimmed().toStdString();
+    setMarkers(name.trimmed().isEmpty() ? tr("delete a marker") : tr("marker"), std::move(markers));
+}
+
+void TimeController::setMarkers(const QString& title, std::vector<TimeMarker> markers) {
+    if (markers == markers_) return;
+    using Markers = std::vector<TimeMarker>;
+    desk_.undo.push(new ValueCommand<Markers>(title, -1, markers_, std::move(markers), [this](const Markers& wanted) {
+        markers_ = wanted;
+        store([wanted](Project& project) { return project.setMarkers(wanted); });
+        emit changed();
+    }));
+}
+
+void TimeController::play() {
+    if (!possible() || playing()) return;
+    if (seconds_ >= recorded()->seconds()) goTo(0.0);
+    clock_.start();
+    play_.start();
+    emit changed();
+}
+
+void TimeController::pause() {
+    if (!playing()) return;
+    play_.stop();
+    emit changed();
+}
+
+void TimeController::tick() {
+    const double passed = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
+    clock_.start();
+    const double end = recorded() ? recorded()->seconds() : 0.0;
+    double next = std::min(seconds_ + passed * speed_, end);
+    if (const std::optional<double> finding = findingWithin(seconds_, next)) {
+        next = *finding;
+        pause();
+    }
+    if (next >= end) pause();
+    goTo(next);
+}
+
+/// The first finding behind `from`, no later than `to`.
+std::optional<double> TimeController::findingWithin(double from, double to) const {
+    if (!program_ || !stopsAtFindings_) return std::nullopt;
+    const double tick = programTime_ ? programTime_->tick : 0.0;
+    for (const TimeMarker& finding : findings_) {
+        const double at = spread_->secondsAt(finding.at);
+        if (at > from + 0.5 * tick && at <= to) return at;
+    }
+    return std::nullopt;
+}
+
+void TimeController::showProgram(std::shared_ptr<const CheckedProgram> program) {
+    if (program == program_) return;
+    backToPresent();
+    desk_.tasks.abandon(TaskKind::time);
+    desk_.tasks.abandon(TaskKind::programTime);
+    program_ = std::move(program);
+    programTime_.reset();
+    spread_.reset();
+    programSource_.reset();
+    findings_.clear();
+    shown_.reset();
+    if (program_) spread();
+    seconds_ = recorded() ? recorded()->seconds() : 0.0;
+    emit recordedChanged();
+    emit changed();
+}
+
+void TimeController::spread() {
+    if (!followed_ || programTime_ || !workpiece_.milling()) return;
+    const auto milling = workpiece_.milling();
+    desk_.tasks.start(
+        TaskKind::programTime, tr("Reading the program's time"),
+        [program = program_, machine = milling->machine, zero = milling->setup.workOffset](Progress& progress) {
+            return programTime(*program, machine, zero, progress);
+        },
+        [this, milling, program = program_](Result<ProgramTime> made) {
+            if (program != program_) return;
+            if (!made) {
+                if (made.error().code != ErrorCode::cancelled) emit failed(made.error());
+                return;
+            }
+            programSource_ = std::make_shared<Source>();
+            programSource_->milling = milling;
+            programSource_->cuts = made->time.cuts;
+            programTime_ = std::make_shared<const ProgramTime>(std::move(*made));
+            spread_ = {programTime_, &programTime_->time}; // it goes with the program's time
+            findings_ = spread_->markers;
+            seconds_ = spread_->seconds();
+            emit recordedChanged();
+            emit changed();
+        });
+}
+
+void TimeController::followLine(int line) {
+    if (!program_ || !programTime_ || !away_ || line < 1) return;
+    const std::vector<NcMotion>& motions = program_->parsed.motions;
+    const auto motion = std::ranges::lower_bound(motions, static_cast<std::uint32_t>(line), {}, &NcMotion::line);
+    if (motion == motions.end()) return;
+    pause();
+    goTo(programTime_->beginOf(static_cast<std::size_t>(motion - motions.begin())));
+}
+
+int TimeController::line() const {
+    if (!program_ || !programTime_ || !away_ || programTime_->motions.empty()) return 0;
+    const std::size_t motion = programTime_->motionAt(spread_->momentAt(seconds_));
+    return motion < program_->parsed.motions.size() ? static_cast<int>(program_->parsed.motions[motion].line) : 0;
+}
+
+} // namespace burin
