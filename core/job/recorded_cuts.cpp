@@ -4,6 +4,7 @@
 
 #include "core/recording/stroke_count.h"
 #include "core/volume/packed/volume_file.h"
+#include "core/volume/runs/alike.h"
 
 #include <algorithm>
 #include <iterator>
@@ -43,21 +44,6 @@ private:
     Progress& progress_;
     std::uint64_t all_ = 0, done_ = 0, told_ = 0;
 };
-
-/// Of one grid, with the same materials to the last value.
-bool alike(const RunVolume& volume, const VolumeKind& other) {
-    const PropertyList &one = volume.properties(), &two = other.properties;
-    const Grid &grid = volume.grid(), &wanted = other.grid;
-    if (grid.low() != wanted.low() || grid.edge() != wanted.edge() || grid.count() != wanted.count() ||
-        grid.axisOfRuns() != wanted.axisOfRuns())
-        return false;
-    if (one.size() != two.size()) return false;
-    for (int i = 1; i < one.size(); ++i) {
-        const auto entry = static_cast<PropertyIndex>(i);
-        if (toJson(one[entry]) != toJson(two[entry]) || one.isProtected(entry) != two.isProtected(entry)) return false;
-    }
-    return true;
-}
 
 /// The newest workpiece that was kept and holds, no later than a moment.
 Result<std::optional<KeptWorkpiece>> newestKept(const Project& project, const TakeMoment& until) {
@@ -145,7 +131,8 @@ Result<RunVolume> workpieceOf(const RecordedWork& work, const std::function<Resu
                               Progress& progress, const std::optional<VolumeKind>& like) {
     Result<RunVolume> workpiece = work.kept ? volumeOf(*work.kept, progress) : stock();
     if (!workpiece) return workpiece;
-    if (work.kept && like && !alike(*workpiece, *like))
+    if (work.kept && like &&
+        !(alike(workpiece->grid(), like->grid) && alike(workpiece->properties(), like->properties)))
         return Error{ErrorCode::fileDamaged, "workpiece", "kept_workpiece", "of another stock"};
     ReplayedShare share(progress);
     for (const RecordedCuts& take : work.cuts) share.expect(std::min(take.end, take.motions.count()) - take.done);

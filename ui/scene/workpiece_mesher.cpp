@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/workpiece_mesher.h"
 
+#include "core/volume/runs/alike.h"
 #include "ui/scene/skirt_depth.h"
 
 #include <algorithm>
@@ -179,7 +180,10 @@ void WorkpieceMesher::takeNewest() {
         if (newestCut_ && (!cut_ || *newestCut_ < *cut_)) cut_ = newestCut_;
         newestCut_.reset();
     }
-    if (shown_.sameVolume(before))
+    // A workpiece in the past is a volume of its own: what it shares with the one that was drawn stays drawn.
+    const bool other = before.empty() || shown_.empty() || !alike(before.grid(), shown_.grid()) ||
+                       !alike(before.properties(), shown_.properties());
+    if (!other)
         markChanges(before);
     else
         startVolume();

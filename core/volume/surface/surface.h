@@ -72,8 +72,8 @@ private:
 /// How many tiles a grid has along u and v.
 glm::ivec2 surfaceTiles(const Grid& grid);
 
-/// Tiles whose surface may differ between two snapshots of one volume, those beside a change included.
-/// Everything when `before` is empty or shows another volume.
+/// Tiles whose surface may differ between two snapshots, those beside a change included; of two volumes of one grid by
+/// what their bricks hold. Everything when `before` is empty or of another grid.
 /// @param level the coarsest that is drawn: the coarser, the farther a change reaches
 std::vector<SurfaceTile> changedSurface(const VolumeSnapshot& before, const VolumeSnapshot& now,
                                         int level = coarsestSurfaceLevel);

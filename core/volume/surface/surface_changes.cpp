@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/volume/runs/alike.h"
 #include "core/volume/runs/volume_access.h"
 #include "core/volume/surface/surface.h"
 #include "core/volume/surface/surface_window.h"
@@ -32,6 +33,14 @@ void eachChangedBrick(const VolumeSnapshot& before, const VolumeSnapshot& now, V
                 visit(LineIndex{u * tileSide, v * tileSide}, store.tile(oldTiles[entry]), store.tile(tiles[entry]));
         }
     }
+}
+
+/// The same of two volumes of one grid, by what their bricks hold.
+template <class Visit>
+void eachOtherBrick(const VolumeSnapshot& before, const VolumeSnapshot& now, Visit visit) {
+    for (LineIndex line{0, 0}; line.v < now.grid().lineCountV(); line.v += tileSide)
+        for (line.u = 0; line.u < now.grid().lineCountU(); line.u += tileSide)
+            if (!std::ranges::equal(before.brick(line), now.brick(line))) visit(line);
 }
 
 /// The surface tiles that lines within `reach` of a brick of scanlines belong to.
@@ -74,16 +83,20 @@ private:
 
 std::vector<SurfaceTile> changedSurface(const VolumeSnapshot& before, const VolumeSnapshot& now, int level) {
     const glm::ivec2 count = surfaceTiles(now.grid());
-    const bool known = now.sameVolume(before);
+    const bool same = now.sameVolume(before);
+    const bool known = same || (!before.empty() && alike(before.grid(), now.grid()));
     std::vector<std::uint8_t> changed(static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y),
                                       known ? 0 : 1);
     const auto place = [&](SurfaceTile tile) { return static_cast<std::size_t>(tile.v * count.x + tile.u); };
-    if (known)
-        eachChangedBrick(before, now, [&](LineIndex line, Tile, Tile) {
-            TilesAround(line, SurfaceWindow::margin << level, count).each([&](SurfaceTile tile) {
-                changed[place(tile)] = 1;
-            });
+    const auto mark = [&](LineIndex line) {
+        TilesAround(line, SurfaceWindow::margin << level, count).each([&](SurfaceTile tile) {
+            changed[place(tile)] = 1;
         });
+    };
+    if (same)
+        eachChangedBrick(before, now, [&](LineIndex line, Tile, Tile) { mark(line); });
+    else if (known)
+        eachOtherBrick(before, now, mark);
     std::vector<SurfaceTile> tiles;
     for (int v = 0; v < count.y; ++v)
         for (int u = 0; u < count.x; ++u)

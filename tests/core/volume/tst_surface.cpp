@@ -271,7 +271,11 @@ void SurfaceTest::changedTilesAreAllThatChanged() {
         const VolumeSnapshot before = volume.snapshot();
         cut();
         if (*rc::gen::arbitrary<bool>()) cut();
-        const VolumeSnapshot now = volume.snapshot();
+        RunVolume copy = filled(grid, aluminium); // a volume of its own, as a workpiece in the past is one
+        const VolumeSnapshot held = volume.snapshot();
+        for (LineIndex line{0, 0}; line.v < 140; ++line.v)
+            for (line.u = 0; line.u < 200; ++line.u) RC_ASSERT(copy.setLine(line, held.line(line)));
+        const VolumeSnapshot now = *rc::gen::arbitrary<bool>() ? held : copy.snapshot();
         const std::vector<SurfaceTile> changed = changedSurface(before, now, level);
         SurfaceExtractor extractor;
         SurfaceMesh old, fresh;
@@ -293,10 +297,13 @@ void SurfaceTest::changedTilesAreAllThatChanged() {
 
 void SurfaceTest::everythingChangesWithAnotherVolume() {
     const Grid grid = gridOf({70, 40, 20});
-    RunVolume one = filled(grid, wax), other = filled(grid, wax);
+    RunVolume one = filled(grid, wax), other = filled(grid, aluminium), alike = filled(grid, wax),
+              wider = filled(gridOf({71, 40, 20}), wax);
     const VolumeSnapshot first = one.snapshot();
     QCOMPARE(changedSurface({}, first).size(), std::size_t{3 * 2});
     QCOMPARE(changedSurface(other.snapshot(), first).size(), std::size_t{3 * 2});
+    QCOMPARE(changedSurface(wider.snapshot(), first).size(), std::size_t{3 * 2});
+    QVERIFY(changedSurface(alike.snapshot(), first).empty());
     QVERIFY(changedSurface(first, one.snapshot()).empty());
 }
 
