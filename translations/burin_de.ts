@@ -16,10 +16,6 @@
         <translation>&amp;Öffnen…</translation>
     </message>
     <message>
-        <source>Open a project.</source>
-        <translation>Öffnet ein Projekt.</translation>
-    </message>
-    <message>
         <source>&amp;Import a part…</source>
         <translation>Teil &amp;importieren…</translation>
     </message>
@@ -738,6 +734,10 @@
     <message>
         <source>Give the moment shown on the timeline a name.</source>
         <translation>Gibt dem Zeitpunkt auf der Zeitleiste einen Namen.</translation>
+    </message>
+    <message>
+        <source>Open a project, or a program to check and play.</source>
+        <translation>Öffnet ein Projekt oder ein Programm, um es zu prüfen und abzuspielen.</translation>
     </message>
 </context>
 <context>
@@ -4499,6 +4499,14 @@
     <message>
         <source>Drawings (*.dxf *.svg *.DXF *.SVG);;All files (*)</source>
         <translation>Zeichnungen (*.dxf *.svg *.DXF *.SVG);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>NC programs (%1)</source>
+        <translation>NC-Programme (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -8713,10 +8721,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::DocumentFlow</name>
     <message>
-        <source>“%1” is an NC program; to check it, open its project and paste its text into the editor of the step Program.</source>
-        <translation>„%1“ ist ein NC-Programm; um es zu prüfen, öffnen Sie sein Projekt und fügen Sie den Text in den Editor des Schritts „Programm“ ein.</translation>
-    </message>
-    <message>
         <source>The file was moved, renamed or deleted, or its drive is not connected.</source>
         <translation>Die Datei wurde verschoben, umbenannt oder gelöscht, oder ihr Laufwerk ist nicht verbunden.</translation>
     </message>
@@ -8731,6 +8735,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>workpiece</source>
         <translation>Werkstück</translation>
+    </message>
+    <message>
+        <source>“%1” is an NC program: open its project or embed its part first, then open the program again.</source>
+        <translation>„%1“ ist ein NC-Programm: Zuerst sein Projekt öffnen oder sein Teil einbetten, dann das Programm erneut öffnen.</translation>
     </message>
 </context>
 <context>

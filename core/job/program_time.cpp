@@ -72,9 +72,8 @@ public:
     ProgramTime finish(double seconds) {
         if (!made_.time.tracks.empty()) {
             for (double at = nextTick(); at <= seconds; at = nextTick()) tickAt(last_, lastMotion_);
+            tickAt(last_, lastMotion_); // what is left of a tick at the end
             endTake();
-            made_.poses.push_back(last_);
-            made_.motions.push_back(lastMotion_);
         }
         return std::move(made_);
     }
@@ -205,17 +204,17 @@ void addFindings(ProgramTime& made, const CheckedProgram& program) {
 } // namespace
 
 std::size_t ProgramTime::motionAt(const TakeMoment& moment) const noexcept {
-    return motions[placeOf(moment)];
+    return motions[static_cast<std::size_t>(std::min<std::uint64_t>(ticksBefore(moment), motions.size() - 1))];
 }
 
 ToolPose ProgramTime::poseAt(const TakeMoment& moment) const noexcept {
-    return poses[placeOf(moment)];
+    const std::uint64_t over = ticksBefore(moment);
+    return poses[static_cast<std::size_t>(std::min<std::uint64_t>(over > 0 ? over - 1 : 0, poses.size() - 1))];
 }
 
-std::size_t ProgramTime::placeOf(const TakeMoment& moment) const noexcept {
+std::uint64_t ProgramTime::ticksBefore(const TakeMoment& moment) const noexcept {
     const auto take = static_cast<std::size_t>(std::max<std::int64_t>(1, moment.take)) - 1;
-    const std::uint64_t over = first[std::min(take, first.size() - 1)] + moment.samples;
-    return static_cast<std::size_t>(std::min<std::uint64_t>(over > 0 ? over - 1 : 0, poses.size() - 1));
+    return first[std::min(take, first.size() - 1)] + moment.samples;
 }
 
 TakeMoment ProgramTime::beginOf(std::size_t motion) const noexcept {

@@ -15,19 +15,20 @@ namespace burin {
 struct ProgramTime {
     RecordedTime time; ///< without kept workpieces; markers: findings, by their lines
     double tick = 0.0; ///< s
-    /// The motion (place in ParsedProgram::motions) that is under way, or was last, at a moment. There must be one.
+    /// The motion (place in ParsedProgram::motions) that is under way, or begins, at a moment; at the end the last.
+    /// There must be one.
     std::size_t motionAt(const TakeMoment& moment) const noexcept;
     /// Where the tool is then, setup frame: on its way at the mean speed of the motion.
     ToolPose poseAt(const TakeMoment& moment) const noexcept;
     /// The moment at which a motion begins, to a tick.
     TakeMoment beginOf(std::size_t motion) const noexcept;
 
-    std::vector<ToolPose> poses;        ///< when each tick of all takes is over, one behind the other; and at the end
+    std::vector<ToolPose> poses;        ///< when each tick of all takes is over, one behind the other
     std::vector<std::uint32_t> motions; ///< the same: under way then
     std::vector<std::uint64_t> first;   ///< by take: ticks before it
 
 private:
-    std::size_t placeOf(const TakeMoment& moment) const noexcept;
+    std::uint64_t ticksBefore(const TakeMoment& moment) const noexcept;
 };
 
 /// Spreads a program over its time. Ticks are 10 ms, longer where a program takes more than an hour and a half. Any

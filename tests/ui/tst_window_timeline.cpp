@@ -4,9 +4,11 @@
 #include "core/volume/operations/fingerprint.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
+#include "ui/panels/notice.h"
 #include "ui/panels/program_view.h"
 #include "ui/panels/timeline_panel.h"
 
+#include <QFile>
 #include <QMenu>
 #include <QtTest>
 
@@ -167,6 +169,39 @@ private slots:
         QVERIFY(driver_->step(JobStep::mill));
         QVERIFY(driver_->waitFor([&] { return !time().showsProgram() && !time().away(); }));
         QCOMPARE(time().recorded()->tracks.size(), std::size_t{2});
+    }
+
+    /// A program of somebody else: dropped on the window it is checked, a play stops where its rapid runs into the
+    /// stock, and undo brings back what was there.
+    void aForeignProgramIsPlayedToItsFinding() {
+        QFile file(driver_->folder().filePath("foreign.nc"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("G21 G90 G54\nM3 S12000\nG0 Z10\nG0 X-15 Y5\nG1 Z-1 F300\nG1 X-5 F600\nG0 X10\nG0 Z10\nM2\n");
+        file.close();
+        drop(driver_->window(), file.fileName());
+        const auto program = [&] { return workbench().program.program(); };
+        QVERIFY(driver_->waitFor([&] { return program() && !workbench().program.busy(); }));
+        QVERIFY(!program()->passed());
+        QVERIFY(driver_->waitFor([&] { return driver_->visible<Notice>("verdict") != nullptr; }));
+        QVERIFY(driver_->visible<Notice>("verdict")->sentence().contains(QStringLiteral("1 finding")));
+        QVERIFY(driver_->waitFor([&] { return time().showsProgram() && time().possible(); }));
+        QVERIFY(!time().markers().empty());
+        QVERIFY(driver_->clickOn("timeStartButton"));
+        QVERIFY(driver_->waitFor([&] { return time().shown() && !time().arriving(); }));
+        time().setSpeed(8.0);
+        QVERIFY(driver_->clickOn("playButton"));
+        QVERIFY(driver_->waitFor([&] { return !time().playing() && !time().arriving(); }));
+        QCOMPARE(time().line(), 7);
+        QVERIFY(time().seconds() < time().recorded()->seconds());
+        driver_->shoot("timeline-finding");
+        QVERIFY(driver_->clickOn("playButton")); // on, to the end
+        QVERIFY(
+            driver_->waitFor([&] { return !time().playing() && time().seconds() == time().recorded()->seconds(); }));
+        QVERIFY(driver_->waitFor([&] { return !time().arriving(); }));
+        QCOMPARE(fingerprint(time().shown()->workpiece), fingerprint(program()->machined));
+        for (int i = 0; i < 3 && !workbench().program.storedText().isEmpty(); ++i)
+            driver_->key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(workbench().program.storedText().isEmpty() && !workbench().program.program());
     }
 
 private:

@@ -23,7 +23,7 @@ constexpr std::array rows{
     Row{ActionId::newProject, "newProjectAction", QT_TRANSLATE_NOOP("Actions", "&New"),
         QT_TRANSLATE_NOOP("Actions", "Begin a new, empty project."), "Ctrl+N"},
     Row{ActionId::openProject, "openAction", QT_TRANSLATE_NOOP("Actions", "&Open…"),
-        QT_TRANSLATE_NOOP("Actions", "Open a project."), "Ctrl+O"},
+        QT_TRANSLATE_NOOP("Actions", "Open a project, or a program to check and play."), "Ctrl+O"},
     Row{ActionId::importPart, "importAction", QT_TRANSLATE_NOOP("Actions", "&Import a part…"),
         QT_TRANSLATE_NOOP("Actions",
                           "Read a part from a CAD file (STEP, IGES, BREP) or a mesh (STL, 3MF, OBJ, PLY, AMF, OFF)."),

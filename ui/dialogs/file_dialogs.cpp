@@ -61,7 +61,11 @@ QString askToSave(QWidget* parent, const QString& title, const QString& folder, 
 } // namespace
 
 QString askProjectToOpen(QWidget* parent, const QString& folder) {
-    return askToOpen(parent, FileDialogs::tr("Open a project"), folder, FileDialogs::tr("Burin projects (*.burin)"));
+    return askToOpen(
+        parent, FileDialogs::tr("Open a project"), folder,
+        FileDialogs::tr("Burin projects (*.burin)") + QStringLiteral(";;") +
+            FileDialogs::tr("NC programs (%1)").arg(QStringLiteral("*.ngc *.nc *.tap *.gcode *.cnc *.mpf *.txt")) +
+            QStringLiteral(";;") + FileDialogs::tr("All files (*)"));
 }
 
 QString askPartToImport(QWidget* parent, const QString& folder) {

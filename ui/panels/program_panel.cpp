@@ -330,7 +330,7 @@ void ProgramPanel::Fields::refreshVerdict() {
         notice_->tell(Notice::Kind::information, ProgramPanel::tr("The program is being posted and checked…"));
     else if (!state.problem.isEmpty())
         notice_->tell(Notice::Kind::error, state.problem);
-    else if (!state.hasPath)
+    else if (!state.hasPath && state.text.isEmpty()) // a program of another system needs none
         notice_->tell(Notice::Kind::information, ProgramPanel::tr("Make a path first."));
     else if (state.edited)
         notice_->tell(Notice::Kind::warning, ProgramPanel::tr("The text was edited: check it first."));

@@ -3,6 +3,8 @@
 #include "ui/window/document_flow.h"
 
 #include "core/base/file.h"
+
+#include "core/base/file.h"
 #include "core/document/file_kind.h"
 #include "core/exchange/volume_input.h"
 #include "ui/dialogs/file_dialogs.h"
@@ -114,6 +116,24 @@ void DocumentFlow::openProject(const QString& file) {
     });
 }
 
+/// A program is looked at on a workpiece: that of the open project.
+void DocumentFlow::openProgram(const QString& file) {
+    if (!workbench_.workpiece.embedded()) {
+        emit refused(tr("“%1” is an NC program: open its project or embed its part first, then open the program again.")
+                         .arg(QFileInfo(file).fileName()));
+        return;
+    }
+    const Result<std::string> bytes = readFile(pathOf(file));
+    if (!bytes) {
+        refuse(file, bytes.error());
+        return;
+    }
+    QString text = QString::fromStdString(*bytes);
+    if (text.toStdString() != *bytes) text = QString::fromLatin1(QByteArray::fromStdString(*bytes)); // of old controls
+    workbench_.program.openText(text);
+    emit programOpened();
+}
+
 /// Nothing has changed. A file of the list that is not there any more needs a decision, anything else a sentence.
 void DocumentFlow::refuse(const QString& file, const Error& error) {
     if (error.code != ErrorCode::fileNotFound || !settings_.isRecentFile(file)) {
@@ -195,10 +215,7 @@ void DocumentFlow::openAny(const QString& file) {
     if (!kind)
         refuse(file, kind.error());
     else if (*kind == FileKind::program)
-        emit refused(
-            tr("“%1” is an NC program; to check it, open its project and paste its text into the editor of the "
-               "step Program.")
-                .arg(QFileInfo(file).fileName()));
+        openProgram(file);
     else if (*kind == FileKind::project)
         openProject(file);
     else

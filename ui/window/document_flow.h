@@ -54,6 +54,7 @@ signals:
     void begun();                          ///< another file is looked at: what was said of the last one is past
     void alreadyOpen();                    ///< what was to be opened is the open project
     void refused(const QString& sentence); ///< a file, and why; nothing has changed
+    void programOpened();                  ///< its text is the program's now, unchecked
     void exported(const QString& file);    ///< a program
     void workpieceExported(const QString& file);
     void sheetExported(const QString& file);
@@ -62,6 +63,7 @@ signals:
 private:
     void writeSheet(const std::shared_ptr<const SheetContent>& content, const QString& file);
     void openProject(const QString& file);
+    void openProgram(const QString& file);
     void refuse(const QString& file, const Error& error);
     void saveThen(std::function<void()> then);
     void saveAsThen(std::function<void()> then);

@@ -99,7 +99,8 @@ JobStepState JobPresenter::path() const {
 JobStepState JobPresenter::program() const {
     const ProgramController& program = workbench_.program;
     if (program.busy()) return {StepProgress::current, tr("checking")};
-    if (workbench_.path.jobPaths().empty()) return {StepProgress::missing, tr("no path yet")};
+    const bool foreign = !program.storedText().isEmpty();
+    if (workbench_.path.jobPaths().empty() && !foreign) return {StepProgress::missing, tr("no path yet")};
     if (program.problem()) return {StepProgress::ready, tr("not possible")};
     if (!program.program())
         return {StepProgress::ready, program.storedText().isEmpty() ? tr("not yet") : tr("not checked")};

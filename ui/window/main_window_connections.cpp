@@ -137,6 +137,11 @@ void MainWindow::connectWorkbench() {
     connect(&flow_, &DocumentFlow::refused, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::error, sentence); });
     connect(&flow_, &DocumentFlow::begun, message_, &MessageStrip::dismiss);
+    connect(&flow_, &DocumentFlow::programOpened, this, [this] {
+        showWorkSteps(true);
+        showStep(JobStep::program);
+        workbench_.program.checkText(programName(workbench_));
+    });
     connect(&flow_, &DocumentFlow::alreadyOpen, this, [this] { showWorkSteps(true); });
     connect(&workbench_, &Workbench::partUpdated, this,
             [this](const PartUpdate& update) { message_->tell(Notice::Kind::information, updateText(update)); });

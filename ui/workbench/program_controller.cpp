@@ -270,6 +270,14 @@ void ProgramController::editText(const QString& text) {
     emit changed();
 }
 
+void ProgramController::openText(const QString& text) {
+    desk_.tasks.cancel(TaskKind::program); // it would be of another text
+    Shown next = shown();
+    next.text = text;
+    next.edited = next.byHand = true;
+    change(next);
+}
+
 void ProgramController::lintText() {
     const auto& milling = workpiece_.milling();
     lint_ = burin::lint(storedText_.toStdString(),
@@ -377,7 +385,7 @@ void ProgramController::show(const Shown& shown) {
     if (edited_)
         lintText();
     else
-        lint_ = program_->lint;
+        lint_ = program_ ? program_->lint : std::vector<LintMark>();
     basis_ = shown.basis;
     judged_ = shown.judged;
     reopened_ = shown.reopened;

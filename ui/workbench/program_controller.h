@@ -58,6 +58,8 @@ public:
     /// The text as the user wrote it; no program to be exported until it is checked. The editor has an undo of its own;
     /// whatever takes the text's place then is an entry of the undo stack.
     void editText(const QString& text);
+    /// Another text in its place, such as a program of somebody else; an entry of the undo stack. It is unchecked.
+    void openText(const QString& text);
     /// What is typed while it is checked stays, unchecked; what the check gave is dropped then. So it is with `post`.
     void checkText(const QString& name); ///< @param name of the program
     void setGougeTolerance(double millimetres);
