@@ -44,7 +44,9 @@ Result<Project> Project::open(const fs::path& file) {
     if (!opened) return std::move(opened).error();
     Project project(std::make_unique<Impl>(std::move(plain), std::move(*opened)));
     if (!project.readOnly())
-        if (Result<void> erased = project.impl_->note(eraseHiddenTakes); !erased) return std::move(erased).error();
+        if (Result<void> erased = project.impl_->note([](Database& database) { return eraseHiddenTakes(database); });
+            !erased)
+            return std::move(erased).error();
     return project;
 }
 

@@ -92,9 +92,10 @@ Result<std::vector<Property>> namedByOthers(Database& database, SetupId id, cons
 /// That nothing would go with it that a user made.
 Result<void> requireEmpty(Database& database, SetupId id) {
     const std::string number = std::to_string(numberOf(id));
-    for (const char* table : {"take", "generated", "path", "program"}) {
+    // Takes that were deleted go with their setup.
+    for (const char* table : {"take WHERE removed = 0 AND", "generated WHERE", "path WHERE", "program WHERE"}) {
         const Result<std::int64_t> count =
-            database.integer(("SELECT COUNT(*) FROM " + std::string(table) + " WHERE setup = " + number).c_str());
+            database.integer(("SELECT COUNT(*) FROM " + std::string(table) + " setup = " + number).c_str());
         if (!count) return count.error();
         if (*count > 0)
             return Error{ErrorCode::argumentInvalid, "setup", number, "a setup without recordings, paths and programs"};
@@ -177,6 +178,7 @@ Result<void> renameSetup(Database& database, SetupId id, const std::string& name
 Result<void> eraseSetup(Database& database, SetupId id) {
     if (Result<void> known = requireSetup(database, id); !known) return known;
     if (Result<void> unused = requireEmpty(database, id); !unused) return unused;
+    if (Result<void> erased = eraseHiddenTakes(database, id); !erased) return erased;
     for (const char* erase : {"DELETE FROM stock_volume WHERE setup = ?", "DELETE FROM kept_workpiece WHERE setup = ?",
                               "DELETE FROM marker WHERE setup = ?", "DELETE FROM obstacle WHERE setup = ?",
                               "DELETE FROM guide WHERE setup = ?", "DELETE FROM setup_setting WHERE setup = ?",

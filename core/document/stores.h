@@ -5,6 +5,7 @@
 #include "core/document/database.h"
 #include "core/document/project.h"
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -70,7 +71,7 @@ Result<std::vector<SampleRange>> loadSwitchedOff(Database& database, std::int64_
 Result<void> storeSwitchedOff(Database& database, std::int64_t take, std::span<const SampleRange> off);
 Result<void> hideTake(Database& database, std::int64_t id);
 Result<void> showTake(Database& database, std::int64_t id);
-Result<void> eraseHiddenTakes(Database& database);
+Result<void> eraseHiddenTakes(Database& database, std::optional<SetupId> setup = std::nullopt); ///< nothing: of all
 Result<void> storeMarkers(Database& database, SetupId setup, std::span<const TimeMarker> markers);
 Result<std::vector<TimeMarker>> loadMarkers(Database& database, SetupId setup);
 Result<void> renameTake(Database& database, std::int64_t take, const std::string& name);

@@ -248,9 +248,11 @@ Result<void> showTake(Database& database, std::int64_t id) {
     return *shown == 0 ? Result<void>(unknownTake(database, id)) : Result<void>();
 }
 
-Result<void> eraseHiddenTakes(Database& database) {
-    Result<Statement> rows = Statement::prepare(database, "SELECT id FROM take WHERE removed = 1");
+Result<void> eraseHiddenTakes(Database& database, std::optional<SetupId> setup) {
+    Result<Statement> rows =
+        Statement::prepare(database, "SELECT id FROM take WHERE removed = 1 AND setup = COALESCE(?, setup)");
     if (!rows) return std::move(rows).error();
+    if (Result<void> bound = rows->bind(setup ? std::optional(numberOf(*setup)) : std::nullopt); !bound) return bound;
     std::vector<std::int64_t> hidden;
     Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
         hidden.push_back(rows->integer(0));

@@ -23,6 +23,7 @@ class TestWindowFiles : public QObject {
     Q_OBJECT
 private slots:
     void aWrongFileLeavesTheOpenProjectAsItIs();
+    void aProgramNeedsAWorkpiece();
     void theQuestionComesOnceTheFileIsKnownToBeGood();
     void aMissingRecentFileIsTakenOffTheList();
     void whatIsOpenAlreadyIsShown();
@@ -81,7 +82,6 @@ void TestWindowFiles::aWrongFileLeavesTheOpenProjectAsItIs() {
                       write(driver, "letter.burin", "Dear Emil, this is no project.\n"),
                       write(driver, "cut.burin", project.left(project.size() / 2)),
                       write(driver, "stub.burin", project.left(60)),
-                      write(driver, "part.ngc", "G21\nG0 X1 Y2\nG1 Z-1 F100\nM2\n"),
                       driver.folder().filePath("none.step"),
                       driver.folder().filePath("none.burin"),
                       pipe,
@@ -116,6 +116,16 @@ void TestWindowFiles::aWrongFileLeavesTheOpenProjectAsItIs() {
     }
     driver.shoot("40-wrong-file-on-open-project");
     QVERIFY(driver.clickOn("dismissMessageButton"));
+}
+
+/// It is looked at on a workpiece: where there is none, nothing changes.
+void TestWindowFiles::aProgramNeedsAWorkpiece() {
+    WindowDriver driver;
+    drop(driver.window(), write(driver, "part.ngc", "G21\nG0 X1 Y2\nG1 Z-1 F100\nM2\n"));
+    QVERIFY(driver.waitFor([&] { return driver.message().contains(QStringLiteral("part.ngc")); }, 20000));
+    QVERIFY(driver.message().endsWith('.'));
+    QVERIFY(driver.settle() && !driver.window().workbench().document.isOpen());
+    QVERIFY(driver.window().workbench().program.storedText().isEmpty());
 }
 
 void TestWindowFiles::theQuestionComesOnceTheFileIsKnownToBeGood() {

@@ -150,7 +150,15 @@ private slots:
                 project->setAxisMode({true, {0.0, 0.0, 1.0}}, third));
         QCOMPARE(project->removeSetup(third).error().code, ErrorCode::argumentInvalid); // its workpiece is a stock
         QVERIFY(project->setSetup(fixture::setup(), firstSetup));
-        QVERIFY(project->removeSetup(third));
+        TakeInfo info = fixture::takeInfo("there");
+        info.setup = third;
+        {
+            Result<Project::TakeWriter> writer = project->beginTake(info);
+            QVERIFY(writer && writer->append(fixture::handSamples(0, 20)) && writer->finish());
+            QCOMPARE(project->removeSetup(third).error().code, ErrorCode::argumentInvalid); // has a take
+            QVERIFY(project->removeTake(writer->id()));
+        }
+        QVERIFY(project->removeSetup(third)); // a deleted take goes with it
         QCOMPARE(project->setups()->size(), std::size_t{2});
         QCOMPARE(project->setup(third).error().code, ErrorCode::nameUnknown);
         QVERIFY(project->save() && Project::openForReading(fileIn(folder)));
