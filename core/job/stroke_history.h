@@ -23,7 +23,7 @@ struct Stroke {
 /// (VolumeHistory) and cost some bytes a run end that they changed.
 class StrokeHistory {
 public:
-    static constexpr std::size_t maximum = 128; ///< strokes that can be taken back; older ones stay
+    static constexpr std::size_t maximum = 128; ///< strokes that can be taken back at once; older ones by cutting again
     bool canUndo() const noexcept { return !done_.empty(); }
     bool canRedo() const noexcept { return !undone_.empty(); }
     std::size_t count() const noexcept { return done_.size(); }
