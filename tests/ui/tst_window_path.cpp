@@ -121,7 +121,7 @@ private slots:
 };
 
 void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
-    WindowDriver driver;
+    WindowDriver driver(QSize(1280, 920)); // as fine a picture as without the timeline
     Workbench& workbench = driver.window().workbench();
     QVERIFY(makePath(driver));
     auto* viewport = driver.visible<Viewport>("viewport");
