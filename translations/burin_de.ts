@@ -708,14 +708,6 @@
         <translation>Ab&amp;spielen oder anhalten</translation>
     </message>
     <message>
-        <source>Play the takes from the moment shown; the workpiece follows.</source>
-        <translation>Spielt die Aufnahmen ab dem gezeigten Zeitpunkt ab; das Werkstück folgt.</translation>
-    </message>
-    <message>
-        <source>Back to the &amp;present</source>
-        <translation>Zurück zur &amp;Gegenwart</translation>
-    </message>
-    <message>
         <source>Show the workpiece as it is now.</source>
         <translation>Zeigt das Werkstück, wie es jetzt ist.</translation>
     </message>
@@ -724,20 +716,28 @@
         <translation>Hier &amp;einsteigen</translation>
     </message>
     <message>
-        <source>Mill on from the moment shown. What came after it is switched off, and can be switched on again.</source>
-        <translation>Fräst ab dem gezeigten Zeitpunkt weiter. Was danach kam, wird ausgeschaltet und kann wieder eingeschaltet werden.</translation>
-    </message>
-    <message>
         <source>Add a mar&amp;ker…</source>
         <translation>Mar&amp;ke setzen …</translation>
     </message>
     <message>
-        <source>Give the moment shown on the timeline a name.</source>
-        <translation>Gibt dem Zeitpunkt auf der Zeitleiste einen Namen.</translation>
-    </message>
-    <message>
         <source>Open a project, or a program to check and play.</source>
         <translation>Öffnet ein Projekt oder ein Programm, um es zu prüfen und abzuspielen.</translation>
+    </message>
+    <message>
+        <source>Play the takes, or the program, from the time shown; the workpiece follows.</source>
+        <translation>Spielt die Aufnahmen oder das Programm ab der gezeigten Zeit ab; das Werkstück folgt.</translation>
+    </message>
+    <message>
+        <source>Back to the &amp;current state</source>
+        <translation>Zurück zum &amp;aktuellen Stand</translation>
+    </message>
+    <message>
+        <source>Continue milling from the time shown. Everything recorded after it is switched off, and can be switched on again.</source>
+        <translation>Fräst ab der gezeigten Zeit weiter. Alles, was danach aufgenommen wurde, wird ausgeschaltet und kann wieder eingeschaltet werden.</translation>
+    </message>
+    <message>
+        <source>Set a named marker at the time shown on the timeline.</source>
+        <translation>Setzt eine benannte Marke an der gezeigten Zeit.</translation>
     </message>
 </context>
 <context>
@@ -5955,18 +5955,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Sie zählt wieder</translation>
     </message>
     <message>
-        <source>Only from here on, s since the take&apos;s start</source>
-        <translation>Nur ab hier, s seit Beginn der Aufnahme</translation>
-    </message>
-    <message>
-        <source>Only to here, s since the take&apos;s start</source>
-        <translation>Nur bis hier, s seit Beginn der Aufnahme</translation>
-    </message>
-    <message>
-        <source>Give it another name</source>
-        <translation>Ihr einen anderen Namen geben</translation>
-    </message>
-    <message>
         <source>Its new name</source>
         <translation>Ihr neuer Name</translation>
     </message>
@@ -5985,6 +5973,18 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Switch takes, or parts of them, off and on; rename them</source>
         <translation>Aufnahmen oder Teile davon aus- und einschalten; sie umbenennen</translation>
+    </message>
+    <message>
+        <source>Beginning of the part, s from the start of the take (default: its start)</source>
+        <translation>Beginn des Teils, s ab Beginn der Aufnahme (Vorgabe: ihr Beginn)</translation>
+    </message>
+    <message>
+        <source>End of the part, s from the start of the take (default: its end)</source>
+        <translation>Ende des Teils, s ab Beginn der Aufnahme (Vorgabe: ihr Ende)</translation>
+    </message>
+    <message>
+        <source>Rename it</source>
+        <translation>Sie umbenennen</translation>
     </message>
 </context>
 <context>
@@ -8163,10 +8163,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>&amp;Einschalten</translation>
     </message>
     <message>
-        <source>It counts again: it is milled on top of what is there.</source>
-        <translation>Es zählt wieder: Es wird zusätzlich zu dem gefräst, was da ist.</translation>
-    </message>
-    <message>
         <source>Switch the &amp;stroke off</source>
         <translation>&amp;Zug ausschalten</translation>
     </message>
@@ -8187,10 +8183,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>&amp;Umbenennen …</translation>
     </message>
     <message>
-        <source>Give the take another name.</source>
-        <translation>Gibt der Aufnahme einen anderen Namen.</translation>
-    </message>
-    <message>
         <source>Rename the take</source>
         <translation>Aufnahme umbenennen</translation>
     </message>
@@ -8201,10 +8193,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The workpiece is milled again without it.</source>
         <translation>Das Werkstück wird ohne sie neu gefräst.</translation>
-    </message>
-    <message>
-        <source>Give the marker another name.</source>
-        <translation>Gibt der Marke einen anderen Namen.</translation>
     </message>
     <message>
         <source>Rename the marker</source>
@@ -8221,6 +8209,49 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Marker %1</source>
         <translation>Marke %1</translation>
+    </message>
+    <message>
+        <source>It counts again, milled on top of the current workpiece.</source>
+        <translation>Es zählt wieder und wird zusätzlich auf dem aktuellen Werkstück gefräst.</translation>
+    </message>
+    <message>
+        <source>Rename the take.</source>
+        <translation>Benennt die Aufnahme um.</translation>
+    </message>
+    <message>
+        <source>Rename the marker.</source>
+        <translation>Benennt die Marke um.</translation>
+    </message>
+</context>
+<context>
+    <name>TimelineCurveWords</name>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Removal rate</source>
+        <translation>Zeitspanvolumen</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Engagement</source>
+        <translation>Eingriff</translation>
+    </message>
+    <message>
+        <source>Push-back</source>
+        <translation>Gegendruck</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
     </message>
 </context>
 <context>
@@ -13505,20 +13536,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::TimeController</name>
     <message>
-        <source>Going to a moment</source>
-        <translation>Zeitpunkt wird aufgesucht</translation>
-    </message>
-    <message>
         <source>switch on</source>
         <translation>Einschalten</translation>
     </message>
     <message>
         <source>switch off</source>
         <translation>Ausschalten</translation>
-    </message>
-    <message>
-        <source>Keeping the workpiece</source>
-        <translation>Werkstück wird aufbewahrt</translation>
     </message>
     <message>
         <source>punch in</source>
@@ -13536,6 +13559,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Reading the program&apos;s time</source>
         <translation>Zeit des Programms wird gelesen</translation>
     </message>
+    <message>
+        <source>Computing the workpiece at that time</source>
+        <translation>Werkstück zu dieser Zeit wird berechnet</translation>
+    </message>
+    <message>
+        <source>Storing the workpiece</source>
+        <translation>Werkstück wird abgelegt</translation>
+    </message>
 </context>
 <context>
     <name>burin::TimelinePanel</name>
@@ -13546,14 +13577,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Volume removed per time.</source>
         <translation>Abgetragenes Volumen je Zeit.</translation>
-    </message>
-    <message>
-        <source>How fast the tip moves.</source>
-        <translation>Wie schnell sich die Spitze bewegt.</translation>
-    </message>
-    <message>
-        <source>Area of the cut: volume removed per length moved.</source>
-        <translation>Fläche des Schnitts: abgetragenes Volumen je Weg.</translation>
     </message>
     <message>
         <source>Z of the tip in the setup&apos;s coordinates.</source>
@@ -13574,10 +13597,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Curves</source>
         <translation>Kurven</translation>
-    </message>
-    <message>
-        <source>Choose what is drawn along the time.</source>
-        <translation>Wählt, was entlang der Zeit gezeichnet wird.</translation>
     </message>
     <message>
         <source>To the start</source>
@@ -13603,33 +13622,21 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Playback speed, as a multiple of real time.</source>
         <translation>Abspielgeschwindigkeit als Vielfaches der Echtzeit.</translation>
     </message>
+    <message>
+        <source>Speed of the tool tip.</source>
+        <translation>Geschwindigkeit der Werkzeugspitze.</translation>
+    </message>
+    <message>
+        <source>Cross-section of the cut: volume removed per distance moved.</source>
+        <translation>Querschnitt des Schnitts: abgetragenes Volumen je Weg.</translation>
+    </message>
+    <message>
+        <source>Select the curves to draw.</source>
+        <translation>Wählt die Kurven, die gezeichnet werden.</translation>
+    </message>
 </context>
 <context>
     <name>burin::TimelineView</name>
-    <message>
-        <source>Force</source>
-        <translation>Kraft</translation>
-    </message>
-    <message>
-        <source>Removal rate</source>
-        <translation>Zeitspanvolumen</translation>
-    </message>
-    <message>
-        <source>Feed</source>
-        <translation>Vorschub</translation>
-    </message>
-    <message>
-        <source>Engagement</source>
-        <translation>Eingriff</translation>
-    </message>
-    <message>
-        <source>Push-back</source>
-        <translation>Gegendruck</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Höhe</translation>
-    </message>
     <message>
         <source>Timeline of the takes</source>
         <translation>Zeitleiste der Aufnahmen</translation>
@@ -13637,10 +13644,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Left and right arrow keys move through the time, Space plays, plus and minus zoom.</source>
         <translation>Pfeiltasten nach links und rechts gehen durch die Zeit, die Leertaste spielt ab, Plus und Minus zoomen.</translation>
-    </message>
-    <message>
-        <source>%1 N</source>
-        <translation>%1 N</translation>
     </message>
     <message>
         <source>Takes appear here once something was milled.</source>
@@ -13653,10 +13656,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Takes</source>
         <translation>Aufnahmen</translation>
-    </message>
-    <message>
-        <source>Click or drag to go to a moment; the wheel zooms, with Shift it moves along.</source>
-        <translation>Klicken oder ziehen führt zu einem Zeitpunkt; das Mausrad zoomt, mit Umschalt verschiebt es.</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -13673,6 +13672,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Click or drag to go to that time. Mouse wheel: zoom; with Shift: scroll.</source>
+        <translation>Klicken oder ziehen: zu dieser Zeit gehen. Mausrad: zoomen; mit Umschalt: verschieben.</translation>
     </message>
 </context>
 <context>
@@ -14498,8 +14501,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::WorkpieceKeeper</name>
     <message>
-        <source>Keeping the workpiece</source>
-        <translation>Werkstück wird aufbewahrt</translation>
+        <source>Storing the workpiece</source>
+        <translation>Werkstück wird abgelegt</translation>
     </message>
 </context>
 <context>

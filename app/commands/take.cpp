@@ -92,10 +92,12 @@ void registerTake(CommandParser program, CommandContext& context, int& status) {
     const CommandParser on = addChange(command, "on", BURIN_TEXT("Help", "It counts again"), &switchStretch<false>,
                                        context, status, arguments);
     for (const CommandParser& one : {off, on}) {
-        one.option("--from", arguments->from, BURIN_TEXT("Help", "Only from here on, s since the take's start"));
-        one.option("--to", arguments->to, BURIN_TEXT("Help", "Only to here, s since the take's start"));
+        one.option("--from", arguments->from,
+                   BURIN_TEXT("Help", "Beginning of the part, s from the start of the take (default: its start)"));
+        one.option("--to", arguments->to,
+                   BURIN_TEXT("Help", "End of the part, s from the start of the take (default: its end)"));
     }
-    addChange(command, "rename", BURIN_TEXT("Help", "Give it another name"), &rename, context, status, arguments)
+    addChange(command, "rename", BURIN_TEXT("Help", "Rename it"), &rename, context, status, arguments)
         .positional(BURIN_TEXT("Argument", "NAME"), arguments->name, BURIN_TEXT("Help", "Its new name"))
         .required();
 }

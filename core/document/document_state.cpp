@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/document/document_state.h"
 
-#include <algorithm>
-#include <bit>
+#include "core/document/digest.h"
+
 #include <random>
-#include <sqlite3.h>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -13,29 +12,6 @@
 namespace burin {
 
 namespace {
-
-/// Takes words one after the other. Each step is a bijection of the word, so one word that differs is never lost.
-class Digest {
-public:
-    void add(std::uint64_t word) noexcept {
-        value_ = (value_ ^ word) * 0x9E3779B97F4A7C15u; // 2^64 over the golden ratio, odd
-        value_ ^= value_ >> 29;
-    }
-    void add(std::string_view bytes) noexcept {
-        add(bytes.size());
-        for (std::size_t start = 0; start < bytes.size(); start += 8) add(wordAt(bytes, start));
-    }
-    std::int64_t value() const noexcept { return static_cast<std::int64_t>(value_); }
-
-private:
-    static std::uint64_t wordAt(std::string_view bytes, std::size_t start) noexcept {
-        const std::size_t end = std::min(bytes.size(), start + 8);
-        std::uint64_t word = 0;
-        for (std::size_t i = end; i > start; --i) word = word << 8 | static_cast<unsigned char>(bytes[i - 1]);
-        return word;
-    }
-    std::uint64_t value_ = 0;
-};
 
 Result<std::vector<std::string>> tableNames(Database& database) {
     Result<Statement> statement = Statement::prepare(
@@ -56,43 +32,9 @@ std::string identifier(std::string_view name) {
     return result + "\"";
 }
 
-void addValue(const Statement& row, int column, Digest& digest) {
-    const int type = row.type(column);
-    digest.add(static_cast<std::uint64_t>(type));
-    if (type == SQLITE_INTEGER)
-        digest.add(static_cast<std::uint64_t>(row.integer(column)));
-    else if (type == SQLITE_FLOAT)
-        digest.add(std::bit_cast<std::uint64_t>(row.real(column)));
-    else
-        digest.add(row.blob(column));
-}
-
-Result<void> addRows(Database& database, const std::string& query, Digest& digest) {
-    Result<Statement> statement = Statement::prepare(database, query);
-    if (!statement) return std::move(statement).error();
-    for (;;) {
-        Result<bool> row = statement->step();
-        if (!row) return std::move(row).error();
-        if (!*row) return {};
-        for (int column = 0; column < statement->columns(); ++column) addValue(*statement, column, digest);
-    }
-}
-
 Result<void> addTable(Database& database, const std::string& name, Digest& digest) {
     digest.add(name);
     return addRows(database, "SELECT * FROM " + identifier(name) + " ORDER BY rowid", digest);
-}
-
-using Questions = std::vector<std::pair<const char*, std::string>>;
-
-/// Of the answers to all of them, each with its name.
-Result<std::int64_t> digestOf(Database& database, const Questions& questions) {
-    Digest digest;
-    for (const auto& [name, question] : questions) {
-        digest.add(std::string_view(name));
-        if (Result<void> added = addRows(database, question, digest); !added) return std::move(added).error();
-    }
-    return digest.value();
 }
 
 } // namespace
@@ -171,36 +113,6 @@ Result<std::int64_t> jobDigest(Database& database, SetupId setup) {
         std::pair{"moves", "SELECT generated, stroke, first, count FROM generated_chunk WHERE generated IN " +
                                generated + " ORDER BY 1, 2, 3"},
         std::pair{"travel", "SELECT setup, json FROM setup_setting WHERE name = 'travel' AND setup = " + id}};
-    return digestOf(database, questions);
-}
-
-Result<std::int64_t> stockDigest(Database& database, SetupId setup) {
-    return digestOf(database,
-                    {std::pair{"model", std::string("SELECT * FROM model")},
-                     std::pair{"body", std::string("SELECT * FROM body ORDER BY rowid")},
-                     std::pair{"setup", "SELECT id, json FROM setup WHERE id = " + std::to_string(numberOf(setup))},
-                     std::pair{"material", std::string("SELECT * FROM material ORDER BY rowid")}});
-}
-
-Result<std::int64_t> cutDigest(Database& database, SetupId setup, std::int64_t stock, const TakeMoment& until) {
-    const std::string id = std::to_string(numberOf(setup)), last = std::to_string(until.take);
-    const std::string samples = std::to_string(until.samples);
-    const std::string takes = "(SELECT id FROM take WHERE removed = 0 AND setup = " + id + " AND id <= " + last + ")";
-    // Of the last take what lies before the moment; of those before it all.
-    const std::string end =
-        "CASE WHEN take = " + last + " THEN MIN(first + count, " + samples + ") ELSE first + count END";
-    const Questions questions{
-        std::pair{"stock", "SELECT " + std::to_string(stock)},
-        std::pair{"take", "SELECT id, tool_id FROM take WHERE id IN " + takes + " ORDER BY id"},
-        std::pair{"tool", "SELECT id, json FROM tool WHERE id IN (SELECT tool_id FROM take WHERE id IN " + takes +
-                              ") ORDER BY id"},
-        std::pair{"samples", "SELECT take, SUM(count) FROM sample_chunk WHERE take IN " + takes + " AND take <> " +
-                                 last + " GROUP BY take ORDER BY take"},
-        std::pair{"until", "SELECT " + last + ", " + samples},
-        std::pair{"off", "SELECT take, first, " + end + " FROM switched_off_stretch WHERE take IN " + takes +
-                             " AND (take <> " + last + " OR first < " + samples + ") ORDER BY take, first"},
-        std::pair{"undone", "SELECT take, first, " + end + " FROM undone_stretch WHERE take IN " + takes +
-                                " AND (take <> " + last + " OR first < " + samples + ") ORDER BY take, first"}};
     return digestOf(database, questions);
 }
 

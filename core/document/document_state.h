@@ -4,7 +4,6 @@
 
 #include "core/base/setup_id.h"
 #include "core/document/database.h"
-#include "core/recording/take_moment.h"
 
 #include <optional>
 #include <string>
@@ -43,11 +42,5 @@ Result<std::int64_t> contentDigest(Database& database);
 /// and paths alone, which a program is made of and judged by. Tools are not in it: a project holds some that no
 /// recording uses.
 Result<std::int64_t> jobDigest(Database& database, SetupId setup);
-
-/// The same of what a workpiece is made of before anything is cut: part, stock and materials.
-Result<std::int64_t> stockDigest(Database& database, SetupId setup);
-/// The same by a moment: with what recordings before it cut, and their tools. Recordings grow and are never changed:
-/// how long they are says what is in them. @param stock of `stockDigest`
-Result<std::int64_t> cutDigest(Database& database, SetupId setup, std::int64_t stock, const TakeMoment& until);
 
 } // namespace burin

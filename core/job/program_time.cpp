@@ -191,14 +191,16 @@ void addStrokes(ProgramTime& made, const CheckedProgram& program) {
 
 /// At the first motion of their lines. A line that makes no move has no time.
 void addFindings(ProgramTime& made, const CheckedProgram& program) {
-    for (const Finding& finding : program.report.findings) {
+    const std::vector<Finding>& all = program.report.findings;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Finding& finding = all[i];
         const auto motion = std::ranges::lower_bound(program.parsed.motions, finding.line, {}, &NcMotion::line);
         if (motion == program.parsed.motions.end() || motion->line != finding.line) continue;
         const auto place = static_cast<std::size_t>(motion - program.parsed.motions.begin());
         const TakeMoment at = made.beginOf(place);
-        if (at.take != 0) made.time.markers.push_back({at, std::to_string(finding.line)});
+        if (at.take != 0) made.findings.push_back({at, i});
     }
-    std::ranges::sort(made.time.markers, {}, &TimeMarker::at);
+    std::ranges::stable_sort(made.findings, {}, &ProgramTime::FindingMoment::at);
 }
 
 } // namespace

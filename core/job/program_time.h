@@ -13,8 +13,15 @@ namespace burin {
 /// A program along the time that the machine takes for it, in the form of recordings: a "take" for each stretch with
 /// one tool, in ticks of `tick`. Curves are those of its check.
 struct ProgramTime {
-    RecordedTime time; ///< without kept workpieces; markers: findings, by their lines
-    double tick = 0.0; ///< s
+    /// Where the check found something.
+    struct FindingMoment {
+        TakeMoment at;
+        std::size_t finding = 0; ///< place in VerifyReport::findings
+    };
+
+    RecordedTime time;                   ///< without kept workpieces and markers
+    double tick = 0.0;                   ///< s
+    std::vector<FindingMoment> findings; ///< in order
     /// The motion (place in ParsedProgram::motions) that is under way, or begins, at a moment; at the end the last.
     /// There must be one.
     std::size_t motionAt(const TakeMoment& moment) const noexcept;

@@ -80,18 +80,6 @@ Result<RecordedCuts> cutsOfTake(const Project& project, const TakeInfo& info, co
     return cuts;
 }
 
-Result<std::vector<RecordedCuts>> cutsOf(const Project& project) {
-    const Result<std::vector<TakeInfo>> infos = project.takes();
-    if (!infos) return infos.error();
-    std::vector<RecordedCuts> takes;
-    for (const TakeInfo& info : *infos) {
-        Result<RecordedCuts> cuts = cutsOfTake(project, info);
-        if (!cuts) return std::move(cuts).error();
-        takes.push_back(std::move(*cuts));
-    }
-    return takes;
-}
-
 Result<RecordedWork> recordedWork(const Project& project, bool fromKept) {
     return recordedWork(project, {std::numeric_limits<std::int64_t>::max(), 0}, fromKept);
 }

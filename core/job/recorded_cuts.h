@@ -45,10 +45,9 @@ struct RecordedWork {
 /// Of one take. @param also gets its samples, in their order, from the same reading; may be empty
 /// Errors: those of Project::visitSamples, toolFor, `also`.
 Result<RecordedCuts> cutsOfTake(const Project& project, const TakeInfo& info, const SampleVisitor& also = {});
-/// All takes of a project, in order. Errors: those of Project::visitSamples, toolFor.
-Result<std::vector<RecordedCuts>> cutsOf(const Project& project);
-/// The same from the newest kept workpiece on that holds, which spares reading what is before.
+/// All takes of a project, in order, from the newest kept workpiece on that holds, which spares reading what is before.
 /// @param fromKept false: what is kept is of no account
+/// Errors: those of Project::visitSamples, toolFor.
 Result<RecordedWork> recordedWork(const Project& project, bool fromKept = true);
 /// The same up to a moment.
 Result<RecordedWork> recordedWork(const Project& project, const TakeMoment& until, bool fromKept = true);

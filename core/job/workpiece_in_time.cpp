@@ -209,13 +209,4 @@ std::vector<KeptWorkpiece> WorkpieceInTime::takeWorthKeeping() {
     return made;
 }
 
-std::size_t WorkpieceInTime::memoryBytes() const noexcept {
-    std::size_t bytes = 0;
-    for (const Mark& mark : marks_) {
-        if (mark.next) bytes += mark.next->memoryBytes();
-        if (mark.kept) bytes += mark.kept->volume.capacity();
-    }
-    return bytes;
-}
-
 } // namespace burin

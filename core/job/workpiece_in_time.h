@@ -37,8 +37,6 @@ public:
     std::vector<KeptWorkpiece> takeWorthKeeping();
 
     const std::vector<SharedCuts>& takes() const noexcept { return takes_; }
-    /// Packed stretches and kept workpieces, bytes; the volume is not among them.
-    std::size_t memoryBytes() const noexcept;
     /// Motions that were cut in all of its life; for tests and figures.
     std::uint64_t motionsCut() const noexcept { return cut_; }
 

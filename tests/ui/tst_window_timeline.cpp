@@ -185,7 +185,7 @@ private slots:
         QVERIFY(driver_->waitFor([&] { return driver_->visible<Notice>("verdict") != nullptr; }));
         QVERIFY(driver_->visible<Notice>("verdict")->sentence().contains(QStringLiteral("1 finding")));
         QVERIFY(driver_->waitFor([&] { return time().showsProgram() && time().possible(); }));
-        QVERIFY(!time().markers().empty());
+        QVERIFY(!time().programTime()->findings.empty());
         QVERIFY(driver_->clickOn("timeStartButton"));
         QVERIFY(driver_->waitFor([&] { return time().shown() && !time().arriving(); }));
         time().setSpeed(8.0);

@@ -205,15 +205,17 @@ constexpr std::array rows{
     Row{ActionId::showTimeline, "timelineAction", QT_TRANSLATE_NOOP("Actions", "Time&line"),
         QT_TRANSLATE_NOOP("Actions", "Show the takes along their time below the view."), "F9", true},
     Row{ActionId::playTime, "playAction", QT_TRANSLATE_NOOP("Actions", "&Play or pause"),
-        QT_TRANSLATE_NOOP("Actions", "Play the takes from the moment shown; the workpiece follows."), "Ctrl+F9"},
-    Row{ActionId::presentTime, "presentAction", QT_TRANSLATE_NOOP("Actions", "Back to the &present"),
+        QT_TRANSLATE_NOOP("Actions", "Play the takes, or the program, from the time shown; the workpiece follows."),
+        "Ctrl+F9"},
+    Row{ActionId::presentTime, "presentAction", QT_TRANSLATE_NOOP("Actions", "Back to the &current state"),
         QT_TRANSLATE_NOOP("Actions", "Show the workpiece as it is now."), "Shift+F9"},
     Row{ActionId::punchIn, "punchInAction", QT_TRANSLATE_NOOP("Actions", "P&unch in"),
-        QT_TRANSLATE_NOOP("Actions", "Mill on from the moment shown. What came after it is switched off, and can be "
-                                     "switched on again."),
+        QT_TRANSLATE_NOOP(
+            "Actions", "Continue milling from the time shown. Everything recorded after it is switched off, and can be "
+                       "switched on again."),
         "Ctrl+Shift+R"},
     Row{ActionId::addMarker, "addMarkerAction", QT_TRANSLATE_NOOP("Actions", "Add a mar&ker…"),
-        QT_TRANSLATE_NOOP("Actions", "Give the moment shown on the timeline a name."), "Ctrl+K"},
+        QT_TRANSLATE_NOOP("Actions", "Set a named marker at the time shown on the timeline."), "Ctrl+K"},
     Row{ActionId::overrideCheck, "overrideAction", QT_TRANSLATE_NOOP("Actions", "&Override the check…"),
         QT_TRANSLATE_NOOP("Actions", "Export a program that failed its check; you must state a reason."),
         "Ctrl+Shift+E"},

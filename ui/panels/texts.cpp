@@ -194,6 +194,16 @@ QString durationText(double seconds) {
     return QString::number(whole / 3600) + QLatin1Char(':') + two(whole / 60 % 60) + QLatin1Char(':') + two(whole % 60);
 }
 
+QString clockText(double seconds, int decimals) {
+    long long parts = 1; // of a second
+    for (int i = 0; i < decimals; ++i) parts *= 10;
+    constexpr double rounding = 1e-6; // of a part: 0.3 s are not 0.2
+    const auto all = static_cast<long long>(std::floor(std::max(0.0, seconds) * static_cast<double>(parts) + rounding));
+    const QString text = durationText(static_cast<double>(all / parts));
+    if (decimals == 0) return text;
+    return text + QLocale().decimalPoint() + QStringLiteral("%1").arg(all % parts, decimals, 10, QLatin1Char('0'));
+}
+
 namespace {
 
 /// What a cut asks of spindle or tool, beside the limit.

@@ -38,6 +38,7 @@ QString feedText(double millimetresPerMinute, LengthUnit unit);      ///< "640 m
 QString spindleSpeedText(double perMinute);                          ///< "12,000 rpm"; "–" of 0
 QString shareText(double share);                                     ///< "42 %", of 0.42
 QString durationText(double seconds);                                ///< "01:42", "1:02:07"
+QString clockText(double seconds, int decimals);                     ///< the same with decimals: "01:42.318"
 
 QString nearPassText(const NearPass& pass, LengthUnit unit);  ///< "Shank passes the part at 0.4 mm"
 QString findingText(const Finding& finding, LengthUnit unit); ///< "Gouge of 0.034 mm"

@@ -16,8 +16,6 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include <cmath>
-
 namespace burin {
 
 namespace {
@@ -35,20 +33,15 @@ QString curveTip(TrackCurve curve) {
     case TrackCurve::removal:
         return TimelinePanel::tr("Volume removed per time.");
     case TrackCurve::feed:
-        return TimelinePanel::tr("How fast the tip moves.");
+        return TimelinePanel::tr("Speed of the tool tip.");
     case TrackCurve::engagement:
-        return TimelinePanel::tr("Area of the cut: volume removed per length moved.");
+        return TimelinePanel::tr("Cross-section of the cut: volume removed per distance moved.");
     case TrackCurve::pushBack:
         return TimelinePanel::tr("Distance by which the part, a fixture or a guide held the hand back.");
     case TrackCurve::height:
         return TimelinePanel::tr("Z of the tip in the setup's coordinates.");
     }
     return {};
-}
-
-QString timeText(double seconds) {
-    const double whole = std::floor(seconds);
-    return durationText(whole) + QLocale().toString(std::min(seconds - whole, 0.999), 'f', 3).mid(1);
 }
 
 QString speedText(double speed) {
@@ -68,7 +61,7 @@ TimelinePanel::TimelinePanel(const Offered& offered, QWidget* parent) : QFrame(p
     auto* curves = new QToolButton(bar_);
     curves->setObjectName(QStringLiteral("curvesButton"));
     curves->setText(tr("Curves"));
-    curves->setToolTip(tr("Choose what is drawn along the time."));
+    curves->setToolTip(tr("Select the curves to draw."));
     curves->setPopupMode(QToolButton::InstantPopup);
     curves->setMenu(makeCurvesMenu());
     bar->addWidget(curves);
@@ -139,7 +132,7 @@ void TimelinePanel::showTime(const TimelinePanelState& state) {
     if (!state.view.recorded || all_ <= 0.0)
         time_->setText(state.reading ? tr("Reading the takes…") : QString());
     else
-        time_->setText(QStringLiteral("%1 / %2").arg(timeText(state.view.seconds), timeText(all_)));
+        time_->setText(QStringLiteral("%1 / %2").arg(clockText(state.view.seconds, 3), clockText(all_, 3)));
 }
 
 QStringList TimelinePanel::curves() const {

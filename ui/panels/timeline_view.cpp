@@ -10,16 +10,13 @@
 #include <QCoreApplication>
 #include <QHelpEvent>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
 #include <QWheelEvent>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 namespace burin {
 
@@ -30,12 +27,6 @@ constexpr int leastLane = 20, usualLane = 34;
 constexpr double shortestSeen = 0.2; // s: below that samples are seen one by one
 constexpr double zoomStep = 1.25;
 
-ColourRole roleOf(TrackCurve curve) {
-    constexpr std::array roles{&Palette::force, &Palette::accent, &Palette::inOrder,
-                               &Palette::path,  &Palette::part,   &Palette::quietText};
-    return roles[static_cast<std::size_t>(curve)];
-}
-
 /// A step of a ruler: the next of 1, 2, 5 × 10^n, of minutes 15 and 30 s.
 double niceStep(double least) {
     for (const double step :
@@ -44,32 +35,12 @@ double niceStep(double least) {
     return 3600.0;
 }
 
-QString clockText(double seconds, double step) {
-    QString text = durationText(std::floor(seconds + 1e-9));
-    const int decimals = step < 0.1 ? 2 : step < 1.0 ? 1 : 0;
-    if (decimals > 0) text += QLocale().toString(seconds - std::floor(seconds + 1e-9), 'f', decimals).mid(1);
-    return text;
+/// So that a ruler's step is told.
+int decimalsOf(double step) {
+    return step < 0.1 ? 2 : step < 1.0 ? 1 : 0;
 }
 
 } // namespace
-
-QString curveName(TrackCurve curve) {
-    switch (curve) {
-    case TrackCurve::force:
-        return TimelineView::tr("Force");
-    case TrackCurve::removal:
-        return TimelineView::tr("Removal rate");
-    case TrackCurve::feed:
-        return TimelineView::tr("Feed");
-    case TrackCurve::engagement:
-        return TimelineView::tr("Engagement");
-    case TrackCurve::pushBack:
-        return TimelineView::tr("Push-back");
-    case TrackCurve::height:
-        return TimelineView::tr("Height");
-    }
-    return {};
-}
 
 TimelineView::TimelineView(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("timelineView"));
@@ -84,7 +55,7 @@ void TimelineView::setState(const TimelineState& state) {
     state_ = state;
     if (other) {
         begin_ = length_ = 0.0;
-        findRanges();
+        curves_.setRecorded(state_.recorded);
     }
     if (length_ > 0.0 && (state_.seconds < begin_ || state_.seconds > begin_ + length_))
         moveTo(state_.seconds - 0.1 * length_); // it plays on beyond what is seen
@@ -162,59 +133,6 @@ QRect TimelineView::clipRow() const {
     return {labelWidth, height() - clipHeight - laneGap, std::max(1, width() - labelWidth - edge), clipHeight};
 }
 
-void TimelineView::findRanges() {
-    ranges_ = {};
-    if (!state_.recorded) return;
-    for (std::size_t curve = 0; curve < trackCurves; ++curve) {
-        Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-        for (const TakeTrack& track : state_.recorded->tracks)
-            for (const float value : track.curves[curve]) {
-                range.low = std::min(range.low, static_cast<double>(value));
-                range.high = std::max(range.high, static_cast<double>(value));
-            }
-        if (static_cast<TrackCurve>(curve) != TrackCurve::height) range.low = 0.0;
-        if (range.high >= range.low) ranges_[curve] = range;
-    }
-}
-
-std::vector<double> TimelineView::columns(TrackCurve curve, int count) const {
-    std::vector<double> greatest(static_cast<std::size_t>(std::max(0, count)), std::nan(""));
-    double start = 0.0;
-    for (const TakeTrack& track : state_.recorded->tracks) {
-        const std::vector<float>& values = track.curves[static_cast<std::size_t>(curve)];
-        const double bin = static_cast<double>(TakeTrack::samplesPerBin) * track.info.tickPeriod;
-        for (int x = 0; x < count; ++x) {
-            const double from = (secondsAt(labelWidth + x) - start) / bin,
-                         to = (secondsAt(labelWidth + x + 1) - start) / bin;
-            if (to < 0.0 || from >= static_cast<double>(values.size())) continue;
-            const auto first = static_cast<std::size_t>(std::max(0.0, from));
-            const auto end = std::min(values.size(), static_cast<std::size_t>(std::max(0.0, to)) + 1);
-            for (std::size_t i = first; i < end; ++i)
-                greatest[static_cast<std::size_t>(x)] =
-                    std::fmax(greatest[static_cast<std::size_t>(x)], static_cast<double>(values[i]));
-        }
-        start += track.seconds();
-    }
-    return greatest;
-}
-
-QString TimelineView::valueText(TrackCurve curve, double value) const {
-    switch (curve) {
-    case TrackCurve::force:
-        return tr("%1 N").arg(QLocale().toString(value, 'f', 1));
-    case TrackCurve::removal:
-        return rateText(value, unit_);
-    case TrackCurve::feed:
-        return feedText(60.0 * value, unit_);
-    case TrackCurve::engagement:
-        return areaText(value, unit_);
-    case TrackCurve::pushBack:
-    case TrackCurve::height:
-        return shortLength(std::round(value * 1e3) / 1e3, unit_);
-    }
-    return {};
-}
-
 void TimelineView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const Palette& palette = activePalette();
@@ -249,22 +167,23 @@ void TimelineView::paintRuler(QPainter& painter) const {
         painter.setPen(palette.border);
         painter.drawLine(x, rulerHeight - 4, x, height() - laneGap);
         painter.setPen(palette.quietText);
-        const QString text = clockText(at, step);
+        const QString text = clockText(at, decimalsOf(step));
         const int wide = painter.fontMetrics().horizontalAdvance(text);
         if (x + 4 + wide <= width()) painter.drawText(x + 4, rulerHeight - 5, text);
     }
     painter.setFont(font());
 }
 
-void TimelineView::paintLane(QPainter& painter, const Lane& lane) const {
+void TimelineView::paintLane(QPainter& painter, const Lane& lane) {
     const Palette& palette = activePalette();
-    const QColor colour = palette.*roleOf(lane.curve);
-    const Range range = ranges_[static_cast<std::size_t>(lane.curve)];
+    const QColor colour = palette.*curveColour(lane.curve);
+    const TimelineCurves::Range& range = curves_.range(lane.curve);
     const int count = width() - labelWidth - edge;
     const QRect& area = lane.area;
     painter.setPen(palette.border);
     painter.drawLine(labelWidth, area.bottom(), width() - edge, area.bottom());
-    const std::vector<double> values = columns(lane.curve, count);
+    const std::vector<double>& values =
+        curves_.columns(lane.curve, {begin_, length_ > 0.0 ? length_ : all(), std::max(0, count)});
     const double scale = range.high > range.low ? (area.height() - 2) / (range.high - range.low) : 0.0;
     const QColor fill = mixed(palette.panel, colour, 0.3);
     int before = -1;
@@ -289,7 +208,7 @@ void TimelineView::paintLane(QPainter& painter, const Lane& lane) const {
     if (!twoLines) return;
     painter.setPen(palette.quietText);
     painter.drawText(label, Qt::AlignLeft | Qt::AlignBottom,
-                     painter.fontMetrics().elidedText(tr("to %1").arg(valueText(lane.curve, range.high)),
+                     painter.fontMetrics().elidedText(tr("to %1").arg(curveText(lane.curve, range.high, unit_)),
                                                       Qt::ElideRight, label.width()));
 }
 
@@ -501,17 +420,17 @@ bool TimelineView::event(QEvent* event) {
     const std::optional<std::size_t> track = help->pos().x() < labelWidth ? std::nullopt : trackAt(at);
     if (!track) {
         QToolTip::showText(help->globalPos(),
-                           tr("Click or drag to go to a moment; the wheel zooms, with Shift it moves along."), this);
+                           tr("Click or drag to go to that time. Mouse wheel: zoom; with Shift: scroll."), this);
         return true;
     }
-    QStringList lines{tr("%1, %2").arg(clipText(*track), clockText(at, 0.01))};
+    QStringList lines{tr("%1, %2").arg(clipText(*track), clockText(at, 2))};
     const auto bin =
         static_cast<std::size_t>((at - startOf(*track)) / (static_cast<double>(TakeTrack::samplesPerBin) *
                                                            state_.recorded->tracks[*track].info.tickPeriod));
     for (const TrackCurve curve : shown_) {
         const std::vector<float>& values = state_.recorded->tracks[*track].curves[static_cast<std::size_t>(curve)];
         if (bin < values.size())
-            lines.append(tr("%1: %2").arg(curveName(curve), valueText(curve, static_cast<double>(values[bin]))));
+            lines.append(tr("%1: %2").arg(curveName(curve), curveText(curve, static_cast<double>(values[bin]), unit_)));
     }
     QToolTip::showText(help->globalPos(), lines.join(QLatin1Char('\n')), this);
     return true;

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/job/recorded_time.h"
-#include "ui/theme/length_unit.h"
+#include "ui/panels/timeline_curves.h"
 
 #include <QWidget>
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <set>
@@ -34,7 +32,6 @@ public:
     void setState(const TimelineState& state);
     void setUnit(LengthUnit unit);
     void showCurve(TrackCurve curve, bool shown);
-    bool shows(TrackCurve curve) const { return shown_.contains(curve); }
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -71,14 +68,11 @@ private:
     double startOf(std::size_t track) const; ///< s
     std::optional<std::size_t> trackAt(double seconds) const;
     void paintRuler(QPainter& painter) const;
-    void paintLane(QPainter& painter, const Lane& lane) const;
+    void paintLane(QPainter& painter, const Lane& lane);
     void paintClips(QPainter& painter) const;
     void paintMarkers(QPainter& painter) const;
     void paintCursor(QPainter& painter) const;
     std::optional<std::size_t> markerAt(const QPointF& place) const;
-    std::vector<double> columns(TrackCurve curve, int count) const; ///< greatest in each; not a number: none
-    void findRanges();
-    QString valueText(TrackCurve curve, double value) const;
     void seek(double x);
     void zoom(double factor, double at);
     void moveTo(double begin);
@@ -88,14 +82,8 @@ private:
     TimelineState state_;
     LengthUnit unit_ = LengthUnit::millimetre;
     std::set<TrackCurve> shown_;
-    struct Range {
-        double low = 0.0, high = 0.0;
-    };
-    std::array<Range, trackCurves> ranges_{}; ///< of the values, from 0 but for the height
-    double begin_ = 0.0, length_ = 0.0;       ///< s that are seen; length 0: all
+    TimelineCurves curves_;
+    double begin_ = 0.0, length_ = 0.0; ///< s that are seen; length 0: all
 };
-
-/// "Force", …; for panels. Translated.
-QString curveName(TrackCurve curve);
 
 } // namespace burin

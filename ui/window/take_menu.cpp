@@ -61,7 +61,7 @@ void showTakeMenu(Workbench& workbench, std::int64_t take, std::uint64_t sample,
     };
     const SampleRange whole{0, track->info.sampleCount};
     if (const SampleRange* off = rangeAt(track->switchedOff, sample)) {
-        add(*menu, TakeMenu::tr("Switch &on"), TakeMenu::tr("It counts again: it is milled on top of what is there."),
+        add(*menu, TakeMenu::tr("Switch &on"), TakeMenu::tr("It counts again, milled on top of the current workpiece."),
             "switchOnAction", switching(*off, true));
     } else if (const SampleRange* stroke = rangeAt(track->strokes, sample);
                stroke != nullptr && rangeAt(track->undone, sample) == nullptr) {
@@ -75,10 +75,10 @@ void showTakeMenu(Workbench& workbench, std::int64_t take, std::uint64_t sample,
             "takeOffAction", switching(whole, false));
     if (!track->switchedOff.empty())
         add(*menu, TakeMenu::tr("Switch &all of the take on"),
-            TakeMenu::tr("It counts again: it is milled on top of what is there."), "takeOnAction",
+            TakeMenu::tr("It counts again, milled on top of the current workpiece."), "takeOnAction",
             switching(whole, true));
     menu->addSeparator();
-    add(*menu, TakeMenu::tr("&Rename…"), TakeMenu::tr("Give the take another name."), "renameTakeAction",
+    add(*menu, TakeMenu::tr("&Rename…"), TakeMenu::tr("Rename the take."), "renameTakeAction",
         [&workbench, info = track->info, parent] {
             workbench.mill.nameTake(info.id, askName(TakeMenu::tr("Rename the take"), takeName(info.name), parent));
         });
@@ -92,7 +92,7 @@ void showMarkerMenu(Workbench& workbench, std::size_t marker, const QPoint& glob
     if (marker >= time.markers().size()) return;
     const QString name = QString::fromStdString(time.markers()[marker].name);
     QMenu* menu = makeMenu("markerMenu", name, parent);
-    add(*menu, TakeMenu::tr("&Rename…"), TakeMenu::tr("Give the marker another name."), "renameMarkerAction",
+    add(*menu, TakeMenu::tr("&Rename…"), TakeMenu::tr("Rename the marker."), "renameMarkerAction",
         [&time, marker, name, parent] {
             const QString other = askName(TakeMenu::tr("Rename the marker"), name, parent);
             if (!other.isEmpty()) time.changeMarker(marker, other);

@@ -10,12 +10,14 @@
 namespace burin {
 
 TimePresenter::TimePresenter(Workbench& workbench, TimelinePanel& panel, ScenePresenter& scene, QObject* parent)
-    : Presenter(workbench, {&workbench.time, &workbench.session, &workbench.workpiece, &workbench.program}, parent)
+    : Presenter(workbench, {&workbench.time, &workbench.session, &workbench.workpiece}, parent)
     , panel_(panel)
     , scene_(scene) {
     TimeController& time = workbench.time;
     connect(&time, &TimeController::momentChanged, this, &TimePresenter::showMoment);
     connect(&time, &TimeController::recordedChanged, this, &Presenter::presentSoon);
+    connect(&workbench.program, &Controller::changed, this, &TimePresenter::followProgram);
+    connect(&workbench.workpiece, &WorkpieceController::workpieceChanged, this, &TimePresenter::followProgram);
     connect(&panel, &TimelinePanel::sought, this, [&time](double seconds) {
         time.pause();
         time.goTo(seconds);
@@ -53,26 +55,28 @@ void TimePresenter::setUnit(LengthUnit unit) {
 
 void TimePresenter::setShown(JobStep step) {
     program_ = step == JobStep::program;
-    present();
+    followProgram();
+}
+
+void TimePresenter::followProgram() {
+    const bool program = program_ && workbench_.workpiece.milling() && !workbench_.program.edited();
+    workbench_.time.showProgram(program ? workbench_.program.program() : nullptr);
 }
 
 /// Of a program what its check found.
 std::vector<TimeMarker> TimePresenter::markers() const {
-    std::vector<TimeMarker> markers = workbench_.time.markers();
-    if (!workbench_.time.showsProgram()) return markers;
-    for (TimeMarker& marker : markers)
-        for (const Finding& finding : workbench_.program.program()->report.findings)
-            if (std::to_string(finding.line) == marker.name) {
-                marker.name = findingText(finding, unit()).toStdString();
-                break;
-            }
+    const TimeController& time = workbench_.time;
+    if (!time.showsProgram()) return time.markers();
+    std::vector<TimeMarker> markers;
+    if (const auto& program = time.programTime())
+        for (const ProgramTime::FindingMoment& found : program->findings)
+            markers.push_back(
+                {found.at, findingText(time.program()->report.findings[found.finding], unit()).toStdString()});
     return markers;
 }
 
 void TimePresenter::present() {
-    TimeController& time = workbench_.time;
-    const bool program = program_ && workbench_.workpiece.milling() && !workbench_.program.edited();
-    time.showProgram(program ? workbench_.program.program() : nullptr);
+    const TimeController& time = workbench_.time;
     TimelinePanelState state;
     state.view.recorded = time.recorded();
     state.view.markers = markers();

@@ -26,6 +26,7 @@ signals:
 private:
     void present() override;
     void showMoment();
+    void followProgram();
     std::vector<TimeMarker> markers() const;
 
     TimelinePanel& panel_;

@@ -160,7 +160,7 @@ void TimeController::arrive() {
     const TakeMoment moment = *std::exchange(wanted_, std::nullopt);
     onItsWay_.start();
     desk_.tasks.start(
-        TaskKind::time, tr("Going to a moment"),
+        TaskKind::time, tr("Computing the workpiece at that time"),
         [source = source(), moment](Progress& progress) { return source->at(moment, progress); },
         [this, moment, generation = generation_](const Result<VolumeSnapshot>& workpiece) {
             if (generation != generation_ || !away_) return;
@@ -246,7 +246,7 @@ void TimeController::punchIn() {
     if (program_ || !shown_ || arriving() || !workpiece_.ready()) return;
     pause();
     desk_.tasks.start(
-        TaskKind::punchingIn, tr("Keeping the workpiece"),
+        TaskKind::punchingIn, tr("Storing the workpiece"),
         [workpiece = shown_->workpiece, moment = shown_->moment, strokes = strokesBefore(shown_->moment)](
             Progress& progress) { return keptAs(workpiece, moment, strokes, progress); },
         [this, moment = shown_->moment, state = source_->state,
@@ -335,11 +335,10 @@ void TimeController::tick() {
 
 /// The first finding behind `from`, no later than `to`.
 std::optional<double> TimeController::findingWithin(double from, double to) const {
-    if (!program_ || !stopsAtFindings_) return std::nullopt;
-    const double tick = programTime_ ? programTime_->tick : 0.0;
-    for (const TimeMarker& finding : findings_) {
+    if (!programTime_) return std::nullopt;
+    for (const ProgramTime::FindingMoment& finding : programTime_->findings) {
         const double at = spread_->secondsAt(finding.at);
-        if (at > from + 0.5 * tick && at <= to) return at;
+        if (at > from + 0.5 * programTime_->tick && at <= to) return at;
     }
     return std::nullopt;
 }
@@ -353,7 +352,6 @@ void TimeController::showProgram(std::shared_ptr<const CheckedProgram> program) 
     programTime_.reset();
     spread_.reset();
     programSource_.reset();
-    findings_.clear();
     shown_.reset();
     if (program_) spread();
     seconds_ = recorded() ? recorded()->seconds() : 0.0;
@@ -367,7 +365,7 @@ void TimeController::spread() {
     desk_.tasks.start(
         TaskKind::programTime, tr("Reading the program's time"),
         [program = program_, machine = milling->machine, zero = milling->setup.workOffset](Progress& progress) {
-            return programTime(*program, machine, zero, progress);
+            return burin::programTime(*program, machine, zero, progress);
         },
         [this, milling, program = program_](Result<ProgramTime> made) {
             if (program != program_) return;
@@ -380,7 +378,6 @@ void TimeController::spread() {
             programSource_->cuts = made->time.cuts;
             programTime_ = std::make_shared<const ProgramTime>(std::move(*made));
             spread_ = {programTime_, &programTime_->time}; // it goes with the program's time
-            findings_ = spread_->markers;
             seconds_ = spread_->seconds();
             emit recordedChanged();
             emit changed();

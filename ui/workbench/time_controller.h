@@ -36,13 +36,11 @@ public:
     /// The program to go through in the recordings' stead; null: the recordings again.
     void showProgram(std::shared_ptr<const CheckedProgram> program);
     bool showsProgram() const noexcept { return program_ != nullptr; }
+    const std::shared_ptr<const CheckedProgram>& program() const noexcept { return program_; } ///< null: none is shown
     /// Goes where a line of the program begins, from 1, if the past is shown.
     void followLine(int line);
     /// The line of the program that is milled at the moment that is wanted, from 1; 0: there is none.
     int line() const;
-    /// A play stops where the check of the program found something.
-    void setStopsAtFindings(bool stops) { stopsAtFindings_ = stops; }
-    bool stopsAtFindings() const noexcept { return stopsAtFindings_; }
     /// What is gone through, in order; null: not read yet, or none.
     const std::shared_ptr<const RecordedTime>& recorded() const noexcept { return program_ ? spread_ : recorded_; }
     bool reading() const { return program_ ? desk_.tasks.running(TaskKind::programTime) : reading_; }
@@ -65,8 +63,10 @@ public:
     /// the workpiece is as it was then.
     void punchIn();
 
-    /// In order.
-    const std::vector<TimeMarker>& markers() const noexcept { return program_ ? findings_ : markers_; }
+    /// Of the recordings, in order.
+    const std::vector<TimeMarker>& markers() const noexcept { return markers_; }
+    /// The program that is gone through, as it lies in time; null: none, or not read yet. A play stops at its findings.
+    const std::shared_ptr<const ProgramTime>& programTime() const noexcept { return programTime_; }
     /// Marks the moment that is wanted; one that is marked already gets the name. An entry of the undo stack.
     void addMarker(const QString& name);
     /// @param marker its place in `markers` @param name empty: it goes. An entry of the undo stack.
@@ -114,8 +114,6 @@ private:
     std::shared_ptr<const ProgramTime> programTime_;
     std::shared_ptr<const RecordedTime> spread_; ///< of it
     std::shared_ptr<Source> programSource_;
-    std::vector<TimeMarker> findings_;
-    bool stopsAtFindings_ = true;
     bool followed_ = false, stale_ = true, reading_ = false, away_ = false, recordWhenReady_ = false;
     quint64 generation_ = 0; ///< counts `forget`, and what was read
     double seconds_ = 0.0;

@@ -76,7 +76,7 @@ void WorkpieceKeeper::look(const Wanted& wanted, std::map<std::int64_t, std::siz
         std::optional<KeptWorkpiece> kept;
     };
     desk_.tasks.start(
-        TaskKind::keeping, tr("Keeping the workpiece"),
+        TaskKind::keeping, tr("Storing the workpiece"),
         [wanted, strokes = std::move(strokes), workpiece = std::move(workpiece)](Progress& progress) -> Result<Seen> {
             Seen seen{fingerprint(workpiece), std::nullopt};
             if (!wanted.keeps) return seen;

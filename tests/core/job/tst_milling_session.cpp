@@ -42,10 +42,8 @@ Lines shown(MillingSession& session) {
 Lines replayed(const Project& project) {
     MillingContext milling = blockMilling(), handedOver = blockMilling();
     Progress progress;
-    const auto cuts = cutsOf(project);
-    if (!cuts || !replayTakes(project, milling, progress) ||
-        !replayTakes(RecordedWork{{}, *cuts, {}, {}}, handedOver, progress))
-        return {};
+    const auto work = recordedWork(project, false);
+    if (!work || !replayTakes(project, milling, progress) || !replayTakes(*work, handedOver, progress)) return {};
     Lines lines = linesOf(milling.embedded.workpiece);
     return lines == linesOf(handedOver.embedded.workpiece) ? lines : Lines{};
 }

@@ -278,7 +278,7 @@ private slots:
         QVERIFY(replayTakes(stage.project, again, progress));
         QVERIFY(linesOf(again.embedded.workpiece) == standing);
         MillingContext handedOver = partMilling(toolWithHolder());
-        QVERIFY(replayTakes(RecordedWork{{}, *cutsOf(stage.project), {}, {}}, handedOver, progress));
+        QVERIFY(replayTakes(*recordedWork(stage.project, false), handedOver, progress));
         QVERIFY(linesOf(handedOver.embedded.workpiece) == standing);
         // The axis of each sample is that of the tool: what it cut is where the tilted tool was.
         const Result<Take> take = stage.project.take(session->take());

@@ -112,8 +112,8 @@ std::vector<Lines> replayedTo(const std::vector<Take>& takes, const std::vector<
 
 std::vector<SharedCuts> sharedCuts(const Project& project) {
     std::vector<SharedCuts> cuts;
-    const Result<std::vector<RecordedCuts>> takes = cutsOf(project);
-    for (const RecordedCuts& take : *takes) cuts.push_back(std::make_shared<const RecordedCuts>(take));
+    const Result<RecordedWork> work = recordedWork(project, false);
+    for (const RecordedCuts& take : work->cuts) cuts.push_back(std::make_shared<const RecordedCuts>(take));
     return cuts;
 }
 
@@ -273,15 +273,33 @@ private slots:
         QVERIFY(!project.setSwitchedOff(take, beyond) && !project.setSwitchedOff(take, crossed));
     }
 
+    /// Of many the newest stays, and as many as a project keeps at most; those that hold no more go first.
+    void ofManyTheOlderAreThinnedOut() {
+        Recorded recorded({3});
+        QVERIFY(recorded.good);
+        Project& project = recorded.stage.project;
+        const std::int64_t take = recorded.takes.front().info.id;
+        const RecordedState state = *project.recordedState();
+        for (std::uint64_t i = 1; i <= 150; ++i) QVERIFY(project.keepWorkpiece({{take, i}, {}, "x"}, state));
+        const std::vector<TakeMoment> kept = *project.keptMoments();
+        QVERIFY(kept.size() > 30 && kept.size() <= 64);
+        QVERIFY((kept.back() == TakeMoment{take, 150}));
+        // What is made in another state is not kept at all.
+        QVERIFY(project.undoStretch(take, {0, 10}));
+        QVERIFY(project.keepWorkpiece({{take, 151}, {}, "x"}, state));
+        QVERIFY(project.keptMoments()->empty());
+        for (std::uint64_t i = 200; i < 264; ++i)
+            QVERIFY(project.keepWorkpiece({{take, i}, {}, "x"}, *project.recordedState()));
+        QCOMPARE(project.keptMoments()->size(), std::size_t{64});
+    }
+
     /// A project gives back what was kept as long as nothing changed that it is made of; opening cuts nothing then.
     void whatIsKeptHoldsUntilWhatItIsMadeOfChanges() {
         Recorded recorded({10, 6});
         QVERIFY(recorded.good);
         Project& project = recorded.stage.project;
         Progress progress;
-        std::map<std::int64_t, std::size_t> strokes;
-        const Result<std::vector<RecordedCuts>> takes = cutsOf(project);
-        for (const RecordedCuts& cuts : *takes) strokes[cuts.take] = cuts.strokes;
+        const std::map<std::int64_t, std::size_t> strokes = recordedWork(project, false)->strokes;
         const TakeMoment end{recorded.takes.back().info.id, recorded.takes.back().samples.size()};
         QVERIFY(project.save());
         const Result<bool> unsaved = project.unsaved();

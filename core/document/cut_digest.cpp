@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/document/cut_digest.h"
+
+#include "core/document/digest.h"
+#include "core/document/stores.h"
+
+#include <algorithm>
+
+namespace burin {
+
+Result<std::vector<CutDigest::Stretch>> CutDigest::stretchesOf(Database& database, const char* table,
+                                                               std::int64_t take) {
+    Result<Statement> rows = Statement::prepare(database, std::string("SELECT first, count FROM ") + table +
+                                                              " WHERE take = ? ORDER BY first");
+    if (!rows) return std::move(rows).error();
+    if (Result<void> bound = rows->bind(take); !bound) return std::move(bound).error();
+    std::vector<Stretch> stretches;
+    Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
+        const auto first = static_cast<std::uint64_t>(rows->integer(0));
+        stretches.push_back({first, first + static_cast<std::uint64_t>(rows->integer(1))});
+        return {};
+    });
+    if (!read) return std::move(read).error();
+    return stretches;
+}
+
+Result<CutDigest> CutDigest::of(Database& database, SetupId setup) {
+    const std::string id = std::to_string(numberOf(setup));
+    CutDigest made;
+    const Result<std::int64_t> stock = digestOf(database, {{"model", "SELECT * FROM model"},
+                                                           {"body", "SELECT * FROM body ORDER BY rowid"},
+                                                           {"setup", "SELECT id, json FROM setup WHERE id = " + id},
+                                                           {"material", "SELECT * FROM material ORDER BY rowid"}});
+    if (!stock) return stock.error();
+    made.stock_ = *stock;
+    Result<Statement> rows =
+        Statement::prepare(database, "SELECT id, tool_id, (SELECT json FROM tool WHERE tool.id = tool_id), "
+                                     "(SELECT COALESCE(SUM(count), 0) FROM sample_chunk WHERE take = take.id) "
+                                     "FROM take WHERE removed = 0 AND setup = " +
+                                         id + " ORDER BY id");
+    if (!rows) return std::move(rows).error();
+    Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
+        Digest tool;
+        tool.add(rows->text(1));
+        tool.add(rows->text(2));
+        made.takes_.push_back({rows->integer(0), tool.value(), static_cast<std::uint64_t>(rows->integer(3)), {}, {}});
+        return {};
+    });
+    if (!read) return std::move(read).error();
+    for (Take& take : made.takes_) {
+        Result<std::vector<Stretch>> undone = stretchesOf(database, "undone_stretch", take.id);
+        if (!undone) return std::move(undone).error();
+        Result<std::vector<Stretch>> off = stretchesOf(database, "switched_off_stretch", take.id);
+        if (!off) return std::move(off).error();
+        take.undone = std::move(*undone);
+        take.off = std::move(*off);
+    }
+    if (!made.takes_.empty()) made.end_ = {made.takes_.back().id, made.takes_.back().samples};
+    return made;
+}
+
+std::int64_t CutDigest::at(const TakeMoment& moment) const noexcept {
+    Digest digest;
+    digest.add(static_cast<std::uint64_t>(stock_));
+    for (const Take& take : takes_) {
+        if (take.id > moment.take) break;
+        const std::uint64_t until = take.id == moment.take ? moment.samples : take.samples;
+        digest.add(static_cast<std::uint64_t>(take.id));
+        digest.add(static_cast<std::uint64_t>(take.tool));
+        digest.add(until);
+        for (const std::vector<Stretch>* stretches : {&take.undone, &take.off}) {
+            for (const Stretch& stretch : *stretches) {
+                if (stretch.first >= until) break;
+                digest.add(stretch.first);
+                digest.add(std::min(stretch.end, until));
+            }
+            digest.add(~std::uint64_t{0}); // no sample: the lists stay apart
+        }
+    }
+    return digest.value();
+}
+
+} // namespace burin

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/setup_id.h"
+#include "core/document/database.h"
+#include "core/document/kept_workpiece.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace burin {
+
+/// Says by a number what a setup's workpiece is made of at any moment: part, stock and materials, and what recordings
+/// before it cut, with their tools. Recordings grow and are never changed: how long they are says what is in them.
+/// Read once, for all moments.
+class CutDigest {
+public:
+    /// Errors: those of Database.
+    static Result<CutDigest> of(Database& database, SetupId setup);
+
+    std::int64_t at(const TakeMoment& moment) const noexcept;
+    RecordedState state() const noexcept { return {end_, at(end_)}; }
+
+private:
+    struct Stretch {
+        std::uint64_t first = 0, end = 0; ///< samples
+    };
+    struct Take {
+        std::int64_t id = 0;
+        std::int64_t tool = 0; ///< digest of its id and of what it is
+        std::uint64_t samples = 0;
+        std::vector<Stretch> undone, off;
+    };
+    static Result<std::vector<Stretch>> stretchesOf(Database& database, const char* table, std::int64_t take);
+
+    std::int64_t stock_ = 0; ///< before anything is cut
+    std::vector<Take> takes_;
+    TakeMoment end_; ///< of the last take
+};
+
+} // namespace burin

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/document/database.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace burin {
+
+/// Takes words one after the other. Each step is a bijection of the word, so one word that differs is never lost.
+class Digest {
+public:
+    void add(std::uint64_t word) noexcept {
+        value_ = (value_ ^ word) * 0x9E3779B97F4A7C15u; // 2^64 over the golden ratio, odd
+        value_ ^= value_ >> 29;
+    }
+    void add(std::string_view bytes) noexcept {
+        add(bytes.size());
+        for (std::size_t start = 0; start < bytes.size(); start += 8) add(wordAt(bytes, start));
+    }
+    std::int64_t value() const noexcept { return static_cast<std::int64_t>(value_); }
+
+private:
+    static std::uint64_t wordAt(std::string_view bytes, std::size_t start) noexcept {
+        const std::size_t end = std::min(bytes.size(), start + 8);
+        std::uint64_t word = 0;
+        for (std::size_t i = end; i > start; --i) word = word << 8 | static_cast<unsigned char>(bytes[i - 1]);
+        return word;
+    }
+    std::uint64_t value_ = 0;
+};
+
+/// Adds all rows that a question answers with.
+Result<void> addRows(Database& database, const std::string& question, Digest& digest);
+
+using Questions = std::vector<std::pair<const char*, std::string>>;
+
+/// Of the answers to all of them, each with its name.
+Result<std::int64_t> digestOf(Database& database, const Questions& questions);
+
+} // namespace burin

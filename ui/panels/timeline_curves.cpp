@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/timeline_curves.h"
+
+#include "ui/panels/texts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+/// The words of this page.
+struct TimelineCurveWords {
+    Q_DECLARE_TR_FUNCTIONS(TimelineCurveWords)
+};
+
+} // namespace
+
+QString curveName(TrackCurve curve) {
+    switch (curve) {
+    case TrackCurve::force:
+        return TimelineCurveWords::tr("Force");
+    case TrackCurve::removal:
+        return TimelineCurveWords::tr("Removal rate");
+    case TrackCurve::feed:
+        return TimelineCurveWords::tr("Feed");
+    case TrackCurve::engagement:
+        return TimelineCurveWords::tr("Engagement");
+    case TrackCurve::pushBack:
+        return TimelineCurveWords::tr("Push-back");
+    case TrackCurve::height:
+        return TimelineCurveWords::tr("Height");
+    }
+    return {};
+}
+
+QString curveText(TrackCurve curve, double value, LengthUnit unit) {
+    switch (curve) {
+    case TrackCurve::force:
+        return TimelineCurveWords::tr("%1 N").arg(QLocale().toString(value, 'f', 1));
+    case TrackCurve::removal:
+        return rateText(value, unit);
+    case TrackCurve::feed:
+        return feedText(60.0 * value, unit);
+    case TrackCurve::engagement:
+        return areaText(value, unit);
+    case TrackCurve::pushBack:
+    case TrackCurve::height:
+        return shortLength(std::round(value * 1e3) / 1e3, unit);
+    }
+    return {};
+}
+
+ColourRole curveColour(TrackCurve curve) {
+    constexpr std::array roles{&Palette::force, &Palette::accent, &Palette::inOrder,
+                               &Palette::path,  &Palette::part,   &Palette::quietText};
+    return roles[static_cast<std::size_t>(curve)];
+}
+
+void TimelineCurves::setRecorded(std::shared_ptr<const RecordedTime> recorded) {
+    recorded_ = std::move(recorded);
+    ranges_ = {};
+    columns_ = {};
+    if (!recorded_) return;
+    for (std::size_t curve = 0; curve < trackCurves; ++curve) {
+        Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+        for (const TakeTrack& track : recorded_->tracks)
+            for (const float value : track.curves[curve]) {
+                range.low = std::min(range.low, static_cast<double>(value));
+                range.high = std::max(range.high, static_cast<double>(value));
+            }
+        if (static_cast<TrackCurve>(curve) != TrackCurve::height) range.low = 0.0;
+        if (range.high >= range.low) ranges_[curve] = range;
+    }
+}
+
+const std::vector<double>& TimelineCurves::columns(TrackCurve curve, const Window& window) {
+    if (!(window == window_)) {
+        window_ = window;
+        columns_ = {};
+    }
+    std::vector<double>& known = columns_[static_cast<std::size_t>(curve)];
+    if (known.empty()) known = greatest(curve, window);
+    return known;
+}
+
+std::vector<double> TimelineCurves::greatest(TrackCurve curve, const Window& window) const {
+    std::vector<double> greatest(static_cast<std::size_t>(window.columns), std::nan(""));
+    if (!recorded_ || window.columns <= 0) return greatest;
+    const double all = recorded_->seconds(), column = window.length / window.columns;
+    double start = 0.0;
+    for (const TakeTrack& track : recorded_->tracks) {
+        const std::vector<float>& values = track.curves[static_cast<std::size_t>(curve)];
+        const double bin = static_cast<double>(TakeTrack::samplesPerBin) * track.info.tickPeriod;
+        for (std::size_t x = 0; x < greatest.size(); ++x) {
+            const double at = window.begin + static_cast<double>(x) * column;
+            const double from = (at - start) / bin, to = (std::min(at + column, all) - start) / bin;
+            if (to < 0.0 || from >= static_cast<double>(values.size())) continue;
+            const auto first = static_cast<std::size_t>(std::max(0.0, from));
+            const auto end = std::min(values.size(), static_cast<std::size_t>(std::max(0.0, to)) + 1);
+            for (std::size_t i = first; i < end; ++i)
+                greatest[x] = std::fmax(greatest[x], static_cast<double>(values[i]));
+        }
+        start += track.seconds();
+    }
+    return greatest;
+}
+
+} // namespace burin
