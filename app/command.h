@@ -75,6 +75,7 @@ void registerMaterials(CommandParser program, CommandContext& context, int& stat
 void registerTools(CommandParser program, CommandContext& context, int& status);
 void registerCalibrate(CommandParser program, CommandContext& context, int& status);
 void registerDemo(CommandParser program, CommandContext& context, int& status);
+void registerMeasure(CommandParser program, CommandContext& context, int& status);
 void registerPicture(CommandParser program, CommandContext& context, int& status);
 void registerSheet(CommandParser program, CommandContext& context, int& status);
 void registerBench(CommandParser program, CommandContext& context, int& status);

@@ -739,6 +739,46 @@
         <source>Set a named marker at the time shown on the timeline.</source>
         <translation>Setzt eine benannte Marke an der gezeigten Zeit.</translation>
     </message>
+    <message>
+        <source>Next path &amp;colours</source>
+        <translation>Nächste Bahn&amp;farben</translation>
+    </message>
+    <message>
+        <source>Colour the path by its feed, spindle speed, height, removal rate, force or deviation from the recording, in turn.</source>
+        <translation>Färbt die Bahn der Reihe nach nach Vorschub, Drehzahl, Höhe, Zeitspanvolumen, Kraft oder Abweichung von der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Path from a pro&amp;gram…</source>
+        <translation>Bahn aus einem Pro&amp;gramm…</translation>
+    </message>
+    <message>
+        <source>Edit a program of another system (G-code or APT/CL) as a path: its moves, feeds and speeds; Burin links them anew.</source>
+        <translation>Ein Programm eines anderen Systems (G-Code oder APT/CL) als Bahn bearbeiten: seine Bewegungen, Vorschübe und Drehzahlen; Burin verbindet sie neu.</translation>
+    </message>
+    <message>
+        <source>H&amp;istory</source>
+        <translation>&amp;Verlauf</translation>
+    </message>
+    <message>
+        <source>Show all changes next to the view; a click goes back to one, or forward again.</source>
+        <translation>Alle Änderungen neben der Ansicht zeigen; ein Klick geht zu einer zurück oder wieder vor.</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Click places of the part: diameter, wall thickness, area, distances and angle.</source>
+        <translation>Stellen des Teils anklicken: Durchmesser, Wandstärke, Fläche, Abstände und Winkel.</translation>
+    </message>
+    <message>
+        <source>Reset the &amp;window layout</source>
+        <translation>&amp;Fensteraufteilung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Put docks and panels back to where they were at first.</source>
+        <translation>Andockfenster und Bereiche wieder dorthin legen, wo sie anfangs waren.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -1828,6 +1868,50 @@
     <message>
         <source>hash %1</source>
         <translation>Prüfwert %1</translation>
+    </message>
+    <message>
+        <source>Rapids were left out: links replace them.</source>
+        <translation>Eilgänge wurden weggelassen: Verbindungen ersetzen sie.</translation>
+    </message>
+    <message>
+        <source>%1 arc became chords within 0.001 mm; fit-arcs makes an arc of them again.</source>
+        <translation>%1 Bogen wurde zu Sehnen innerhalb von 0,001 mm; fit-arcs macht daraus wieder einen Bogen.</translation>
+    </message>
+    <message>
+        <source>%1 arcs became chords within 0.001 mm; fit-arcs makes arcs of them again.</source>
+        <translation>%1 Bögen wurden zu Sehnen innerhalb von 0,001 mm; fit-arcs macht daraus wieder Bögen.</translation>
+    </message>
+    <message>
+        <source>%1 dwell was left out.</source>
+        <translation>%1 Verweilzeit wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 dwells were left out.</source>
+        <translation>%1 Verweilzeiten wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 move was left out: the program does not state where it begins.</source>
+        <translation>%1 Bewegung wurde weggelassen: Das Programm nennt nicht, wo sie beginnt.</translation>
+    </message>
+    <message>
+        <source>%1 moves were left out: the program does not state where they begin.</source>
+        <translation>%1 Bewegungen wurden weggelassen: Das Programm nennt nicht, wo sie beginnen.</translation>
+    </message>
+    <message>
+        <source>a tool for the program</source>
+        <translation>ein Werkzeug für das Programm</translation>
+    </message>
+    <message>
+        <source>Reading the program</source>
+        <translation>Programm wird gelesen</translation>
+    </message>
+    <message>
+        <source>%1 mm at feed</source>
+        <translation>%1 mm im Vorschub</translation>
+    </message>
+    <message>
+        <source>X,Y,Z in mm, on the part</source>
+        <translation>X,Y,Z in mm, auf dem Teil</translation>
     </message>
 </context>
 <context>
@@ -3300,6 +3384,74 @@
         <source>the part is in the way of the drill, or the drill is too short</source>
         <translation>das Teil ist dem Bohrer im Weg, oder der Bohrer ist zu kurz</translation>
     </message>
+    <message>
+        <source>it has no move at feed</source>
+        <translation>es hat keine Bewegung im Vorschub</translation>
+    </message>
+    <message>
+        <source>a path has one work offset, and the program uses another one from here on</source>
+        <translation>eine Bahn hat eine Nullpunktverschiebung, und das Programm verwendet ab hier eine andere</translation>
+    </message>
+    <message>
+        <source>a record that Burin can&apos;t follow: %1</source>
+        <translation>ein Satz, dem Burin nicht folgen kann: %1</translation>
+    </message>
+    <message>
+        <source>a tool axis other than +Z</source>
+        <translation>eine andere Werkzeugachse als +Z</translation>
+    </message>
+    <message>
+        <source>numbers are missing</source>
+        <translation>es fehlen Zahlen</translation>
+    </message>
+    <message>
+        <source>a step from a position that is not stated</source>
+        <translation>ein Schritt von einer Position, die nicht angegeben ist</translation>
+    </message>
+    <message>
+        <source>a move without a feed</source>
+        <translation>eine Bewegung ohne Vorschub</translation>
+    </message>
+    <message>
+        <source>an arc from a position that is not stated</source>
+        <translation>ein Bogen von einer Position, die nicht angegeben ist</translation>
+    </message>
+    <message>
+        <source>an arc whose ends do not lie on its circle</source>
+        <translation>ein Bogen, dessen Enden nicht auf seinem Kreis liegen</translation>
+    </message>
+    <message>
+        <source>an arc about an axis other than Z</source>
+        <translation>ein Bogen um eine andere Achse als Z</translation>
+    </message>
+    <message>
+        <source>a feed by inverse time</source>
+        <translation>ein zeitreziproker Vorschub</translation>
+    </message>
+    <message>
+        <source>a feed that is not above 0</source>
+        <translation>ein Vorschub, der nicht größer als 0 ist</translation>
+    </message>
+    <message>
+        <source>a spindle speed as surface speed</source>
+        <translation>eine Drehzahl als Schnittgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>a spindle speed below 0</source>
+        <translation>eine Drehzahl unter 0</translation>
+    </message>
+    <message>
+        <source>a unit other than MM and INCHES</source>
+        <translation>eine andere Einheit als MM und INCHES</translation>
+    </message>
+    <message>
+        <source>a tool number that is not whole</source>
+        <translation>eine Werkzeugnummer, die nicht ganzzahlig ist</translation>
+    </message>
+    <message>
+        <source>a finite feed and speed</source>
+        <translation>endlicher Vorschub und endliche Drehzahl</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -4314,6 +4466,22 @@
         <source>In several materials: one speed, the least that any of them allows, or the speed of each, which changes at their borders; feeds follow in both</source>
         <translation>In mehreren Werkstoffen: eine Drehzahl, die kleinste, die einer von ihnen erlaubt, oder die Drehzahl von jedem, die an ihren Grenzen wechselt; die Vorschübe folgen in beiden Fällen</translation>
     </message>
+    <message>
+        <source>from the tables</source>
+        <translation>aus den Tabellen</translation>
+    </message>
+    <message>
+        <source>as the program states them</source>
+        <translation>wie im Programm angegeben</translation>
+    </message>
+    <message>
+        <source>Feeds</source>
+        <translation>Vorschübe</translation>
+    </message>
+    <message>
+        <source>From the tables of tool and material, or as the program states them that the path is made of, within the limits of machine and tool; links are fed from the tables, but no faster than the moves that they join</source>
+        <translation>Aus den Tabellen von Werkzeug und Werkstoff, oder wie sie das Programm angibt, aus dem die Bahn entstand, innerhalb der Grenzen von Maschine und Werkzeug; Verbindungen fahren mit Tabellenwerten, aber nicht schneller als die Bewegungen, die sie verbinden</translation>
+    </message>
 </context>
 <context>
     <name>EmbeddingWords</name>
@@ -4507,6 +4675,14 @@
     <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Path from a program</source>
+        <translation>Bahn aus einem Programm</translation>
+    </message>
+    <message>
+        <source>Programs and cutter locations (%1);;All files (*)</source>
+        <translation>Programme und CL-Daten (%1);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -5986,6 +6162,38 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>Rename it</source>
         <translation>Sie umbenennen</translation>
     </message>
+    <message>
+        <source>Make paths of a program of another system (G-code or APT/CL), one for each tool</source>
+        <translation>Bahnen aus einem Programm eines anderen Systems (G-Code oder APT/CL) machen, eine für jedes Werkzeug</translation>
+    </message>
+    <message>
+        <source>Program to read</source>
+        <translation>Programm, das gelesen wird</translation>
+    </message>
+    <message>
+        <source>Tool of the whole program (default: the project&apos;s tools by their numbers)</source>
+        <translation>Werkzeug des ganzen Programms (Vorgabe: die Werkzeuge des Projekts nach ihren Nummern)</translation>
+    </message>
+    <message>
+        <source>Name of the path (default: the program&apos;s file)</source>
+        <translation>Name der Bahn (Vorgabe: die Datei des Programms)</translation>
+    </message>
+    <message>
+        <source>Colour the first path by this quantity, with a scale, instead of by its moves</source>
+        <translation>Die erste Bahn nach dieser Größe färben, mit Skala, statt nach ihren Bewegungen</translation>
+    </message>
+    <message>
+        <source>Measure the part: a face, its wall thickness, or how two faces lie to each other</source>
+        <translation>Das Teil messen: eine Fläche, ihre Wandstärke oder wie zwei Flächen zueinander liegen</translation>
+    </message>
+    <message>
+        <source>X,Y,Z on the part, mm, in the coordinates of the setup; the nearest face is measured</source>
+        <translation>X,Y,Z auf dem Teil, mm, in den Koordinaten der Aufspannung; gemessen wird die nächste Fläche</translation>
+    </message>
+    <message>
+        <source>The same of a second face: distances and angle</source>
+        <translation>Dasselbe einer zweiten Fläche: Abstände und Winkel</translation>
+    </message>
 </context>
 <context>
     <name>ImportFormat</name>
@@ -6138,6 +6346,69 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>none</source>
         <translation>keine</translation>
+    </message>
+</context>
+<context>
+    <name>MeasureWords</name>
+    <message>
+        <source>X %1, Y %2, Z %3</source>
+        <translation>X %1, Y %2, Z %3</translation>
+    </message>
+    <message>
+        <source>Plane.</source>
+        <translation>Ebene.</translation>
+    </message>
+    <message>
+        <source>Cylinder, Ø %1.</source>
+        <translation>Zylinder, Ø %1.</translation>
+    </message>
+    <message>
+        <source>Cone, Ø %1 there, half angle %2.</source>
+        <translation>Kegel, dort Ø %1, halber Winkel %2.</translation>
+    </message>
+    <message>
+        <source>Sphere, radius %1.</source>
+        <translation>Kugel, Radius %1.</translation>
+    </message>
+    <message>
+        <source>Torus, radius of the tube %1.</source>
+        <translation>Torus, Radius des Rohrs %1.</translation>
+    </message>
+    <message>
+        <source>Free-form face.</source>
+        <translation>Freiformfläche.</translation>
+    </message>
+    <message>
+        <source>Position %1.</source>
+        <translation>Position %1.</translation>
+    </message>
+    <message>
+        <source>Wall thickness %1.</source>
+        <translation>Wandstärke %1.</translation>
+    </message>
+    <message>
+        <source>Area of the face %1.</source>
+        <translation>Inhalt der Fläche %1.</translation>
+    </message>
+    <message>
+        <source>Parallel, %1 apart.</source>
+        <translation>Parallel, %1 Abstand.</translation>
+    </message>
+    <message>
+        <source>Angle %1.</source>
+        <translation>Winkel %1.</translation>
+    </message>
+    <message>
+        <source>Between the points: %1 (%2).</source>
+        <translation>Zwischen den Punkten: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Between the faces at their nearest: %1.</source>
+        <translation>Kleinster Abstand der Flächen: %1.</translation>
+    </message>
+    <message>
+        <source>Between the nearest corners or circle centres: %1.</source>
+        <translation>Zwischen den nächsten Ecken oder Kreismitten: %1.</translation>
     </message>
 </context>
 <context>
@@ -6436,6 +6707,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Takes can be switched off from a moment on, and the workpiece is kept.</source>
         <translation>Aufnahmen lassen sich ab einem Zeitpunkt ausschalten, und das Werkstück wird aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Paths can be made of programs, and keep their feeds.</source>
+        <translation>Bahnen können aus Programmen entstehen und behalten deren Vorschübe.</translation>
     </message>
 </context>
 <context>
@@ -6909,6 +7184,33 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Drills the upright holes of the part that fit the drill, or at given places</source>
         <translation>Bohrt die senkrechten Bohrungen des Teils, die zum Bohrer passen, oder an angegebenen Stellen</translation>
+    </message>
+</context>
+<context>
+    <name>PathQuantity</name>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Height above zero</source>
+        <translation>Höhe über Nullpunkt</translation>
+    </message>
+    <message>
+        <source>Removal rate</source>
+        <translation>Zeitspanvolumen</translation>
+    </message>
+    <message>
+        <source>Cutting force</source>
+        <translation>Schnittkraft</translation>
+    </message>
+    <message>
+        <source>Deviation from the recording</source>
+        <translation>Abweichung von der Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -8771,6 +9073,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>“%1” is an NC program: open its project or embed its part first, then open the program again.</source>
         <translation>„%1“ ist ein NC-Programm: Zuerst sein Projekt öffnen oder sein Teil einbetten, dann das Programm erneut öffnen.</translation>
     </message>
+    <message>
+        <source>“%1” becomes a path of a job: open its project or embed its part first, then open it again.</source>
+        <translation>„%1“ wird eine Bahn eines Auftrags: Öffnen Sie zuerst das Projekt oder betten Sie das Teil ein, dann öffnen Sie die Datei noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>burin::EditCard</name>
@@ -10279,6 +10585,47 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Hide the timeline</source>
         <translation>Zeitleiste ausblenden</translation>
     </message>
+    <message>
+        <source>%1 of the program at feed became a path, with its feeds and speeds. Links replace its rapids.</source>
+        <translation>%1 des Programms im Vorschub wurden eine Bahn, mit Vorschüben und Drehzahlen. Verbindungen ersetzen die Eilgänge.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n arc(s) became chords within 0.001 mm; “Fit arcs” makes arcs of them again.</source>
+        <translation>
+            <numerusform>%n Bogen wurde zu Sehnen innerhalb von 0,001 mm; „Bögen einpassen“ macht daraus wieder Bögen.</numerusform>
+            <numerusform>%n Bögen wurden zu Sehnen innerhalb von 0,001 mm; „Bögen einpassen“ macht daraus wieder Bögen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dwell(s) were left out.</source>
+        <translation>
+            <numerusform>%n Verweilzeit wurde weggelassen.</numerusform>
+            <numerusform>%n Verweilzeiten wurden weggelassen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n move(s) were left out: the program does not state where they begin.</source>
+        <translation>
+            <numerusform>%n Bewegung wurde weggelassen: Das Programm nennt nicht, wo sie beginnt.</numerusform>
+            <numerusform>%n Bewegungen wurden weggelassen: Das Programm nennt nicht, wo sie beginnen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>Click an entry to undo or redo everything up to there.</source>
+        <translation>Ein Klick auf einen Eintrag macht alles bis dorthin rückgängig oder wiederholt es.</translation>
+    </message>
+    <message>
+        <source>Hide the history</source>
+        <translation>Verlauf ausblenden</translation>
+    </message>
 </context>
 <context>
     <name>burin::MaterialController</name>
@@ -10541,6 +10888,27 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Material of this body</source>
         <translation>Werkstoff dieses Körpers</translation>
+    </message>
+</context>
+<context>
+    <name>burin::MeasureController</name>
+    <message>
+        <source>Measuring</source>
+        <translation>Messung</translation>
+    </message>
+</context>
+<context>
+    <name>burin::MeasurePicker</name>
+    <message>
+        <source>Esc: end measuring</source>
+        <translation>Esc: Messen beenden</translation>
+    </message>
+</context>
+<context>
+    <name>burin::MeasurePresenter</name>
+    <message>
+        <source>Click a place of the part to measure its face, then another one for the distance. Esc ends it.</source>
+        <translation>Klicken Sie eine Stelle des Teils an, um ihre Fläche zu messen, dann eine zweite für den Abstand. Esc beendet.</translation>
     </message>
 </context>
 <context>
@@ -11294,6 +11662,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Computing the pass</source>
         <translation>Der Durchgang wird berechnet</translation>
     </message>
+    <message>
+        <source>Reading the program</source>
+        <translation>Programm wird gelesen</translation>
+    </message>
 </context>
 <context>
     <name>burin::PassDialog</name>
@@ -11620,6 +11992,13 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::PathColours</name>
+    <message>
+        <source>Kind of move</source>
+        <translation>Art der Bewegung</translation>
+    </message>
+</context>
+<context>
     <name>burin::PathController</name>
     <message>
         <source>change of an edit</source>
@@ -11660,6 +12039,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>order of passes</source>
         <translation>Reihenfolge der Durchgänge</translation>
+    </message>
+    <message>
+        <source>path of a program</source>
+        <translation>Bahn eines Programms</translation>
     </message>
 </context>
 <context>
@@ -11885,6 +12268,13 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Stock left on 99 % of the reachable part: at most %1 (most: %2).</source>
         <translation>Auf 99 % des erreichbaren Teils bleibt höchstens %1 Material (größter Wert: %2).</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PathValuer</name>
+    <message>
+        <source>Colouring the path</source>
+        <translation>Bahn wird gefärbt</translation>
     </message>
 </context>
 <context>
@@ -14321,6 +14711,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Position of the section plane along its normal.</source>
         <translation>Position der Schnittebene entlang ihrer Normalen.</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Bahn</translation>
+    </message>
+    <message>
+        <source>Colours of the path</source>
+        <translation>Farben der Bahn</translation>
+    </message>
+    <message>
+        <source>What the colours of the path show.</source>
+        <translation>Was die Farben der Bahn zeigen.</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include "app/chosen_setup.h"
 #include "app/command.h"
 #include "app/commands/path_pass.h"
+#include "app/commands/path_program.h"
 #include "app/path_report.h"
 #include "app/report.h"
 #include "app/surroundings.h"
@@ -32,6 +33,7 @@ struct PathArguments {
     std::int64_t path = 0, take = 0;
     std::vector<std::int64_t> takes;
     std::size_t place = 0;
+    ProgramPathArguments program;
     PassArguments pass;
     std::optional<std::int64_t> meantPass; ///< that is deleted, or computed again
 };
@@ -130,6 +132,12 @@ int remove(const PathArguments& arguments, CommandContext& context) {
     if (!project) return context.fail(project.error());
     const Result<StoredPath> path = pathWithId(**project, arguments.path);
     return path ? removeFrom(*project, *path, arguments.meantPass, context) : context.fail(path.error());
+}
+
+int import(const PathArguments& arguments, CommandContext& context) {
+    Result<ProjectChange> project = projectToChange(arguments.project, context);
+    return project ? addProgramPaths(*project, arguments.program, arguments.machine, context)
+                   : context.fail(project.error());
 }
 
 int computeAgain(const PathArguments& arguments, CommandContext& context) {
@@ -319,6 +327,19 @@ void registerPath(CommandParser program, CommandContext& context, int& status) {
     make.option("--name", arguments->name,
                 BURIN_TEXT("Help", "Name of the path (default: \"path\", or what the pass is)"));
     make.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
+    const CommandParser foreign = add(
+        "import", BURIN_TEXT("Help", "Make paths of a program of another system (G-code or APT/CL), one for each tool"),
+        import);
+    foreign
+        .positional(BURIN_TEXT("Argument", "PROGRAM"), arguments->program.file, BURIN_TEXT("Help", "Program to read"))
+        .required();
+    foreign.option("--tool", arguments->program.tool,
+                   BURIN_TEXT("Help", "Tool of the whole program (default: the project's tools by their numbers)"));
+    foreign.option("--dialect", arguments->program.dialect,
+                   BURIN_TEXT("Help", "Dialect of the program (default: the project's, or the machine's)"));
+    foreign.option("--name", arguments->program.name,
+                   BURIN_TEXT("Help", "Name of the path (default: the program's file)"));
+    foreign.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
     const CommandParser evaluateOne =
         withPath(add("show", BURIN_TEXT("Help", "Evaluate a path and report what each edit did"), show));
     const Argument output =

@@ -165,8 +165,9 @@ int addPassTo(ProjectChange& project, StoredPath path, const PassArguments& argu
 int recompute(ProjectChange& project, StoredPath path, std::optional<std::int64_t> pass, const std::string& machine,
               CommandContext& context) {
     if (const Result<void> known = checkPassOf(path, pass); !known) return context.fail(known.error());
-    const Result<std::vector<GeneratedInfo>> passes = passesOf(*project, path);
+    Result<std::vector<GeneratedInfo>> passes = passesOf(*project, path);
     if (!passes) return context.fail(passes.error());
+    std::erase_if(*passes, [](const GeneratedInfo& each) { return each.request.empty(); }); // of programs
     if (passes->empty())
         return context.fail({ErrorCode::argumentInvalid, "PATH", std::to_string(path.id),
                              worded(BURIN_TEXT("Command", "a path with a computed pass"))});

@@ -8,6 +8,8 @@
 #include "app/wording.h"
 #include "core/document/companions.h"
 #include "core/job/job_paths.h"
+#include "core/job/pass_figures.h"
+#include "core/job/path_values.h"
 #include "core/job/recorded_cuts.h"
 
 #include <algorithm>
@@ -19,7 +21,7 @@ namespace burin {
 namespace {
 
 struct ProjectPictureArguments {
-    std::string project, output;
+    std::string project, output, colour;
     std::vector<std::int64_t> paths;
     PictureOptions options;
 };
@@ -51,6 +53,26 @@ Result<std::vector<std::shared_ptr<const EvaluatedPath>>> evaluatedPaths(const P
     return evaluated;
 }
 
+/// What the first path is coloured by. Errors: nameUnknown, those of figureMatter, strokesOf and pathValues.
+Result<std::shared_ptr<const PathValues>> valuesOf(const Project& project, const MillingContext& milling,
+                                                   const ProjectPictureArguments& arguments,
+                                                   const std::shared_ptr<const EvaluatedPath>& path,
+                                                   Progress& progress) {
+    const PathQuantity quantity = *pathQuantityFromId(arguments.colour);
+    const Result<FigureMatter> matter = figureMatter(project, *path);
+    if (!matter) return matter.error();
+    const Result<std::vector<StoredPath>> stored = project.paths();
+    if (!stored) return stored.error();
+    const auto own = std::ranges::find(*stored, arguments.paths.front(), &StoredPath::id);
+    const Result<std::vector<SourceStrokes>> sources = strokesOf(project, *own);
+    if (!sources) return sources.error();
+    const Result<Tool> tool = toolFor(project, path->path.toolId);
+    if (!tool) return tool.error();
+    Result<PathValues> values = pathValues(quantity, {path, *tool}, matter->before, *sources, milling, progress);
+    if (!values) return std::move(values).error();
+    return std::make_shared<const PathValues>(std::move(*values));
+}
+
 /// The workpiece as the takes left it, with what stands around it.
 Result<PictureContent> contentOf(const ProjectPictureArguments& arguments, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Opening"));
@@ -72,6 +94,11 @@ Result<PictureContent> contentOf(const ProjectPictureArguments& arguments, Comma
     content.part = milling->partModel;
     content.obstacles = milling->surroundings();
     content.paths = std::move(*paths);
+    if (!arguments.colour.empty()) {
+        auto values = valuesOf(*project, *milling, arguments, content.paths.front(), context.progress());
+        if (!values) return std::move(values).error();
+        content.values = std::move(*values);
+    }
     return content;
 }
 
@@ -101,9 +128,17 @@ void registerPicture(CommandParser program, CommandContext& context, int& status
         .positional(BURIN_TEXT("Argument", "PROJECT"), arguments->project, BURIN_TEXT("Help", "Project file (.burin)"))
         .required();
     command.option("-o,--output", arguments->output, BURIN_TEXT("Help", "Picture to write (.png)")).required();
+    const Argument path = command
+                              .option("--path", arguments->paths,
+                                      BURIN_TEXT("Help", "Paths to draw, the first in the colours of its moves"))
+                              .separatedBy(',');
+    std::vector<std::string> quantities;
+    for (const PathQuantity quantity : pathQuantities) quantities.emplace_back(idOf(quantity));
     command
-        .option("--path", arguments->paths, BURIN_TEXT("Help", "Paths to draw, the first in the colours of its moves"))
-        .separatedBy(',');
+        .option("--colour", arguments->colour,
+                BURIN_TEXT("Help", "Colour the first path by this quantity, with a scale, instead of by its moves"))
+        .choices(quantities)
+        .needs(path);
     addPictureOptions(command, arguments->options);
     addSetupChoice(command, context);
     addJsonFlag(command, context);

@@ -82,6 +82,8 @@ burin::WorkerAnswer answerTo(const burin::WorkerRequest& request) {
         return toAnswer(burin::readModel(*read, {reportFraction, sendPreview}));
     if (const auto* edges = std::get_if<burin::EdgeRequest>(&request)) return toAnswer(burin::followEdges(*edges));
     if (const auto* face = std::get_if<burin::FaceRequest>(&request)) return toAnswer(burin::findFace(*face));
+    if (const auto* measure = std::get_if<burin::MeasureRequest>(&request))
+        return toAnswer(burin::measureFaces(*measure));
     return toAnswer(burin::measureDistances(*std::get_if<burin::DistanceRequest>(&request), reportFraction));
 }
 

@@ -17,7 +17,7 @@ constexpr std::uint32_t requestMark = 0x51525542; // "BURQ"
 constexpr std::uint32_t frameMark = 0x46525542;   // "BURF"
 constexpr std::uint32_t messageVersion = 6;
 
-enum class FrameKind : std::uint32_t { progress, error, model, distances, edges, face, preview };
+enum class FrameKind : std::uint32_t { progress, error, model, distances, edges, face, preview, measure };
 
 struct FrameHead {
     std::uint32_t mark = frameMark;
@@ -219,6 +219,57 @@ std::optional<PartFace> readFace(ByteReader& from) {
     return face;
 }
 
+void write(ByteWriter& to, const MeasuredFace& face) {
+    to.value(face.kind);
+    for (const glm::dvec3& each : {face.place, face.corner, face.normal, face.axis, face.axisPlace}) to.value(each);
+    for (const double each : {face.radius, face.taper, face.area, face.thickness.value_or(-1.0)}) to.value(each);
+}
+
+MeasuredFace readMeasuredFace(ByteReader& from, bool& sound) {
+    MeasuredFace face;
+    face.kind = from.value<MeasuredFace::Kind>();
+    sound = sound && face.kind <= MeasuredFace::Kind::other;
+    for (glm::dvec3* each : {&face.place, &face.corner, &face.normal, &face.axis, &face.axisPlace}) {
+        *each = from.value<glm::dvec3>();
+        sound = sound && isFinite(*each);
+    }
+    double thickness = 0.0;
+    for (double* each : {&face.radius, &face.taper, &face.area, &thickness}) {
+        *each = from.value<double>();
+        sound = sound && std::isfinite(*each);
+    }
+    if (thickness >= 0.0) face.thickness = thickness;
+    return face;
+}
+
+void write(ByteWriter& to, const PartMeasure& measure) {
+    write(to, measure.from);
+    to.value(static_cast<std::uint8_t>(measure.to && measure.pair));
+    if (!measure.to || !measure.pair) return;
+    write(to, *measure.to);
+    to.value(measure.pair->faces.value_or(-1.0));
+    to.value(measure.pair->nearestFrom);
+    to.value(measure.pair->nearestTo);
+}
+
+std::optional<PartMeasure> readMeasure(ByteReader& from) {
+    bool sound = true;
+    PartMeasure measure;
+    measure.from = readMeasuredFace(from, sound);
+    if (from.value<std::uint8_t>() != 0) {
+        measure.to = readMeasuredFace(from, sound);
+        MeasuredPair pair = pairOf(measure.from, *measure.to);
+        const auto apart = from.value<double>();
+        pair.faces = apart;
+        pair.nearestFrom = from.value<glm::dvec3>();
+        pair.nearestTo = from.value<glm::dvec3>();
+        sound = sound && std::isfinite(apart) && apart >= 0.0 && isFinite(pair.nearestFrom) && isFinite(pair.nearestTo);
+        measure.pair = pair;
+    }
+    if (!from.finished() || !sound) return std::nullopt;
+    return measure;
+}
+
 std::optional<WorkerFrame> readFrame(FrameKind kind, std::string_view bytes) {
     ByteReader from(bytes);
     switch (kind) {
@@ -251,6 +302,11 @@ std::optional<WorkerFrame> readFrame(FrameKind kind, std::string_view bytes) {
     case FrameKind::face: {
         std::optional<PartFace> face = readFace(from);
         if (face) return WorkerAnswer(*face);
+        return std::nullopt;
+    }
+    case FrameKind::measure: {
+        std::optional<PartMeasure> measure = readMeasure(from);
+        if (measure) return WorkerAnswer(*measure);
         return std::nullopt;
     }
     case FrameKind::preview: {
@@ -291,6 +347,10 @@ FrameKind writeFrame(ByteWriter& to, const WorkerFrame& frame) {
         to.value(face->corner);
         return FrameKind::face;
     }
+    if (const auto* measure = std::get_if<PartMeasure>(&answer)) {
+        write(to, *measure);
+        return FrameKind::measure;
+    }
     to.list(*std::get_if<std::vector<double>>(&answer));
     return FrameKind::distances;
 }
@@ -320,6 +380,10 @@ std::string encodeRequest(const WorkerRequest& request) {
         to.text(face->brep);
         to.list(face->solids);
         to.value(face->place);
+    } else if (const auto* measure = std::get_if<MeasureRequest>(&request)) {
+        to.text(measure->brep);
+        to.list(measure->solids);
+        to.list(measure->places);
     }
     return to.take();
 }
@@ -350,6 +414,12 @@ std::optional<WorkerRequest> decodeRequest(std::string_view bytes) {
         edges.solids = from.list<std::uint32_t>();
         edges.chord = from.value<double>();
         request = std::move(edges);
+    } else if (kind == 4) {
+        MeasureRequest measure;
+        measure.brep = from.text();
+        measure.solids = from.list<std::uint32_t>();
+        measure.places = from.list<glm::dvec3>();
+        request = std::move(measure);
     } else {
         FaceRequest face;
         face.brep = from.text();
@@ -377,7 +447,7 @@ std::optional<WorkerFrame> FrameReader::next() {
     if (damaged_ || waiting_.size() < sizeof(FrameHead)) return std::nullopt;
     FrameHead head;
     std::memcpy(&head, waiting_.data(), sizeof head);
-    if (head.mark != frameMark || head.version != messageVersion || head.kind > FrameKind::preview) {
+    if (head.mark != frameMark || head.version != messageVersion || head.kind > FrameKind::measure) {
         damaged_ = true;
         return std::nullopt;
     }

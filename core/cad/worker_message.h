@@ -7,6 +7,7 @@
 #include "core/cad/model_preview.h"
 #include "core/cad/part_edge.h"
 #include "core/cad/part_face.h"
+#include "core/cad/part_measure.h"
 
 #include <glm/glm.hpp>
 
@@ -53,10 +54,17 @@ struct FaceRequest {
     glm::dvec3 place{0.0};             ///< mm
 };
 
-using WorkerRequest = std::variant<ReadRequest, DistanceRequest, EdgeRequest, FaceRequest>;
+/// Measure the faces at one or two places.
+struct MeasureRequest {
+    std::string brep;                  ///< `Model::brep`
+    std::vector<std::uint32_t> solids; ///< `Model::brepSolids`
+    std::vector<glm::dvec3> places;    ///< mm
+};
+
+using WorkerRequest = std::variant<ReadRequest, DistanceRequest, EdgeRequest, FaceRequest, MeasureRequest>;
 
 /// The end of the program's work.
-using WorkerAnswer = std::variant<Error, Model, std::vector<double>, std::vector<PartEdge>, PartFace>;
+using WorkerAnswer = std::variant<Error, Model, std::vector<double>, std::vector<PartEdge>, PartFace, PartMeasure>;
 
 /// How far the program is, 0 … 1.
 struct WorkerProgress {

@@ -4,6 +4,7 @@
 
 #include "core/base/file.h"
 #include "core/base/trimmed.h"
+#include "core/nc/apt_reader.h"
 #include "core/nc/line_walker.h"
 
 #include <algorithm>
@@ -92,7 +93,8 @@ Result<FileKind> fileKind(const fs::path& file) {
     if (head->empty()) return Error{ErrorCode::fileEmpty, file.string(), {}, {}};
     if (head->starts_with(databaseHead)) return FileKind::project;
     if (isNamedProject(file)) return Error{ErrorCode::projectNotBurin, file.string(), {}, {}};
-    return isProgram(*head, head->size() == headSize) ? FileKind::program : FileKind::model;
+    if (isProgram(*head, head->size() == headSize)) return FileKind::program;
+    return isCutterLocations(*head) ? FileKind::locations : FileKind::model;
 }
 
 } // namespace burin

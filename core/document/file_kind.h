@@ -11,9 +11,10 @@ namespace burin {
 
 /// What a user's file is to Burin.
 enum class FileKind : std::uint8_t {
-    project, ///< an SQLite database, or named .burin
-    program, ///< NC code
-    model    ///< anything else: importModel says whether it is one
+    project,   ///< an SQLite database, or named .burin
+    program,   ///< NC code
+    locations, ///< cutter locations (APT/CL), which become a path
+    model      ///< anything else: importModel says whether it is one
 };
 
 /// What a file is by its content; its name decides only where the content is missing or unknown, as that of unsaved

@@ -4,20 +4,25 @@
 
 #include "core/document/column_codec.h"
 
+#include <algorithm>
+
 namespace burin {
 
 namespace {
 
-constexpr char pointFormVersion = 1;
+constexpr char plainForm = 1, statedForm = 2; // without and with what a program states of feeds
 
-// Columns of form 1, in this order.
-constexpr std::size_t tipColumn = 0, axisColumn = 3, momentColumn = 6, markColumn = 7, pointColumns = 8;
+// Columns of both forms, in this order; the last two are form 2's alone.
+constexpr std::size_t tipColumn = 0, axisColumn = 3, momentColumn = 6, markColumn = 7, plainColumns = 8;
+constexpr std::size_t feedColumn = 8, speedColumn = 9, statedColumns = 10;
 constexpr std::uint64_t removesMark = 1, boundaryMark = 2;
 
 } // namespace
 
 std::string encodePoints(std::span<const GeneratedPoint> points) {
-    std::vector<Column> columns(pointColumns, Column(points.size()));
+    const bool stated = std::ranges::any_of(
+        points, [](const GeneratedPoint& point) { return point.feed != 0.0 || point.spindleSpeed != 0.0; });
+    std::vector<Column> columns(stated ? statedColumns : plainColumns, Column(points.size()));
     for (std::size_t i = 0; i < points.size(); ++i) {
         const GeneratedPoint& point = points[i];
         for (int axis = 0; axis < 3; ++axis) {
@@ -26,13 +31,19 @@ std::string encodePoints(std::span<const GeneratedPoint> points) {
         }
         columns[momentColumn][i] = static_cast<std::uint64_t>(point.moment);
         columns[markColumn][i] = (point.removes ? removesMark : 0) | (point.onBoundary ? boundaryMark : 0);
+        if (!stated) continue;
+        columns[feedColumn][i] = wordOf(point.feed);
+        columns[speedColumn][i] = wordOf(point.spindleSpeed);
     }
-    return pointFormVersion + encodeColumns(columns);
+    return (stated ? statedForm : plainForm) + encodeColumns(columns);
 }
 
 std::optional<std::vector<GeneratedPoint>> decodePoints(std::string_view chunk, std::size_t count) {
-    if (chunk.empty() || chunk.front() != pointFormVersion || count > pointsPerChunk) return std::nullopt;
-    const std::optional<std::vector<Column>> columns = decodeColumns(chunk.substr(1), pointColumns, count);
+    if (chunk.empty() || count > pointsPerChunk) return std::nullopt;
+    const bool stated = chunk.front() == statedForm;
+    if (!stated && chunk.front() != plainForm) return std::nullopt;
+    const std::optional<std::vector<Column>> columns =
+        decodeColumns(chunk.substr(1), stated ? statedColumns : plainColumns, count);
     if (!columns) return std::nullopt;
     std::vector<GeneratedPoint> points(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -45,6 +56,9 @@ std::optional<std::vector<GeneratedPoint>> decodePoints(std::string_view chunk, 
         if ((marks & ~(removesMark | boundaryMark)) != 0) return std::nullopt;
         points[i].removes = (marks & removesMark) != 0;
         points[i].onBoundary = (marks & boundaryMark) != 0;
+        if (!stated) continue;
+        points[i].feed = doubleOf((*columns)[feedColumn][i]);
+        points[i].spindleSpeed = doubleOf((*columns)[speedColumn][i]);
     }
     return points;
 }

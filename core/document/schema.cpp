@@ -320,6 +320,11 @@ Result<void> addTime(Database& file) {
     return file.execute("ALTER TABLE take ADD COLUMN removed INTEGER NOT NULL DEFAULT 0");
 }
 
+/// Chunks of generated moves may be of a further form, which this version alone writes.
+Result<void> addStatedFeeds(Database&) {
+    return {};
+}
+
 Result<void> checkIdentity(Database& file, int newest) {
     const Result<std::int64_t> application = file.integer("PRAGMA application_id");
     if (!application) return application.error();

@@ -30,6 +30,7 @@ Result<void> addPlacements(Database& file);
 Result<void> addProgramZero(Database& file);
 Result<void> addPassRequests(Database& file);
 Result<void> addTime(Database& file);
+Result<void> addStatedFeeds(Database& file);
 inline constexpr std::array projectMigrations{
     Migration{1, BURIN_TEXT("Migration", "Strokes of a take can be undone."), addUndoneStretches},
     Migration{2, BURIN_TEXT("Migration", "Fixtures, the tool axis and guides are kept."), addSurroundings},
@@ -42,6 +43,7 @@ inline constexpr std::array projectMigrations{
     Migration{8, BURIN_TEXT("Migration", "Paths can be computed, and keep what was asked for."), addPassRequests},
     Migration{9, BURIN_TEXT("Migration", "Takes can be switched off from a moment on, and the workpiece is kept."),
               addTime},
+    Migration{10, BURIN_TEXT("Migration", "Paths can be made of programs, and keep their feeds."), addStatedFeeds},
 };
 inline constexpr int projectVersion = static_cast<int>(projectMigrations.size()) + 1;
 

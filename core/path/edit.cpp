@@ -140,6 +140,14 @@ std::vector<Edit> computedEdits() {
     return {{HoldOut{}}, {FitArcs{}}, {low}, {feeds}, {LevelFeed{.goal = LevelFeed::Goal::limits}}};
 }
 
+std::vector<Edit> programEdits() {
+    Link low;
+    low.travel = Link::Travel::lowest;
+    SetFeed stated;
+    stated.feeds = SetFeed::Feeds::program;
+    return {{FitArcs{.tolerance = 0.002}}, {low}, {stated}};
+}
+
 std::vector<Edit> everyEdit() {
     return allKinds(std::make_index_sequence<std::variant_size_v<EditParameters>>{});
 }

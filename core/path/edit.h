@@ -76,6 +76,8 @@ std::optional<Edit> updated(const Edit& edit);
 std::vector<Edit> standardEdits();
 /// Those of a path that is computed: the same without what makes up for a hand.
 std::vector<Edit> computedEdits();
+/// Of a path that is made of a program: its moves and feeds stay as they are, arcs are found again, rapids are links.
+std::vector<Edit> programEdits();
 /// One of each kind, with its first values, in the order in which they may follow each other.
 std::vector<Edit> everyEdit();
 

@@ -6,6 +6,7 @@
 #include "core/path/apply.h"
 #include "core/path/edit_step.h"
 #include "core/path/hand_trail.h"
+#include "core/path/stated_feeds.h"
 #include "core/path/stroke.h"
 
 #include <algorithm>
@@ -46,6 +47,7 @@ Error nothingLeft(const std::string& name, const std::vector<EditReport>& report
 Result<PathUnderEdit> allStrokes(std::vector<SourceStrokes> sources, const PathContext& context) {
     PathUnderEdit state;
     state.hand = std::make_shared<const HandTrail>(sources);
+    state.stated = std::make_shared<const StatedFeeds>(sources);
     for (SourceStrokes& each : sources) {
         const SourceInfo& info = each.info;
         if (!info.toolId.empty() && info.toolId != context.tool.id)

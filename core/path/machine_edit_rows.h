@@ -63,6 +63,9 @@ struct EditRow<SetFeed> {
     static constexpr std::array<EditChoice, 2> spindles{
         {{"one", BURIN_TEXT("EditParameterTexts", "one speed")},
          {"by_material", BURIN_TEXT("EditParameterTexts", "by material")}}};
+    static constexpr std::array<EditChoice, 2> origins{
+        {{"tables", BURIN_TEXT("EditParameterTexts", "from the tables")},
+         {"program", BURIN_TEXT("EditParameterTexts", "as the program states them")}}};
     static constexpr std::tuple fields{
         number("speed_factor", &SetFeed::speedFactor, 0.05, 5.0,
                {BURIN_TEXT("EditParameterTexts", "Spindle speed"),
@@ -79,7 +82,13 @@ struct EditRow<SetFeed> {
                {BURIN_TEXT("EditParameterTexts", "Spindle"),
                 BURIN_TEXT("EditParameterTexts",
                            "In several materials: one speed, the least that any of them allows, or the speed of each, "
-                           "which changes at their borders; feeds follow in both")})};
+                           "which changes at their borders; feeds follow in both")}),
+        choice("feeds", &SetFeed::feeds, origins,
+               {BURIN_TEXT("EditParameterTexts", "Feeds"),
+                BURIN_TEXT("EditParameterTexts",
+                           "From the tables of tool and material, or as the program states them that the path is made "
+                           "of, within the limits of machine and tool; links are fed from the tables, but no faster "
+                           "than the moves that they join")})};
 };
 /// What a level of engagement is kept at: what that is, the goal says, and so does the key.
 struct LevelTarget {

@@ -45,10 +45,15 @@ struct SetFeed {
         one,       ///< speed for the path: the least that any material on it allows
         byMaterial ///< speed for each: it changes at the borders (spindleSchedule)
     };
-    double speedFactor = 1.0; ///< of the tables' spindle speed
-    double feedFactor = 1.0;  ///< of the tables' chip load
+    enum class Feeds {
+        tables, ///< of tool and material
+        program ///< as a program states them that the path is made of; the tables' where none does
+    };
+    double speedFactor = 1.0; ///< of the tables' (or the program's) spindle speed
+    double feedFactor = 1.0;  ///< of the tables' (or the program's) chip load
     Cooling cooling = Cooling::advised;
     Spindle spindle = Spindle::one;
+    Feeds feeds = Feeds::tables;
 };
 EditResult apply(const SetFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 

@@ -5,6 +5,7 @@
 #include "core/base/numbers.h"
 #include "core/base/units.h"
 #include "core/geometry/arc.h"
+#include "core/path/hand_stretch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +51,97 @@ CuttingConditions wantedConditions(CuttingConditions wanted, const SetFeed& edit
     return wanted;
 }
 
+/// Gives moves what their program states, within what tool and machine can do.
+class StatedMoves {
+public:
+    StatedMoves(const SetFeed& edit, PathUnderEdit& state, const PathContext& context)
+        : edit_(edit)
+        , state_(state)
+        , context_(context)
+        , speeds_(state.points.size(), 0.0)
+        , stated_(state.points.size(), false) {}
+
+    /// Whether every move that a source has comes from a program.
+    bool all() const {
+        return std::ranges::all_of(state_.points, [&](const PathPoint& point) {
+            return point.kind == MoveKind::rapid || !hasMoment(point) || state_.stated->holds(point.source);
+        });
+    }
+
+    void apply() {
+        Moment from{};
+        for (std::size_t i = 0; i < state_.points.size(); ++i) {
+            PathPoint& point = state_.points[i];
+            const Moment to = momentOf(point);
+            if (point.kind != MoveKind::rapid) {
+                if (const auto stated = state_.stated->between(from, to)) {
+                    take(point, *stated, speeds_[i]);
+                    stated_[i] = true;
+                } else if (hasMoment(point) && !state_.stated->holds(point.source))
+                    speeds_[i] = speedOf(point);
+            }
+            from = to;
+        }
+        spreadSpeeds();
+        limitLinks();
+    }
+
+private:
+    double speedOf(const PathPoint& point) const {
+        return point.spindleSpeed > 0.0 ? point.spindleSpeed : state_.spindleSpeed;
+    }
+
+    void take(PathPoint& point, const StatedFeed& stated, double& speed) const {
+        const bool turns = stated.spindleSpeed > 0.0;
+        double fastest = turns ? stated.spindleSpeed * edit_.speedFactor : speedOf(point);
+        for (const double limit : {context_.machine.maximumSpindleSpeed, context_.tool.maximumSpindleSpeed})
+            if (limit > 0.0) fastest = std::min(fastest, limit);
+        speed = fastest;
+        // The chip load stays where the spindle can't turn as fast.
+        const double share = turns ? fastest / stated.spindleSpeed : edit_.speedFactor;
+        point.feed = stated.feed * share * edit_.feedFactor;
+        if (context_.machine.maximumFeed > 0.0) point.feed = std::min(point.feed, context_.machine.maximumFeed);
+    }
+
+    /// Moves that links made turn as those that they lead to, or, behind the last, come from.
+    void spreadSpeeds() {
+        double next = 0.0;
+        const auto fill = [&](std::size_t i) {
+            if (state_.points[i].kind == MoveKind::rapid) return;
+            if (!(speeds_[i] > 0.0)) speeds_[i] = next;
+            next = speeds_[i];
+        };
+        for (std::size_t i = speeds_.size(); i-- > 0;) fill(i);
+        for (std::size_t i = 0; i < speeds_.size(); ++i) fill(i);
+        const auto first = std::ranges::find_if(speeds_, [](double speed) { return speed > 0.0; });
+        if (first == speeds_.end()) return;
+        state_.spindleSpeed = *first;
+        for (std::size_t i = 0; i < speeds_.size(); ++i)
+            state_.points[i].spindleSpeed = speeds_[i] != state_.spindleSpeed ? speeds_[i] : 0.0;
+    }
+
+    /// Nor are they fed faster than those: who chose a careful feed did not mean a table's for the way there and back.
+    void limitLinks() {
+        double next = 0.0;
+        const auto limit = [&](std::size_t i) {
+            PathPoint& point = state_.points[i];
+            if (point.kind == MoveKind::rapid) return;
+            if (!stated_[i] && next > 0.0 && (!hasMoment(point) || state_.stated->holds(point.source)))
+                point.feed = std::min(point.feed, next);
+            if (stated_[i] || hasMoment(point)) next = stated_[i] ? point.feed : 0.0;
+        };
+        for (std::size_t i = stated_.size(); i-- > 0;) limit(i);
+        next = 0.0;
+        for (std::size_t i = 0; i < stated_.size(); ++i) limit(i);
+    }
+
+    const SetFeed& edit_;
+    PathUnderEdit& state_;
+    const PathContext& context_;
+    std::vector<double> speeds_; ///< 1/min by point; 0: not known yet, and of rapids
+    std::vector<bool> stated_;   ///< by point: its program states its feed
+};
+
 Result<Coolant> wantedCoolant(SetFeed::Cooling cooling, const PathContext& context) {
     if (cooling == SetFeed::Cooling::advised)
         return context.machine.has(context.advisedCoolant) ? context.advisedCoolant : Coolant::off;
@@ -87,15 +179,20 @@ Result<Deviation> apply(const SetFeed& edit, PathUnderEdit& state, const PathCon
     }
     state.spindleSpeed = conditions.spindleSpeed;
     state.coolant = *coolant;
-    if (context.materialConditions.empty() || !context.lendStock) return Deviation{};
-    std::vector<CuttingConditions> each;
-    for (const CuttingConditions& material : context.materialConditions)
-        each.push_back(wantedConditions(material, edit, context));
-    CuttingConditions given = conditions;
-    given.feed = cutting;
-    given.plungeFeed = plunging;
-    if (Result<void> done = feedByMaterial(state, context, each, given, edit.spindle, progress); !done)
-        return std::move(done).error();
+    const bool stated = edit.feeds == SetFeed::Feeds::program && state.stated && !state.stated->empty();
+    const bool byMaterial = !context.materialConditions.empty() && context.lendStock &&
+                            !(stated && StatedMoves(edit, state, context).all());
+    if (byMaterial) {
+        std::vector<CuttingConditions> each;
+        for (const CuttingConditions& material : context.materialConditions)
+            each.push_back(wantedConditions(material, edit, context));
+        CuttingConditions given = conditions;
+        given.feed = cutting;
+        given.plungeFeed = plunging;
+        if (Result<void> done = feedByMaterial(state, context, each, given, edit.spindle, progress); !done)
+            return std::move(done).error();
+    }
+    if (stated) StatedMoves(edit, state, context).apply();
     return Deviation{};
 }
 

@@ -159,8 +159,10 @@ Result<SourceStrokes> strokesOf(const GeneratedMoves& moves) {
                              "move " + std::to_string(point.moment)};
             last.points.push_back(
                 {{point.pose.tip, uprightAxis}, point.moment, point.removes, point.onBoundary, std::nullopt});
+            if (point.feed > 0.0) made.stated.push_back({point.moment, point.feed, point.spindleSpeed});
         }
     }
+    std::ranges::sort(made.stated, {}, &StatedFeed::moment);
     return made;
 }
 

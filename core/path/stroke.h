@@ -7,6 +7,7 @@
 #include "core/path/omission.h"
 #include "core/path/path.h"
 #include "core/path/path_source.h"
+#include "core/path/stated_feeds.h"
 #include "core/path/stroke_entry.h"
 #include "core/recording/generated_moves.h"
 #include "core/recording/sample.h"
@@ -65,12 +66,13 @@ struct PathUnderEdit {
     bool linked = false;
     double spindleSpeed = 0.0; ///< 1/min; 0: not decided yet
     Coolant coolant = Coolant::off;
-    double leastFeed = 0.0;                ///< mm/min, as Path::leastFeed
-    std::shared_ptr<const HandTrail> hand; ///< that it was made of; nothing: not known
-    bool rampsIn = false;                  ///< its links go down ramps, which have a feed of their own
-    std::vector<StrokeEntry> entries;      ///< into material, by the edit that is applied now
-    std::vector<Omission> omissions;       ///< by the edit that is applied now
-    double lengthBefore = 0.0;             ///< mm of its strokes, those parts among them, where it may leave out any
+    double leastFeed = 0.0;                    ///< mm/min, as Path::leastFeed
+    std::shared_ptr<const HandTrail> hand;     ///< that it was made of; nothing: not known
+    std::shared_ptr<const StatedFeeds> stated; ///< by programs that it was made of; nothing: none is known
+    bool rampsIn = false;                      ///< its links go down ramps, which have a feed of their own
+    std::vector<StrokeEntry> entries;          ///< into material, by the edit that is applied now
+    std::vector<Omission> omissions;           ///< by the edit that is applied now
+    double lengthBefore = 0.0; ///< mm of its strokes, those parts among them, where it may leave out any
 
     std::size_t count() const noexcept;
 };
@@ -79,9 +81,10 @@ struct PathUnderEdit {
 struct SourceStrokes {
     SourceInfo info;
     std::vector<PathStroke> strokes;
+    std::vector<StatedFeed> stated{}; ///< of a program; moments rise
 };
 
-/// The strokes of a planner's moves. Errors: notSupported (an axis that is not +Z).
+/// The strokes of a planner's, or a program's, moves. Errors: notSupported (an axis that is not +Z).
 Result<SourceStrokes> strokesOf(const GeneratedMoves& moves);
 
 /// Makes the strokes of a take while its samples are read in their order: the proxy's tip at every tick. Where the loop

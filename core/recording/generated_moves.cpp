@@ -5,6 +5,7 @@
 #include "core/recording/tool_place.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace burin {
@@ -29,6 +30,8 @@ Result<void> checkGenerated(const GeneratedMoves& moves) {
         std::int64_t last = -1;
         for (std::size_t p = 0; p < stroke.size(); ++p) {
             if (!isToolPlace(stroke[p].pose)) return wrong(s, p, "a place within 1e6 mm and an axis of unit length");
+            for (const double stated : {stroke[p].feed, stroke[p].spindleSpeed})
+                if (!(stated >= 0.0) || !std::isfinite(stated)) return wrong(s, p, "a finite feed and speed");
             if (stroke[p].moment <= last) return wrong(s, p, "moments that rise from 0 on");
             last = stroke[p].moment;
         }

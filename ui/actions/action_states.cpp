@@ -63,6 +63,7 @@ void ActionStates::update() {
     enable(ActionId::newPath,
            (workbench.path.hasTakes() || !workbench.path.toolsWithoutPath().empty()) && workbench.workpiece.embedded());
     enable(ActionId::newPass, workbench.passes.possible());
+    enable(ActionId::programPath, workbench.passes.possible());
     enable(ActionId::measurePasses, workbench.passMeasurer.possible());
     const bool paintable = workbench.workpiece.milling() && !workbench.workpiece.milling()->part.bounds().empty();
     for (const ActionId id : {ActionId::brushArea, ActionId::lassoArea, ActionId::faceArea}) enable(id, paintable);

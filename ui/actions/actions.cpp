@@ -49,6 +49,9 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Undo the last change."), "Ctrl+Z"},
     Row{ActionId::redo, "redoAction", QT_TRANSLATE_NOOP("Actions", "&Redo"),
         QT_TRANSLATE_NOOP("Actions", "Redo the change that was undone last."), "Ctrl+Shift+Z"},
+    Row{ActionId::showHistory, "historyAction", QT_TRANSLATE_NOOP("Actions", "H&istory"),
+        QT_TRANSLATE_NOOP("Actions", "Show all changes next to the view; a click goes back to one, or forward again."),
+        "Ctrl+H", true},
     Row{ActionId::preferences, "preferencesAction", QT_TRANSLATE_NOOP("Actions", "&Preferences…"),
         QT_TRANSLATE_NOOP("Actions", "Unit, theme and language."), "Ctrl+,"},
     Row{ActionId::quit, "quitAction", QT_TRANSLATE_NOOP("Actions", "&Quit"),
@@ -78,6 +81,9 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Section the part and the workpiece in the view."), "S", true},
     Row{ActionId::flipSection, "flipSectionAction", QT_TRANSLATE_NOOP("Actions", "Fl&ip"),
         QT_TRANSLATE_NOOP("Actions", "Show the other side of the section plane."), "Shift+S"},
+    Row{ActionId::measure, "measureAction", QT_TRANSLATE_NOOP("Actions", "&Measure"),
+        QT_TRANSLATE_NOOP("Actions", "Click places of the part: diameter, wall thickness, area, distances and angle."),
+        "Ctrl+J", true},
     Row{ActionId::showPart, "showPartAction", QT_TRANSLATE_NOOP("Actions", "&Part"),
         QT_TRANSLATE_NOOP("Actions", "Draw the part together with the workpiece."), "Ctrl+1", true},
     Row{ActionId::showWorkpiece, "showWorkpieceAction", QT_TRANSLATE_NOOP("Actions", "&Workpiece"),
@@ -90,6 +96,10 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Draw the guides of the hand that are on."), "Ctrl+5", true},
     Row{ActionId::showOtherPaths, "showOtherPathsAction", QT_TRANSLATE_NOOP("Actions", "Paths of other tool&s"),
         QT_TRANSLATE_NOOP("Actions", "Draw the paths of the job's other tools."), "Ctrl+6", true},
+    Row{ActionId::pathColours, "pathColoursAction", QT_TRANSLATE_NOOP("Actions", "Next path &colours"),
+        QT_TRANSLATE_NOOP("Actions", "Colour the path by its feed, spindle speed, height, removal rate, force or "
+                                     "deviation from the recording, in turn."),
+        "Ctrl+7"},
     Row{ActionId::nextStep, "nextStepAction", QT_TRANSLATE_NOOP("Actions", "&Next step"),
         QT_TRANSLATE_NOOP("Actions", "Open the next step of the job."), "Alt+Right"},
     Row{ActionId::previousStep, "previousStepAction", QT_TRANSLATE_NOOP("Actions", "Pre&vious step"),
@@ -175,6 +185,10 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP(
             "Actions", "Compute roughing, finishing, a pocket, a profile, drilling or engraving with the loaded tool."),
         "Ctrl+Shift+P"},
+    Row{ActionId::programPath, "programPathAction", QT_TRANSLATE_NOOP("Actions", "Path from a pro&gram…"),
+        QT_TRANSLATE_NOOP("Actions", "Edit a program of another system (G-code or APT/CL) as a path: its moves, feeds "
+                                     "and speeds; Burin links them anew."),
+        "Ctrl+Alt+G"},
     Row{ActionId::measurePasses, "measurePassesAction", QT_TRANSLATE_NOOP("Actions", "&Measure the passes"),
         QT_TRANSLATE_NOOP("Actions",
                           "Length, time, share of air and engagement of each pass, and the stock that it leaves."),
@@ -204,6 +218,8 @@ constexpr std::array rows{
         "F7", true},
     Row{ActionId::showTimeline, "timelineAction", QT_TRANSLATE_NOOP("Actions", "Time&line"),
         QT_TRANSLATE_NOOP("Actions", "Show the takes along their time below the view."), "F9", true},
+    Row{ActionId::resetLayout, "resetLayoutAction", QT_TRANSLATE_NOOP("Actions", "Reset the &window layout"),
+        QT_TRANSLATE_NOOP("Actions", "Put docks and panels back to where they were at first."), "Ctrl+Shift+F9"},
     Row{ActionId::playTime, "playAction", QT_TRANSLATE_NOOP("Actions", "&Play or pause"),
         QT_TRANSLATE_NOOP("Actions", "Play the takes, or the program, from the time shown; the workpiece follows."),
         "Ctrl+F9"},
@@ -258,6 +274,8 @@ Actions::Actions(QObject* parent) : QObject(parent) {
     (*this)[ActionId::parallelView]->setChecked(false);
     (*this)[ActionId::seeThrough]->setChecked(false);
     (*this)[ActionId::sectionPlane]->setChecked(false);
+    (*this)[ActionId::measure]->setChecked(false);
+    (*this)[ActionId::showHistory]->setChecked(false);
     (*this)[ActionId::programDock]->setChecked(false);
     (*this)[ActionId::millMode]->setChecked(false);
     (*this)[ActionId::raster]->setChecked(false);

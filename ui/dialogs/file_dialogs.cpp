@@ -68,6 +68,13 @@ QString askProjectToOpen(QWidget* parent, const QString& folder) {
             QStringLiteral(";;") + FileDialogs::tr("All files (*)"));
 }
 
+QString askProgramToRead(QWidget* parent, const QString& folder) {
+    return askToOpen(parent, FileDialogs::tr("Path from a program"), folder,
+                     FileDialogs::tr("Programs and cutter locations (%1);;All files (*)")
+                         .arg(QStringLiteral("*.ngc *.nc *.tap *.gcode *.cnc *.mpf *.txt *.cls *.ncl *.cl *.apt "
+                                             "*.aptsource")));
+}
+
 QString askPartToImport(QWidget* parent, const QString& folder) {
     return askToOpen(parent, FileDialogs::tr("Import a part"), folder, models());
 }

@@ -11,6 +11,7 @@ namespace burin {
 // Qt's own file dialogs, the same on every desktop; empty when the user cancels. Object name "fileDialog".
 
 QString askProjectToOpen(QWidget* parent, const QString& folder);
+QString askProgramToRead(QWidget* parent, const QString& folder);
 QString askPartToImport(QWidget* parent, const QString& folder);
 QString askFixtureToImport(QWidget* parent, const QString& folder);
 /// A volume file, a voxel array or a model.

@@ -217,10 +217,14 @@ void PathPanel::Fields::refreshPasses() {
             connect(up, &QToolButton::clicked, panel_, [this, id = pass.id] { emit panel_->passMovedUp(id); });
             line->addWidget(up);
         }
-        auto* change = makeIconButton(QStringLiteral("edit"), PathPanel::tr("Change this pass and compute it again"),
-                                      QStringLiteral("passChangeButton%1").arg(i), row);
-        connect(change, &QToolButton::clicked, panel_, [this, id = pass.id] { emit panel_->passChangeRequested(id); });
-        line->addWidget(change);
+        if (pass.computed) {
+            auto* change =
+                makeIconButton(QStringLiteral("edit"), PathPanel::tr("Change this pass and compute it again"),
+                               QStringLiteral("passChangeButton%1").arg(i), row);
+            connect(change, &QToolButton::clicked, panel_,
+                    [this, id = pass.id] { emit panel_->passChangeRequested(id); });
+            line->addWidget(change);
+        }
         auto* remove = makeIconButton(QStringLiteral("remove"), PathPanel::tr("Delete this pass"),
                                       QStringLiteral("passRemoveButton%1").arg(i), row);
         connect(remove, &QToolButton::clicked, panel_, [this, id = pass.id] { emit panel_->passRemoved(id); });

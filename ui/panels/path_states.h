@@ -24,7 +24,8 @@ enum class DragChoice { level, x, y, z, surface };
 struct PassRow {
     std::int64_t id = 0;
     QString name, figures;
-    QString measured{}; ///< what it does to the stock, several lines; empty: not measured
+    bool computed = true; ///< it can be computed again; false: it is of a program
+    QString measured{};   ///< what it does to the stock, several lines; empty: not measured
     friend bool operator==(const PassRow&, const PassRow&) = default;
 };
 

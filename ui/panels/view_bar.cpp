@@ -67,6 +67,21 @@ ViewBar::ViewBar(const Offered& offered, QWidget* parent) : QFrame(parent) {
     layout->addWidget(makeActionButton(offered.parallel, "parallelButton", this));
     layout->addWidget(makeActionButton(offered.section, "sectionButton", this));
 
+    pathColours_ = new QWidget(this);
+    auto* colours = new QHBoxLayout(pathColours_);
+    colours->setContentsMargins(0, 0, 0, 0);
+    colours->setSpacing(8);
+    auto* path = new QLabel(tr("Path"), pathColours_);
+    path->setProperty("look", "quiet");
+    colours->addWidget(path);
+    pathColour_ = new ChoiceBox(pathColours_);
+    pathColour_->setObjectName(QStringLiteral("pathColour"));
+    pathColour_->setAccessibleName(tr("Colours of the path"));
+    pathColour_->setToolTip(tr("What the colours of the path show."));
+    colours->addWidget(pathColour_);
+    layout->addWidget(pathColours_);
+    pathColours_->hide();
+
     sectionControls_ = new QWidget(this);
     auto* row = new QHBoxLayout(sectionControls_);
     row->setContentsMargins(0, 0, 0, 0);
@@ -94,6 +109,7 @@ ViewBar::ViewBar(const Offered& offered, QWidget* parent) : QFrame(parent) {
     sectionControls_->hide();
 
     connect(transparency_, &QSlider::valueChanged, this, &ViewBar::transparencyChosen);
+    connect(pathColour_, &QComboBox::activated, this, &ViewBar::pathColourChosen);
     connect(axis_, &QComboBox::activated, this, &ViewBar::axisChosen);
     connect(position_, &QSlider::valueChanged, this,
             [this](int step) { emit positionChosen(low_ + (high_ - low_) * step / sliderSteps); });
@@ -102,6 +118,18 @@ ViewBar::ViewBar(const Offered& offered, QWidget* parent) : QFrame(parent) {
 
 void ViewBar::setUnit(LengthUnit unit) {
     place_->setLengthUnit(unit);
+}
+
+void ViewBar::setPathColours(const QStringList& names) {
+    const QSignalBlocker quiet(pathColour_);
+    pathColour_->clear();
+    pathColour_->addItems(names);
+}
+
+void ViewBar::showPathColour(const std::optional<int>& place) {
+    pathColours_->setVisible(place.has_value());
+    const QSignalBlocker quiet(pathColour_);
+    if (place) pathColour_->setCurrentIndex(*place);
 }
 
 void ViewBar::showTransparency(int percent) {

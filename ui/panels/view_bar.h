@@ -35,16 +35,22 @@ public:
     explicit ViewBar(const Offered& offered, QWidget* parent = nullptr);
 
     void setUnit(LengthUnit unit);
+    void setPathColours(const QStringList& names); ///< what the path can be coloured by
+    /// The place of what it is coloured by; nothing: there is no path. Never emits.
+    void showPathColour(const std::optional<int>& place);
     void showTransparency(int percent);                      ///< never emits
     void showSection(const std::optional<Section>& section); ///< never emits
 
 signals:
     void transparencyChosen(int percent); ///< of the workpiece, 0 … mostTransparent
+    void pathColourChosen(int place);     ///< as `setPathColours` has them
     void axisChosen(int axis);            ///< 0, 1, 2
     void positionChosen(double position); ///< mm along the axis
 
 private:
     QSlider* transparency_;
+    QWidget* pathColours_;
+    QComboBox* pathColour_;
     QWidget* sectionControls_;
     QComboBox* axis_;
     QSlider* position_;

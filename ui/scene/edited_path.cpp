@@ -93,9 +93,15 @@ void EditedPath::setPath(const EvaluatedPath& evaluated) {
     setVisible(visible_);
 }
 
+void EditedPath::setFeedsHidden(bool hidden) {
+    feedsHidden_ = hidden;
+    setVisible(visible_);
+}
+
 void EditedPath::setVisible(bool visible) {
     visible_ = visible;
-    for (HaloedLines& lines : lines_) lines.setVisible(visible_ && !empty_);
+    for (std::size_t kind = 0; kind < kinds; ++kind)
+        lines_[kind].setVisible(visible_ && !empty_ && (!feedsHidden_ || kind == indexOf(MoveKind::rapid)));
     omitted_.set(visible_ ? omissions_ : PlaceChains{});
 }
 

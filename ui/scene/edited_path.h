@@ -24,6 +24,8 @@ public:
     void setLineWidth(double screenPixels);
     void setPath(const EvaluatedPath& path);
     void setVisible(bool visible);
+    /// Moves at feed are drawn by something else; what is left are rapids and what edits left out.
+    void setFeedsHidden(bool hidden);
     Box box() const noexcept { return box_; }
 
 private:
@@ -32,7 +34,7 @@ private:
     MarkedLines omitted_;
     PlaceChains omissions_;
     Box box_;
-    bool visible_ = true, empty_ = true;
+    bool visible_ = true, empty_ = true, feedsHidden_ = false;
 };
 
 } // namespace burin

@@ -80,6 +80,7 @@ void fill(Scene& scene, const PictureContent& content) {
     scene.setMarks(marks, false);
     if (!content.paths.empty()) {
         scene.editedPath().setPath(*content.paths.front());
+        scene.setPathValues(content.values);
         scene.otherPaths().setPaths({content.paths.begin() + 1, content.paths.end()});
     }
 }

@@ -34,6 +34,7 @@ struct PictureContent {
     std::optional<Tool> tool;          ///< standing at `pose`
     ToolPose pose;
     std::vector<std::shared_ptr<const EvaluatedPath>> paths; ///< none is null; the first in the colours of its moves
+    std::shared_ptr<const PathValues> values; ///< of the first path, for its colours; null: by kinds of moves
     StandardView view = StandardView::isometric;
     double opacity = 1.0; ///< of the workpiece, 0 … 1
     std::optional<PictureSection> section;

@@ -35,6 +35,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , livePath_(*solids_)
     , otherPaths_(*solids_)
     , editedPath_(*solids_)
+    , valuedPath_(*solids_)
     , deviations_(*solids_)
     , grid_(*solids_)
     , shadow_(*solids_)
@@ -52,6 +53,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , strokePlans_(*marks_)
     , area_(*marks_)
     , passPreview_(*marks_)
+    , measure_(*marks_)
     , force_(*marks_)
     , cube_(window, 3) {
     window.SetNumberOfLayers(4);
@@ -76,6 +78,7 @@ void Scene::setPalette(const Palette& palette) {
     tool_.setPalette(palette);
     livePath_.setColours(palette.livePath, palette.pathHalo);
     editedPath_.setPalette(palette);
+    valuedPath_.setPalette(palette);
     otherPaths_.setPalette(palette);
     grid_.setColour(palette.grid);
     shadow_.setPalette(palette);
@@ -93,8 +96,19 @@ void Scene::setPalette(const Palette& palette) {
     strokePlans_.setColours(palette.chosenPath, palette.pathHalo);
     area_.setColours(palette.chosenPath, palette.pathHalo);
     passPreview_.setColours(palette.rapidPath, palette.pathHalo);
+    measure_.setPalette(palette);
     force_.setPalette(palette);
     cube_.setPalette(palette);
+}
+
+void Scene::setPathValues(std::shared_ptr<const PathValues> values) {
+    editedPath_.setFeedsHidden(values != nullptr);
+    valuedPath_.setValues(std::move(values));
+}
+
+void Scene::setPathVisible(bool visible) {
+    editedPath_.setVisible(visible);
+    valuedPath_.setVisible(visible);
 }
 
 void Scene::setPart(std::vector<ShadedBody> bodies, const Box& box) {
@@ -238,12 +252,14 @@ void Scene::setLineWidths(double ratio) {
     preview_.setLineWidths(ratio);
     livePath_.setLineWidth(pathLine * ratio);
     editedPath_.setLineWidth(pathLine * ratio);
+    valuedPath_.setLineWidth(pathLine * ratio);
     otherPaths_.setLineWidth(pathLine * ratio);
     section_.setLineWidth(boldLine * ratio);
     ghost_.setLineWidth(boldLine * ratio);
     touch_.setLineWidth(pathLine * ratio);
     zero_.setLineWidth(boldLine * ratio);
     moveMark_.setLineWidth(boldLine * ratio);
+    measure_.setLineWidth(boldLine * ratio);
     outlines_.setLineWidth(pathLine * ratio);
     strokePlans_.setLineWidth(pathLine * ratio);
     area_.setLineWidth(pathLine * ratio);
@@ -274,16 +290,19 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     tool_.place(view);
     obstacles_.place(cuts(), view);
     scaleBar_.place(view, size, ratio);
+    valuedPath_.place(size, ratio);
     force_.place(view, size, ratio);
     guides_.place(view, size, ratio);
     touch_.place(view, size, ratio);
+    measure_.place(view, size, ratio);
     zero_.place(view, size, ratio);
     section_.place(workpieceSeen() ? shown_ : VolumeSnapshot(), contentBox(), view, size);
     films_->SetDraw(guides_.visible() || obstacles_.filmsVisible() || tool_.filmsVisible() ||
                     workpiece_.filmsVisible());
     marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible() || moveMark_.visible() ||
                     outlines_.visible() || strokePlans_.visible() || area_.visible() || passPreview_.visible() ||
-                    touch_.visible() || touchedVoxels_.visible() || zero_.visible() || section_.plane().has_value());
+                    touch_.visible() || measure_.visible() || touchedVoxels_.visible() || zero_.visible() ||
+                    section_.plane().has_value());
 
     aimCamera(*solids_, drawnBounds(), view);
     const DepthCue cue = depthCue(*solids_);

@@ -11,6 +11,7 @@
 #include "ui/scene/guide_actors.h"
 #include "ui/scene/live_path.h"
 #include "ui/scene/marked_lines.h"
+#include "ui/scene/measure_marks.h"
 #include "ui/scene/obstacle_actors.h"
 #include "ui/scene/other_paths.h"
 #include "ui/scene/part_actors.h"
@@ -22,6 +23,7 @@
 #include "ui/scene/tool_actors.h"
 #include "ui/scene/touch_mark.h"
 #include "ui/scene/touched_voxels_actor.h"
+#include "ui/scene/valued_path.h"
 #include "ui/scene/view_cube.h"
 #include "ui/scene/workpiece_actors.h"
 #include "ui/scene/zero_mark.h"
@@ -49,6 +51,7 @@ public:
         scaleBar_.setUnit(unit);
         preview_.setLengthUnit(unit);
         touch_.setUnit(unit);
+        valuedPath_.setUnit(unit);
     }
     void setPart(std::vector<ShadedBody> bodies, const Box& box);
     void setCoarsePart(const CoarseBodies& coarse) { part_.setCoarse(coarse); }
@@ -78,6 +81,9 @@ public:
     LivePath& livePath() noexcept { return livePath_; }
     EditedPath& editedPath() noexcept { return editedPath_; }
     OtherPaths& otherPaths() noexcept { return otherPaths_; }
+    /// The edited path's moves at feed in the colours of a quantity; null: by their kinds.
+    void setPathValues(std::shared_ptr<const PathValues> values);
+    void setPathVisible(bool visible);
     /// Stands for the part's own surface. Without triangles: none.
     void setDeviations(const DeviationSurface& surface);
     TouchedVoxelsActor& touchedVoxels() noexcept { return touchedVoxels_; }
@@ -86,6 +92,7 @@ public:
     MarkedLines& strokePlans() noexcept { return strokePlans_; }
     MarkedLines& area() noexcept { return area_; }
     MarkedLines& passPreview() noexcept { return passPreview_; }
+    MeasureMarks& measure() noexcept { return measure_; }
     ViewCube& cube() noexcept { return cube_; }
     const WorkpieceActors& workpiece() const noexcept { return workpiece_; }
 
@@ -119,6 +126,7 @@ private:
     LivePath livePath_;
     OtherPaths otherPaths_;
     EditedPath editedPath_;
+    ValuedPath valuedPath_;
     DeviationActors deviations_;
     GroundGrid grid_;
     GroundShadow shadow_;
@@ -132,6 +140,7 @@ private:
     ZeroMark zero_;
     TouchedVoxelsActor touchedVoxels_;
     MarkedLines moveMark_, outlines_, strokePlans_, area_, passPreview_;
+    MeasureMarks measure_;
     ForceArrow force_;
     ViewCube cube_;
 

@@ -235,8 +235,18 @@ void Viewport::setPath(const EvaluatedPath& path) {
     impl_->refresh();
 }
 
+void Viewport::setPathValues(std::shared_ptr<const PathValues> values) {
+    impl_->scene.setPathValues(std::move(values));
+    impl_->refresh();
+}
+
+void Viewport::setMeasureMark(const std::optional<MeasureMark>& mark) {
+    impl_->scene.measure().set(mark);
+    impl_->refresh();
+}
+
 void Viewport::setPathVisible(bool visible) {
-    impl_->scene.editedPath().setVisible(visible);
+    impl_->scene.setPathVisible(visible);
     impl_->refresh();
 }
 

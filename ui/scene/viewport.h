@@ -4,6 +4,7 @@
 
 #include "core/cad/model.h"
 #include "core/cad/model_preview.h"
+#include "core/job/path_values.h"
 #include "core/path/evaluate.h"
 #include "core/recording/sample.h"
 #include "core/tool/tool.h"
@@ -13,6 +14,7 @@
 #include "ui/scene/deviation_surface.h"
 #include "ui/scene/guide_marks.h"
 #include "ui/scene/interactive_tool.h"
+#include "ui/scene/measure_mark.h"
 #include "ui/scene/obstacle_mark.h"
 #include "ui/scene/place_chains.h"
 #include "ui/scene/press_mark.h"
@@ -115,6 +117,8 @@ public:
     void clearLivePath();
     /// The edited path, colour by kind of move and by the side on which it mills.
     void setPath(const EvaluatedPath& path);
+    /// Its moves at feed in the colours of a quantity, with their scale; null: by their kinds.
+    void setPathValues(std::shared_ptr<const PathValues> values);
     void setPathVisible(bool visible);
     /// What the job mills with other tools.
     void setOtherPaths(const std::vector<std::shared_ptr<const EvaluatedPath>>& paths);
@@ -132,6 +136,7 @@ public:
     void setStrokePlans(const PlaceChains& lines);
     /// The area of the next pass, as lines on the part.
     void setArea(const PlaceChains& lines);
+    void setMeasureMark(const std::optional<MeasureMark>& mark); ///< what was measured; nothing: none
     /// Strokes of a pass that is not computed yet.
     void setPassPreview(const PlaceChains& lines);
 

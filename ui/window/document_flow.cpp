@@ -75,6 +75,7 @@ void DocumentFlow::connectActions(const Actions& actions) {
     on(ActionId::exportSheet, &DocumentFlow::exportSheet);
     on(ActionId::stockFile, &DocumentFlow::readStock);
     on(ActionId::toolShape, &DocumentFlow::shapeTool);
+    connect(actions[ActionId::programPath], &QAction::triggered, this, [this] { addProgramPath(); });
 }
 
 QString DocumentFlow::folder() const {
@@ -132,6 +133,27 @@ void DocumentFlow::openProgram(const QString& file) {
     if (text.toStdString() != *bytes) text = QString::fromLatin1(QByteArray::fromStdString(*bytes)); // of old controls
     workbench_.program.openText(text);
     emit programOpened();
+}
+
+void DocumentFlow::addProgramPath() {
+    const QString file = askProgramToRead(&window_, folder());
+    if (file.isEmpty()) return;
+    keepFolder(file);
+    emit begun();
+    addProgramPath(file);
+}
+
+void DocumentFlow::addProgramPath(const QString& file) {
+    if (!workbench_.passes.possible()) {
+        emit refused(tr("“%1” becomes a path of a job: open its project or embed its part first, then open it again.")
+                         .arg(QFileInfo(file).fileName()));
+        return;
+    }
+    const Result<std::string> text = readFile(pathOf(file));
+    if (!text)
+        refuse(file, text.error());
+    else
+        workbench_.passes.addProgram(*text, file.toStdString(), workbench_.target.dialect());
 }
 
 /// Nothing has changed. A file of the list that is not there any more needs a decision, anything else a sentence.
@@ -216,6 +238,8 @@ void DocumentFlow::openAny(const QString& file) {
         refuse(file, kind.error());
     else if (*kind == FileKind::program)
         openProgram(file);
+    else if (*kind == FileKind::locations)
+        addProgramPath(file);
     else if (*kind == FileKind::project)
         openProject(file);
     else

@@ -40,6 +40,7 @@ public:
     void shapeTool(); ///< of models
     void exportWorkpiece();
     void exportSheet();
+    void addProgramPath(); ///< asks for the program
     /// The rest of the program from a line of its text on; asks for the file once it passed its check.
     void restartProgram(int line);
 
@@ -64,6 +65,7 @@ private:
     void writeSheet(const std::shared_ptr<const SheetContent>& content, const QString& file);
     void openProject(const QString& file);
     void openProgram(const QString& file);
+    void addProgramPath(const QString& file);
     void refuse(const QString& file, const Error& error);
     void saveThen(std::function<void()> then);
     void saveAsThen(std::function<void()> then);

@@ -12,6 +12,7 @@
 #include "ui/window/device_dialog.h"
 #include "ui/window/machine_dialog.h"
 #include "ui/window/material_dialog.h"
+#include "ui/window/path_colours.h"
 #include "ui/window/program_dock.h"
 #include "ui/window/tool_dialog.h"
 
@@ -23,6 +24,7 @@
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTimer>
+#include <QUndoView>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -34,6 +36,7 @@ namespace {
 
 constexpr QSize smallestWindow(1024, 680);
 constexpr QSize firstWindow(1280, 800);
+constexpr int sideDockWidth = 220;                    // pixels
 constexpr std::chrono::milliseconds warmUpAfter(300); // when the welcome page stands, and before anyone has read it
 
 /// What the view shows.
@@ -58,6 +61,7 @@ MainWindow::MainWindow(QWidget* parent)
     presenters_ = std::make_unique<Presenters>(workbench_, actions_,
                                                Stage{*viewport_, *jobLine_, *panels_, *status_, *timeline_}, nullptr);
     new ViewOptions(*viewport_, *viewBar_, actions_, settings_, this);
+    new PathColours(workbench_, *viewport_, *viewBar_, actions_, this);
     connectActions();
     connectWorkbench();
     connectWelcome();
@@ -65,6 +69,8 @@ MainWindow::MainWindow(QWidget* parent)
     setUnit(settings_.preferences().unit);
     resize(firstWindow);
     restoreGeometry(settings_.windowGeometry());
+    firstWork_ = work_->saveState();
+    firstDocks_ = view_->saveState();
     work_->restoreState(settings_.panelWidth());
     view_->restoreState(settings_.viewDocks());
     actions_[ActionId::programDock]->setChecked(settings_.programDocked());
@@ -103,6 +109,7 @@ void MainWindow::layOut() {
     view_ = makeView();
     programDock_ = new ProgramDock(*panels_->program, *actions_[ActionId::programDock], *view_);
     layOutTimeline();
+    layOutHistory();
     work_->addWidget(view_);
     work_->addWidget(panels_);
     work_->setStretchFactor(0, 1);
@@ -159,7 +166,36 @@ void MainWindow::layOutTimeline() {
             [this](bool visible) { workbench_.time.setFollowed(visible); });
 }
 
+/// What was done, each entry a way back to it.
+void MainWindow::layOutHistory() {
+    auto* history = new QUndoView(&workbench_.undo());
+    history->setObjectName(QStringLiteral("history"));
+    history->setAccessibleName(tr("History"));
+    history->setEmptyLabel(tr("As opened"));
+    history->setToolTip(tr("Click an entry to undo or redo everything up to there."));
+    historyDock_ = new ViewDock({tr("History"), QStringLiteral("historyDock"), tr("Hide the history"), nullptr,
+                                 sideDockWidth, Qt::LeftDockWidgetArea},
+                                *actions_[ActionId::showHistory], *view_);
+    historyDock_->setWidget(history);
+    // As for Ctrl+Z: not while a stroke is under way.
+    const auto follow = [this, history] { history->setEnabled(workbench_.canUndoNow()); };
+    for (const Controller* controller :
+         {static_cast<const Controller*>(&workbench_.session), static_cast<const Controller*>(&workbench_.showMe)})
+        connect(controller, &Controller::changed, this, follow);
+    connect(&workbench_.session, &SessionRunner::ticked, this, follow);
+}
+
+/// Docks and panel as they were before the user moved them.
+void MainWindow::resetLayout() {
+    for (const ActionId id : {ActionId::programDock, ActionId::showHistory}) actions_[id]->setChecked(false);
+    actions_[ActionId::showTimeline]->setChecked(true);
+    view_->restoreState(firstDocks_);
+    work_->restoreState(firstWork_);
+    followDocks();
+}
+
 void MainWindow::followDocks() {
+    historyDock_->setUsed(pages_->currentWidget() == workPage_);
     timelineDock_->setUsed(pages_->currentWidget() == workPage_);
     programDock_->setUsed(presenters_ && pages_->currentWidget() == workPage_ &&
                           presenters_->job.shown() == JobStep::program);

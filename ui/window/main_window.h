@@ -50,6 +50,7 @@ private:
     void connectWorkbench();
     void connectViewDevice();
     static QString updateText(const PartUpdate& update);
+    QString programPathText(const ProgramPasses& passes) const;
     void connectWelcome();
     void showStep(JobStep step);
     void showWorkSteps(bool shown);
@@ -64,6 +65,8 @@ private:
     void dress(Theme theme);
     void apply(const Preferences& preferences, const Preferences& before);
     QMainWindow* makeView(); ///< the viewport and the bar below it, with docks around
+    void layOutHistory();
+    void resetLayout();
     void followDocks();
     void layOutTimeline();
     void setUnit(LengthUnit unit);
@@ -96,7 +99,9 @@ private:
     ProgramDock* programDock_ = nullptr;
     TimelinePanel* timeline_ = nullptr;
     ViewDock* timelineDock_ = nullptr;
-    QPointer<QWidget> leftFrom_; ///< what had the keyboard before the welcome page came
+    ViewDock* historyDock_ = nullptr;
+    QByteArray firstDocks_, firstWork_; ///< as the window was laid out, before the user moved anything
+    QPointer<QWidget> leftFrom_;        ///< what had the keyboard before the welcome page came
     JobLine* jobLine_ = nullptr;
     PanelStack* panels_ = nullptr;
     StatusLine* status_ = nullptr;

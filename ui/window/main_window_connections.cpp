@@ -60,6 +60,7 @@ void MainWindow::connectActions() {
         showStep(JobStep::program);
         flow_.restartProgram(panels_->program->line());
     });
+    on(ActionId::resetLayout, [this] { resetLayout(); });
     on(ActionId::machines, [this] { showMachines(); });
     on(ActionId::tools, [this] { showTools(); });
     on(ActionId::materials, [this] { showMaterials(); });
@@ -91,6 +92,8 @@ void MainWindow::connectActions() {
     });
     connect(&presenters_->zero, &ZeroPresenter::refused, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
+    connect(&presenters_->measure, &MeasurePresenter::told, this,
+            [this](const QString& sentences) { message_->tell(Notice::Kind::information, sentences); });
     connect(&presenters_->area, &AreaPresenter::paintingBegins, this, [this] {
         if (presenters_->job.shown() != JobStep::path) showStep(JobStep::path);
     });
@@ -102,6 +105,22 @@ void MainWindow::connectActions() {
 }
 
 /// What a part that was read again differs in.
+/// What became of a program that is edited as a path now.
+QString MainWindow::programPathText(const ProgramPasses& passes) const {
+    double length = 0.0;
+    for (const ProgramPass& pass : passes.passes) length += pass.length;
+    QStringList text{tr("%1 of the program at feed became a path, with its feeds and speeds. Links replace its rapids.")
+                         .arg(wayText(length, settings_.preferences().unit))};
+    if (passes.arcs > 0)
+        text << tr("%n arc(s) became chords within 0.001 mm; “Fit arcs” makes arcs of them again.", nullptr,
+                   static_cast<int>(passes.arcs));
+    if (passes.dwells > 0) text << tr("%n dwell(s) were left out.", nullptr, static_cast<int>(passes.dwells));
+    if (passes.startless > 0)
+        text << tr("%n move(s) were left out: the program does not state where they begin.", nullptr,
+                   static_cast<int>(passes.startless));
+    return text.join(QLatin1Char(' '));
+}
+
 QString MainWindow::updateText(const PartUpdate& update) {
     const auto listed = [](const std::vector<std::string>& names) {
         QStringList texts;
@@ -141,6 +160,11 @@ void MainWindow::connectWorkbench() {
         showWorkSteps(true);
         showStep(JobStep::program);
         workbench_.program.checkText(programName(workbench_));
+    });
+    connect(&workbench_.passes, &PassController::programAdded, this, [this](const ProgramPasses& passes) {
+        showWorkSteps(true);
+        showStep(JobStep::path);
+        message_->tell(Notice::Kind::information, programPathText(passes));
     });
     connect(&flow_, &DocumentFlow::alreadyOpen, this, [this] { showWorkSteps(true); });
     connect(&workbench_, &Workbench::partUpdated, this,

@@ -37,12 +37,13 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
     recent_ = new QMenu(tr("Open &recent"), file);
     recent_->setObjectName(QStringLiteral("recentMenu"));
     file->insertMenu(file->actions().at(2), recent_);
-    addMenu(bar, tr("&Edit"), "editMenu", actions, {undo, redo, line, tools, materials, devices, preferences});
+    addMenu(bar, tr("&Edit"), "editMenu", actions,
+            {undo, redo, showHistory, line, tools, materials, devices, preferences});
     addMenu(bar, tr("&View"), "viewMenu", actions,
-            {fit,      line,          viewIsometric, viewTop,  viewBottom,  viewFront,      viewBack,
-             viewLeft, viewRight,     parallelView,  line,     seeThrough,  sectionPlane,   flipSection,
-             line,     showWorkpiece, showPart,      showTool, showPath,    showOtherPaths, showGuides,
-             line,     showTimeline,  line,          nextStep, previousStep});
+            {fit,           line,         viewIsometric, viewTop,    viewBottom,     viewFront,   viewBack,   viewLeft,
+             viewRight,     parallelView, line,          seeThrough, sectionPlane,   flipSection, measure,    line,
+             showWorkpiece, showPart,     showTool,      showPath,   showOtherPaths, pathColours, showGuides, line,
+             showTimeline,  resetLayout,  line,          nextStep,   previousStep});
     addMenu(bar, tr("&Setup"), "setupMenu", actions,
             {addSetup, nextSetup, previousSetup, line, faceDown, turnAboutX, turnAboutY, turnAboutZ, line, pickZero,
              touchZero});
@@ -52,8 +53,8 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
              line,        guides,     nearestEdge, levelAbove,     levelBelow, line,        clutch,   recentre,
              alignHand,   finerHand,  coarserHand, rateControl,    line,       showMe,      stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions,
-            {newPath, newPass, measurePasses, brushArea, lassoArea, faceArea, clearArea, evaluatePath, line,
-             drawStretch, drawEdit});
+            {newPath, newPass, programPath, measurePasses, brushArea, lassoArea, faceArea, clearArea, evaluatePath,
+             line, drawStretch, drawEdit});
     addMenu(bar, tr("P&rogram"), "programMenu", actions,
             {post, exportProgram, overrideCheck, restart, line, findInProgram, programDock, line, machines});
     addMenu(bar, tr("&Help"), "helpMenu", actions, {welcome, keyList, about});

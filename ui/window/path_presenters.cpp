@@ -49,7 +49,8 @@ std::optional<MillingSide> sideOf(const EvaluatedPath& path, const SourceStretch
 PassRow rowOf(const GeneratedInfo& pass, LengthUnit unit) {
     PassRow row{pass.id, QString::fromStdString(pass.name), {}};
     const Result<PassRequest> request = passRequestFromJson(pass.request, pass.name);
-    if (!request) return row; // made by something that says nothing of it
+    row.computed = request.hasValue();
+    if (!request) return row; // of a program
     const TextId title = rowOf(request->kind).title;
     row.name = QCoreApplication::translate(title.context, title.text);
     if (request->stepOver > 0.0)

@@ -32,7 +32,8 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , guideScene(workbench, stage.viewport, actions, this)
     , programScene(workbench, stage.viewport, *stage.panels.program, scene, this)
     , deviation(workbench, stage.viewport, stage.panels.program->deviation(), scene, this)
-    , time(workbench, stage.timeline, scene, this) {
+    , time(workbench, stage.timeline, scene, this)
+    , measure(workbench, stage.viewport, this) {
     connect(&pathScene, &PathScenePresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(&area, &AreaPresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(stage.panels.program, &ProgramPanel::lineChosen, &workbench.time, &TimeController::followLine);
@@ -52,13 +53,14 @@ void Presenters::connectActions(const Actions& actions, const Viewport& viewport
     area.connectActions(actions);
     program.connectActions(actions);
     time.connectActions(actions);
+    measure.connectActions(actions);
 }
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{
-             &part,   &setups,       &stock,  &zero,       &material,     &layers,    &tool,    &allowance,
-             &mill,   &surroundings, &guides, &hand,       &pathScene,    &path,      &program, &meters,
-             &status, &job,          &scene,  &guideScene, &programScene, &deviation, &area,    &time})
+             &part,         &setups,     &stock,        &zero,      &material, &layers,  &tool,   &allowance, &mill,
+             &surroundings, &guides,     &hand,         &pathScene, &path,     &program, &meters, &status,    &job,
+             &scene,        &guideScene, &programScene, &deviation, &area,     &time,    &measure})
         presenter->setUnit(unit);
 }
 

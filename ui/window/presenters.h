@@ -8,6 +8,7 @@
 #include "ui/window/guide_scene_presenter.h"
 #include "ui/window/hand_presenter.h"
 #include "ui/window/job_presenter.h"
+#include "ui/window/measure_presenter.h"
 #include "ui/window/mill_presenter.h"
 #include "ui/window/panel_stack.h"
 #include "ui/window/path_presenters.h"
@@ -66,6 +67,7 @@ public:
     ProgramScenePresenter programScene;
     DeviationPresenter deviation;
     TimePresenter time;
+    MeasurePresenter measure;
 };
 
 } // namespace burin

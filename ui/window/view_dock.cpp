@@ -16,8 +16,9 @@ ViewDock::ViewDock(const Look& look, QAction& shown, QMainWindow& view)
     : QDockWidget(look.title, &view), shown_(shown) {
     setObjectName(look.name);
     setTitleBarWidget(makeTitleBar(look));
-    view.addDockWidget(Qt::BottomDockWidgetArea, this);
-    view.resizeDocks({this}, {look.height}, Qt::Vertical);
+    view.addDockWidget(look.area, this);
+    const bool below = look.area == Qt::BottomDockWidgetArea || look.area == Qt::TopDockWidgetArea;
+    view.resizeDocks({this}, {look.size}, below ? Qt::Vertical : Qt::Horizontal);
     hide();
     connect(&shown, &QAction::toggled, this, [this] { follow(); });
 }

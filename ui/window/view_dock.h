@@ -9,7 +9,7 @@ class QMainWindow;
 
 namespace burin {
 
-/// A dock next to the view, below it at first, that is there as long as its action is on and its place is seen. Its
+/// A dock next to the view, that is there as long as its action is on and its place is seen. Its
 /// title bar has the theme's icons; a drag of it moves the dock. All arguments outlive it.
 class ViewDock : public QDockWidget {
     Q_OBJECT
@@ -18,7 +18,8 @@ public:
         QString title, name;         ///< name: object name of the dock; its buttons are float<name>, close<name>
         QString closeTip;            ///< what closing it does
         QWidget* titleBar = nullptr; ///< shown in the title's stead; null: the title; taken over
-        int height = 0;              ///< pixels, at first
+        int size = 0;                ///< pixels, at first: its height, or its width at a side
+        Qt::DockWidgetArea area = Qt::BottomDockWidgetArea; ///< at first
     };
     /// @param shown checkable; @param view what the dock belongs to: its sides, or a window of its own
     ViewDock(const Look& look, QAction& shown, QMainWindow& view);

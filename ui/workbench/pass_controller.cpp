@@ -106,6 +106,47 @@ void PassController::run(Matter matter) {
         });
 }
 
+void PassController::addProgram(std::string text, const std::string& file, const std::string& dialect) {
+    if (!possible()) return;
+    desk_.project.ask(
+        [](const Project& project) { return project.tools(); },
+        [this, text = std::move(text), file, dialect, load = loads_](const Result<std::vector<Tool>>& tools) mutable {
+            if (load != loads_ || !possible()) return;
+            if (!tools) {
+                emit failed(tools.error());
+                return;
+            }
+            readProgram(std::move(text), file, dialect, *tools);
+        });
+}
+
+void PassController::readProgram(std::string text, const std::string& file, const std::string& dialect,
+                                 const std::vector<Tool>& tools) {
+    using Read = std::shared_ptr<const ProgramPasses>;
+    desk_.tasks.start(
+        TaskKind::pass, tr("Reading the program"),
+        [milling = workpiece_.milling(), tool = tools_.current(), tools, text = std::move(text), file,
+         dialect](Progress& progress) -> Result<Read> {
+            const Result<std::vector<int>> numbers = toolNumbersOf(text, file, dialect);
+            if (!numbers) return numbers.error();
+            const ToolChoice meant = numbers->size() > 1 ? ToolChoice{tools, false} : ToolChoice{{tool}, true};
+            Result<ProgramPasses> passes = passesOfProgram(text, file, dialect, *milling, meant, progress);
+            if (!passes) return std::move(passes).error();
+            return std::make_shared<const ProgramPasses>(std::move(*passes));
+        },
+        [this, load = loads_](const Result<Read>& read) {
+            if (load != loads_) return; // another project
+            if (read) {
+                path_.addProgram((*read)->passes);
+                emit programAdded(**read);
+            } else if (read.error().code != ErrorCode::cancelled) {
+                emit failed(read.error());
+            }
+            emit changed();
+        });
+    emit changed();
+}
+
 const ComputedPass* PassController::newest() const {
     return newest_ && newest_->moves.info.toolId == tools_.current().id ? newest_.get() : nullptr;
 }

@@ -26,20 +26,30 @@ public:
     PassController(const Desk& desk, WorkpieceController& workpiece, PathController& path, const ToolController& tools,
                    QObject* parent);
 
-    bool busy() const { return wanted_.has_value(); }
+    bool busy() const { return wanted_.has_value() || desk_.tasks.running(TaskKind::pass); }
     /// The workpiece stands with the tool in force, and no pass is being computed.
     bool possible() const;
     /// An entry of the undo stack once it is there; `failed` says why there is none. Nothing happens where it is not
     /// possible. Can be cancelled as a task. Where the workpiece changes meanwhile it begins again behind that.
     void compute(const WantedPass& wanted);
+    /// Makes what a program, G-code or cutter locations, mills the last sources of its tools' paths: with the tool in
+    /// force where it calls one number, else with the project's by their numbers. An entry of the undo stack; `failed`
+    /// says why there is none. Can be cancelled as a task. Nothing happens where it is not possible.
+    /// @param file for messages and names @param dialect by id
+    void addProgram(std::string text, const std::string& file, const std::string& dialect);
     void forget(); ///< another project
     /// The pass computed last, for the tool in force; null: none, or it is another tool's.
     const ComputedPass* newest() const;
+
+signals:
+    void programAdded(const ProgramPasses& passes);
 
 private:
     struct Matter;
     bool ready() const; ///< nothing but a pass under way could hinder one
     void goOn();
+    void readProgram(std::string text, const std::string& file, const std::string& dialect,
+                     const std::vector<Tool>& tools);
     void run(Matter matter);
     void end();
 

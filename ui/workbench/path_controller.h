@@ -3,9 +3,11 @@
 #pragma once
 
 #include "core/job/job_paths.h"
+#include "core/job/program_path.h"
 #include "ui/workbench/job_evaluation.h"
 #include "ui/workbench/tool_controller.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -56,6 +58,8 @@ public:
     /// Keeps a computed pass as the last source of its tool's path, or of a new one. An entry of the undo stack.
     /// @param tool that it is for; the project gets it @param instead the pass of that path whose place it takes
     void addPass(const GeneratedMoves& moves, const Tool& tool, std::optional<std::int64_t> instead = std::nullopt);
+    /// Keeps what a program mills as the last sources of its tools' paths, or of new ones. An entry of the undo stack.
+    void addProgram(const std::vector<ProgramPass>& passes);
     /// Those of the path in force, in its order.
     std::vector<GeneratedInfo> passes() const;
     void removePass(
@@ -104,7 +108,18 @@ private:
     void countVersion();
     bool isMilledWith(const std::string& tool) const;
     std::vector<GeneratedInfo> generatedInUse() const;
-    void keepPass(const GeneratedInfo& pass, const StoredPath& before, const StoredPath& after);
+    /// Moves that become a source of their tool's path.
+    struct NewSource {
+        GeneratedMoves moves;
+        Tool tool;
+        std::function<StoredPath(StoredPath path, std::int64_t source)> into; ///< on the project's thread
+    };
+    struct ChangedPath {
+        StoredPath before, after; ///< without an id before: it is new
+    };
+    struct AddedSources;
+    void addSources(const QString& text, std::vector<NewSource> added);
+    void keepSources(const QString& text, const AddedSources& added);
     void applySources(std::int64_t path, const std::vector<PathSource>& sources);
     RecordedKey recordedKey(const std::string& tool) const;
     void followRecordings();

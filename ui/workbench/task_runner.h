@@ -31,6 +31,8 @@ enum class TaskKind {
     previewBasis,
     preview,
     measuring,
+    pathValues,
+    measure,
     program,
     device,
     drivers,

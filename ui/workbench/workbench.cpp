@@ -41,6 +41,8 @@ Workbench::Workbench(QObject* parent)
     , passes(desk_, workpiece, path, tool, this)
     , passPreview(desk_, workpiece, path, tool, this)
     , passMeasurer(desk_, workpiece, path, this)
+    , pathValuer(desk_, workpiece, path, this)
+    , measure(desk_, setup, this)
     , program(desk_, workpiece, path, target, this)
     , setups(desk_, {document, setup, workpiece, program, target}, this)
     , sheet(desk_, this)
@@ -57,9 +59,10 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document,     &model,        &setup,   &material,     &tool,   &target, &workpiece, &styluses, &session,
-            &deviceTester, &viewDevice,   &mill,    &surroundings, &guides, &hand,   &showMe,    &path,     &area,
-            &passes,       &passMeasurer, &program, &setups,       &sheet,  &time,   &keeper};
+    return {&document, &model,   &setup,        &material,   &tool,   &target,       &workpiece,
+            &styluses, &session, &deviceTester, &viewDevice, &mill,   &surroundings, &guides,
+            &hand,     &showMe,  &path,         &area,       &passes, &passMeasurer, &pathValuer,
+            &measure,  &program, &setups,       &sheet,      &time,   &keeper};
 }
 
 void Workbench::wire() {
@@ -129,6 +132,7 @@ void Workbench::load(const ProjectContents& contents) {
     passes.forget();
     passPreview.end();
     passMeasurer.forget();
+    pathValuer.forget();
     time.forget();
     keeper.forget();
     path.load(contents.paths, contents.takes, contents.generated);

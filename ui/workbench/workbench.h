@@ -8,11 +8,13 @@
 #include "ui/workbench/document_controller.h"
 #include "ui/workbench/hand_controller.h"
 #include "ui/workbench/material_controller.h"
+#include "ui/workbench/measure_controller.h"
 #include "ui/workbench/mill_controller.h"
 #include "ui/workbench/model_controller.h"
 #include "ui/workbench/pass_measurer.h"
 #include "ui/workbench/pass_previewer.h"
 #include "ui/workbench/path_controller.h"
+#include "ui/workbench/path_valuer.h"
 #include "ui/workbench/program_controller.h"
 #include "ui/workbench/setup_controller.h"
 #include "ui/workbench/setups_controller.h"
@@ -65,6 +67,8 @@ public:
     PassController passes;
     PassPreviewer passPreview;
     PassMeasurer passMeasurer;
+    PathValuer pathValuer;
+    MeasureController measure;
     ProgramController program;
     SetupsController setups;
     SheetController sheet;

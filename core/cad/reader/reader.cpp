@@ -6,6 +6,7 @@
 #include "core/cad/reader/edge_curve.h"
 #include "core/cad/reader/exact_distance.h"
 #include "core/cad/reader/face_at.h"
+#include "core/cad/reader/face_measure.h"
 #include "core/cad/reader/file_format.h"
 #include "core/cad/reader/measure.h"
 #include "core/cad/reader/model_size.h"
@@ -132,6 +133,14 @@ Result<PartFace> findFace(const FaceRequest& request) {
         const Result<TopoDS_Shape> shape = shapeOf(request.brep, request.solids);
         if (!shape) return shape.error();
         return faceAt(*shape, request.place);
+    });
+}
+
+Result<PartMeasure> measureFaces(const MeasureRequest& request) {
+    return guarded<PartMeasure>([&]() -> Result<PartMeasure> {
+        const Result<TopoDS_Shape> shape = shapeOf(request.brep, request.solids);
+        if (!shape) return shape.error();
+        return faceMeasure(*shape, request.places);
     });
 }
 

@@ -29,4 +29,7 @@ Result<std::vector<PartEdge>> followEdges(const EdgeRequest& request);
 /// Errors, with an empty subject: fileDamaged, importOutOfMemory.
 Result<PartFace> findFace(const FaceRequest& request);
 
+/// Errors, with an empty subject: fileDamaged, importOutOfMemory.
+Result<PartMeasure> measureFaces(const MeasureRequest& request);
+
 } // namespace burin

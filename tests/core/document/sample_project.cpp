@@ -262,6 +262,8 @@ GeneratedMoves generatedMoves(int version) {
         for (std::int64_t i = 0; i < 3; ++i) {
             const auto seed = static_cast<std::uint64_t>(3 * stroke + i);
             points.push_back({{noiseVector(seed, 10.0)}, 100 * stroke + 7 * i, i > 0, i == 2});
+            if (version >= 11 && stroke == 1 && i > 0) points.back().feed = 600.0 + 0.1 * static_cast<double>(i);
+            if (version >= 11 && stroke == 1 && i > 0) points.back().spindleSpeed = 12'000.0;
         }
     }
     return moves;
@@ -270,7 +272,8 @@ GeneratedMoves generatedMoves(int version) {
 bool identical(const GeneratedMoves& one, const GeneratedMoves& other) {
     const auto same = [](const GeneratedPoint& a, const GeneratedPoint& b) {
         return a.pose.tip == b.pose.tip && a.pose.axis == b.pose.axis && a.moment == b.moment &&
-               a.removes == b.removes && a.onBoundary == b.onBoundary;
+               a.removes == b.removes && a.onBoundary == b.onBoundary && a.feed == b.feed &&
+               a.spindleSpeed == b.spindleSpeed;
     };
     return one.info.name == other.info.name && one.info.toolId == other.info.toolId &&
            one.info.allowance == other.info.allowance && one.info.request == other.info.request &&

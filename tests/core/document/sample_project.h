@@ -21,7 +21,7 @@ Model modelNamed(const std::string& name);
 /// That name in a project; "none" and why, where there is no model.
 std::string nameIn(const Project& project);
 /// @param version that knew it: before 5 every body was a part in a box of one material
-Setup setup(int version = 10);
+Setup setup(int version = 11);
 /// Equal in all that a project keeps of it.
 bool identical(const Setup& one, const Setup& other);
 std::vector<Property> materials();
@@ -34,12 +34,12 @@ TravelPlacement travelPlacement();
 KeptGuides guides();
 /// Two strokes of three points each, with gaps in their moments; no id yet.
 /// @param version that knew it: before 9 nothing was kept of what was asked for
-GeneratedMoves generatedMoves(int version = 10);
+GeneratedMoves generatedMoves(int version = 11);
 
 /// A saved project with one of everything, and whether a project holds just that (whole_project.cpp).
 bool fillProject(const std::filesystem::path& file);
 /// @param version that wrote it: an old one knew less
-bool holdsFixture(const Project& project, int version = 10);
+bool holdsFixture(const Project& project, int version = 11);
 /// What `fillProject` takes back of its first take, since version 2.
 inline constexpr SampleRange undoneInFixture{100, 50};
 inline constexpr SampleRange offInFixture{300, 50}; ///< switched off, since version 10

@@ -32,7 +32,7 @@ private slots:
         QTest::addColumn<QByteArray>("content");
         QTest::addColumn<int>("kind"); // -1: projectNotBurin
         const int project = static_cast<int>(FileKind::project), program = static_cast<int>(FileKind::program),
-                  model = static_cast<int>(FileKind::model);
+                  model = static_cast<int>(FileKind::model), locations = static_cast<int>(FileKind::locations);
         const QByteArray database("SQLite format 3\0 and so on", 27);
         QTest::newRow("a project by another name") << "part.step" << database << project;
         QTest::newRow("a text named as a project") << "a.burin" << QByteArray("Dear Emil\n") << -1;
@@ -49,6 +49,8 @@ private slots:
         QTest::newRow("blanks in numbers") << "a.nc" << QByteArray("G 2 1\nG0 X1 0 . 5\nM2\n") << program;
         QTest::newRow("Heidenhain") << "a.h" << QByteArray("0 BEGIN PGM A MM\n1 L X+1 FMAX\n") << program;
         QTest::newRow("a program named as a model") << "a.stl" << QByteArray("G21\nG0 X1\nM2\n") << program;
+        QTest::newRow("cutter locations")
+            << "a.txt" << QByteArray("PARTNO A\nFEDRAT/100,MMPM\nGOTO/0,0,5\nFINI\n") << locations;
         QTest::newRow("a letter") << "a.txt" << QByteArray("Dear Emil,\nG1 is what I mean.\n") << model;
         QTest::newRow("numbers") << "a.csv" << QByteArray("X1\nX2\nX3\n") << model;
         QTest::newRow("STEP") << "a.nc" << QByteArray("ISO-10303-21;\nHEADER;\n") << model;
@@ -80,7 +82,7 @@ private slots:
     }
 
     void everyFormerProjectIsOne() {
-        for (const char* version : {"v1", "v2", "v3", "v4", "v5", "v6", "v7", "v8", "v9", "v10"}) {
+        for (const char* version : {"v1", "v2", "v3", "v4", "v5", "v6", "v7", "v8", "v9", "v10", "v11"}) {
             const QDir folder(QStringLiteral(BURIN_FIXTURES "/projects/") + version);
             const QStringList files = folder.entryList({"*.burin"}, QDir::Files);
             QVERIFY(!files.isEmpty());

@@ -63,6 +63,7 @@ private slots:
         QTest::newRow("with a program zero") << 8;
         QTest::newRow("with a computed pass") << 9;
         QTest::newRow("with a stretch switched off, a marker and a kept workpiece") << 10;
+        QTest::newRow("with moves of a program") << 11;
     }
     void aProjectOfEachVersionOpens() {
         QFETCH(int, version);
@@ -81,7 +82,7 @@ private slots:
         QVERIFY(*project->obstacles() == fixture::obstacles());
         // The file as it was is there for who still has the version that wrote it.
         const fs::path kept = project->keptEarlier();
-        QCOMPARE(kept.empty(), version == 10);
+        QCOMPARE(kept.empty(), version == 11);
         if (!kept.empty()) QCOMPARE(kept.filename().string(), "p.format-" + std::to_string(version) + ".burin");
         if (!kept.empty()) QCOMPARE(contentOf(kept), written);
         QVERIFY(project->setAxisMode({}) && project->save());

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/program_path.h"
+
+#include "core/nc/apt_reader.h"
+#include "core/nc/dialect_library.h"
+#include "core/nc/parser.h"
+#include "core/nc/work_offset.h"
+#include "core/verify/tool_moves.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+Result<ParsedProgram> read(std::string_view text, const std::string& file, const std::string& dialect) {
+    return isCutterLocations(text) ? parseCutterLocations(text, file)
+                                   : parseProgram(text, file, controlOfDialect(dialect));
+}
+
+/// Places are in the frame of one work offset, which is the setup's.
+Result<void> checkOffsets(const ParsedProgram& program, const std::string& file) {
+    std::optional<int> offset;
+    for (const NcMotion& motion : program.motions) {
+        if (!motion.takesAny()) continue;
+        if (!offset) offset = motion.workOffset;
+        if (motion.ownZero || motion.workOffset != *offset)
+            return Error{ErrorCode::programSyntax, file, "line " + std::to_string(motion.line),
+                         "a path has one work offset, and the program uses another one from here on"};
+    }
+    return {};
+}
+
+/// Nothing: none of that number.
+std::optional<Tool> numbered(const ToolChoice& choice, int number) {
+    const std::vector<Tool>& tools = choice.tools;
+    if (!tools.empty() && (choice.anyNumber || (number == 0 && tools.size() == 1))) return tools.front();
+    const auto found = std::ranges::find(tools, number, &Tool::number);
+    return found == tools.end() ? std::nullopt : std::optional(*found);
+}
+
+Error unknownNumber(const std::vector<Tool>& tools, int number) {
+    std::string known;
+    for (const Tool& tool : tools)
+        known += (known.empty() ? "T" : ", T") + std::to_string(tool.number) + " (" + tool.id + ")";
+    return {ErrorCode::nameUnknown, "tool", "T" + std::to_string(number), known};
+}
+
+/// Makes passes of moves that come one behind the other.
+class PassWriter {
+public:
+    PassWriter(const std::string& file, const ToolChoice& tools)
+        : name_(std::filesystem::path(file).filename().string()), tools_(tools) {}
+
+    Result<void> add(const ToolMove& move, const NcMotion& motion) {
+        if (move.rapid || !move.startKnown || !move.endKnown) {
+            made_.startless += !move.rapid && move.endKnown ? 1 : 0;
+            begins_ = true;
+            return {};
+        }
+        if (move.from.tip == move.to.tip && move.from.axis == move.to.axis) return {};
+        if (Result<void> ready = beginPass(motion); !ready) return ready;
+        ProgramPass& pass = made_.passes.back();
+        if (pass.coolant == Coolant::off && (motion.flood || motion.mist))
+            pass.coolant = motion.flood ? Coolant::flood : Coolant::mist;
+        if (begins_) pass.moves.strokes.push_back({{move.from, moment_++}});
+        begins_ = false;
+        pass.moves.strokes.back().push_back(
+            {move.to, moment_++, true, false, move.feed, motion.spindleOn() ? motion.spindleSpeed : 0.0});
+        pass.length += glm::distance(move.from.tip, move.to.tip);
+        return {};
+    }
+    ProgramPasses finish() { return std::move(made_); }
+
+private:
+    Result<void> beginPass(const NcMotion& motion) {
+        if (!made_.passes.empty() && motion.tool == number_) return {};
+        std::optional<Tool> tool = numbered(tools_, motion.tool);
+        if (!tool) return unknownNumber(tools_.tools, motion.tool);
+        number_ = motion.tool;
+        moment_ = 0;
+        begins_ = true;
+        ProgramPass& pass = made_.passes.emplace_back();
+        pass.moves.info.name = name_;
+        pass.moves.info.toolId = tool->id;
+        pass.tool = std::move(*tool);
+        return {};
+    }
+
+    std::string name_;
+    const ToolChoice& tools_; ///< outlives it
+    ProgramPasses made_;
+    std::int64_t moment_ = 0;
+    int number_ = 0;
+    bool begins_ = true;
+};
+
+} // namespace
+
+Result<ProgramPasses> passesOfProgram(std::string_view text, const std::string& file, const std::string& dialect,
+                                      const MillingContext& milling, const ToolChoice& tools,
+                                      const Progress& progress) {
+    const Result<ParsedProgram> program = read(text, file, dialect);
+    if (!program) return program.error();
+    if (Result<void> one = checkOffsets(*program, file); !one) return std::move(one).error();
+    PassWriter writer(file, tools);
+    for (const ToolMove& move : toolMoves(*program, milling.setup.workOffset, milling.machine)) {
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, "program", {}, {}};
+        if (Result<void> added = writer.add(move, program->motions[move.motion]); !added)
+            return std::move(added).error();
+    }
+    ProgramPasses made = writer.finish();
+    if (made.passes.empty()) return Error{ErrorCode::pathEmpty, file, "", "it has no move at feed"};
+    for (const NcMotion& motion : program->motions) {
+        made.arcs += motion.kind == NcMotionKind::arc ? 1 : 0;
+        made.dwells += motion.kind == NcMotionKind::dwell ? 1 : 0;
+    }
+    for (const ProgramPass& pass : made.passes)
+        if (Result<void> valid = checkGenerated(pass.moves); !valid) return std::move(valid).error();
+    return made;
+}
+
+Result<std::vector<int>> toolNumbersOf(std::string_view text, const std::string& file, const std::string& dialect) {
+    const Result<ParsedProgram> program = read(text, file, dialect);
+    if (!program) return program.error();
+    std::vector<int> numbers;
+    for (const NcMotion& motion : program->motions)
+        if (!motion.rapid() && motion.kind != NcMotionKind::dwell &&
+            std::ranges::find(numbers, motion.tool) == numbers.end())
+            numbers.push_back(motion.tool);
+    return numbers;
+}
+
+StoredPath withProgram(StoredPath path, const std::string& name, Coolant coolant, std::int64_t source) {
+    const bool isNew = path.sources.empty();
+    if (isNew && path.name.empty()) path.name = name;
+    if (isNew) path.edits = programEdits();
+    for (Edit& edit : path.edits)
+        if (auto* feeds = std::get_if<SetFeed>(&edit.parameters)) {
+            feeds->feeds = SetFeed::Feeds::program;
+            if (!isNew) continue;
+            feeds->cooling = coolant == Coolant::flood  ? SetFeed::Cooling::flood
+                             : coolant == Coolant::mist ? SetFeed::Cooling::mist
+                                                        : SetFeed::Cooling::off;
+        }
+    path.sources.push_back({source});
+    return path;
+}
+
+} // namespace burin

@@ -1,0 +1,329 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nc/apt_reader.h"
+
+#include "core/base/numbers.h"
+#include "core/base/trimmed.h"
+#include "core/nc/line_walker.h"
+#include "core/nc/problem.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+constexpr std::string_view spaces = " \t\r\f\v";
+constexpr double millimetresPerInch = 25.4;
+constexpr double uprightWithin = 1e-6;      // of a unit vector's components
+constexpr double onCircleWithin = 0.01;     // mm, that ends of an arc may lie off its circle
+constexpr std::size_t longestRecord = 4096; // characters, continued lines included
+
+/// "GOTO / 1, 2, 3": the word before the slash, and what stands behind it. In capitals.
+struct Record {
+    std::string word;
+    std::vector<std::string> data;
+    std::uint32_t line = 0; ///< of the text, from 1, that it begins in
+
+    bool has(std::string_view wanted) const { return std::ranges::find(data, wanted) != data.end(); }
+    /// From a place on; fewer where they end or where something else stands.
+    std::vector<double> numbers(std::size_t from = 0) const {
+        std::vector<double> read;
+        for (std::size_t i = from; i < data.size(); ++i) {
+            const std::optional<double> number = parseNumber(data[i]);
+            if (!number) break;
+            read.push_back(*number);
+        }
+        return read;
+    }
+};
+
+std::string inCapitals(std::string_view text) {
+    std::string capitals(trimmed(text, spaces));
+    std::ranges::transform(capitals, capitals.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return capitals;
+}
+
+/// Words that text follows, with or without a slash, which may have slashes of its own.
+constexpr std::array textWords{std::string_view("PARTNO"), std::string_view("PPRINT"), std::string_view("REMARK")};
+
+Record recordOf(std::string_view text, std::uint32_t line) {
+    Record record;
+    record.line = line;
+    const std::string first = inCapitals(text.substr(0, text.find_first_of(" \t/")));
+    if (std::ranges::find(textWords, first) != textWords.end()) {
+        record.word = first;
+        record.data.emplace_back(text.substr(first.size()));
+        return record;
+    }
+    const std::size_t slash = text.find('/');
+    record.word = inCapitals(text.substr(0, slash));
+    if (slash == std::string_view::npos) return record;
+    for (std::string_view rest = text.substr(slash + 1);;) {
+        const std::size_t comma = rest.find(',');
+        record.data.push_back(inCapitals(rest.substr(0, comma)));
+        if (comma == std::string_view::npos) return record;
+        rest.remove_prefix(comma + 1);
+    }
+}
+
+/// Puts continued lines together and leaves comments out.
+class RecordReader {
+public:
+    explicit RecordReader(std::string_view text) : lines_(text) {}
+
+    /// Nothing: the text is over. An empty word: a record that is too long.
+    std::optional<Record> next() {
+        std::string text;
+        std::uint32_t first = 0;
+        while (const std::optional<std::string_view> line = lines_.next()) {
+            std::string_view part = *line;
+            part = trimmed(part.substr(0, part.find("$$")), spaces);
+            if (part.empty() && text.empty()) continue;
+            if (text.empty()) first = lines_.number();
+            const bool goesOn = part.ends_with('$');
+            if (goesOn) part.remove_suffix(1);
+            text += part;
+            if (text.size() > longestRecord) return Record{{}, {}, first};
+            if (!goesOn) break;
+        }
+        if (text.empty()) return std::nullopt;
+        return recordOf(text, first);
+    }
+
+private:
+    LineWalker lines_;
+};
+
+constexpr std::array motionWords{std::string_view("GOTO"), std::string_view("GODLTA"), std::string_view("FEDRAT"),
+                                 std::string_view("LOADTL"), std::string_view("PARTNO")};
+
+/// Records that say nothing of where the tool goes at which feed.
+bool movesNothing(const Record& record) {
+    if (std::ranges::find(textWords, record.word) != textWords.end()) return true;
+    // MSYS says where the places' frame lies in the model, which is the program's zero here.
+    constexpr std::array words{"MACHIN", "CUTTER", "INTOL",   "OUTTOL", "TOLER",     "TPRINT", "PAINT",  "DISPLY",
+                               "CLDIST", "TOOLNO", "CLEARP",  "SELECT", "OPSTOP",    "STOP",   "MULTAX", "REWIND",
+                               "UNLOAD", "LINTOL", "CATMAT",  "SEQNO",  "TOOL PATH", "TLDATA", "MSYS",   "END-OF-PATH",
+                               "AUXFUN", "DATE",   "LOADLIB", "END",    "FINI"};
+    return std::ranges::find(words, record.word) != words.end();
+}
+
+/// Makes motions of records, one behind the other.
+class CutterLocations {
+public:
+    /// Nothing: it was taken. Else: why it can't be.
+    std::optional<std::string> take(const Record& record) {
+        const std::string& word = record.word;
+        if (word == "GOTO" || word == "FROM") return go(record, word == "FROM");
+        if (word == "GODLTA") return goBy(record);
+        if (word == "RAPID") {
+            rapid_ = true;
+            return {};
+        }
+        if (word == "CIRCLE" || word == "MOVARC") return turn(record);
+        if (word == "FEDRAT") return feed(record);
+        if (word == "SPINDL") return spindle(record);
+        if (word == "UNITS") return units(record);
+        if (word == "LOADTL" || word == "LOAD") return load(record);
+        if (word == "COOLNT") return coolant(record);
+        if (word == "DELAY") return dwell(record);
+        if (word == "TLAXIS") return isUpright(record.numbers()) ? std::nullopt : tilted();
+        if ((word == "CYCLE" || word == "CUTCOM") && (record.has("OFF") || record.has("NOMORE"))) return {};
+        if (word == "END" || word == "FINI") made_.ended = true;
+        if (movesNothing(record)) return {};
+        return "a record that Burin can't follow: " + shownWords(word, 0, word.size());
+    }
+    ParsedProgram finish(std::size_t records) {
+        made_.blocks = records;
+        return std::move(made_);
+    }
+
+private:
+    using Problem = std::optional<std::string>;
+
+    static Problem tilted() { return "a tool axis other than +Z"; }
+    static bool isUpright(const std::vector<double>& axis) {
+        return axis.size() == 3 && std::abs(axis[0]) <= uprightWithin && std::abs(axis[1]) <= uprightWithin &&
+               std::abs(axis[2] - 1.0) <= uprightWithin;
+    }
+    static Problem incomplete() { return "numbers are missing"; }
+
+    NcMotion begin(const Record& record, NcMotionKind kind) const {
+        NcMotion motion;
+        motion.kind = kind;
+        motion.spindle = spindle_;
+        motion.spindleSpeed = speed_;
+        motion.mist = mist_;
+        motion.flood = flood_;
+        motion.tool = tool_;
+        motion.line = record.line;
+        motion.column = 1;
+        motion.from = AxisValues(place_.value_or(glm::dvec3(0.0)));
+        // Cutter locations say nothing of turning axes: these stay as they are set up.
+        motion.fromKnown = place_ ? allAxes : AxisSet{};
+        motion.toKnown = allAxes;
+        return motion;
+    }
+    Problem go(const Record& record, bool from) {
+        const std::vector<double> numbers = record.numbers();
+        if (numbers.size() != record.data.size() || (numbers.size() != 3 && numbers.size() != 6)) return incomplete();
+        if (numbers.size() == 6 && !isUpright({numbers.begin() + 3, numbers.end()})) return tilted();
+        const glm::dvec3 to = unit_ * glm::dvec3(numbers[0], numbers[1], numbers[2]);
+        if (from) {
+            place_ = to;
+            return {};
+        }
+        return goTo(record, to);
+    }
+    Problem goBy(const Record& record) {
+        const std::vector<double> by = record.numbers();
+        if (by.size() != record.data.size() || (by.size() != 3 && by.size() != 1)) return incomplete();
+        if (!place_) return "a step from a position that is not stated";
+        return goTo(record,
+                    *place_ + unit_ * (by.size() == 1 ? glm::dvec3(0.0, 0.0, by[0]) : glm::dvec3(by[0], by[1], by[2])));
+    }
+    Problem goTo(const Record& record, const glm::dvec3& to) {
+        const auto arc = std::exchange(arc_, std::nullopt);
+        NcMotion motion = begin(record, rapid_ ? NcMotionKind::rapid : arc ? NcMotionKind::arc : NcMotionKind::line);
+        rapid_ = false;
+        motion.to = AxisValues(to);
+        if (motion.kind != NcMotionKind::rapid) {
+            motion.feed = feedPerTurn_ ? feed_ * speed_ : feed_;
+            if (!(motion.feed > 0.0)) return "a move without a feed";
+        }
+        if (motion.kind == NcMotionKind::arc) {
+            if (!place_) return "an arc from a position that is not stated";
+            motion.centre = arc->centre;
+            motion.clockwise = arc->clockwise;
+            for (const glm::dvec3& end : {*place_, to})
+                if (std::abs(std::hypot(end.x - arc->centre.x, end.y - arc->centre.y) - arc->radius) > onCircleWithin)
+                    return "an arc whose ends do not lie on its circle";
+        }
+        place_ = to;
+        made_.motions.push_back(std::move(motion));
+        return {};
+    }
+    /// CIRCLE or MOVARC / centre, axis, radius: the next GOTO ends it.
+    Problem turn(const Record& record) {
+        const std::vector<double> numbers = record.numbers();
+        if (numbers.size() < 7) return incomplete();
+        const glm::dvec3 axis(numbers[3], numbers[4], numbers[5]);
+        if (std::abs(axis.x) > uprightWithin || std::abs(axis.y) > uprightWithin ||
+            std::abs(std::abs(axis.z) - 1.0) > uprightWithin)
+            return "an arc about an axis other than Z";
+        arc_ = Turn{unit_ * glm::dvec3(numbers[0], numbers[1], numbers[2]), unit_ * numbers[6], axis.z < 0.0};
+        return {};
+    }
+    Problem feed(const Record& record) {
+        const std::vector<double> numbers = record.numbers();
+        if (numbers.empty()) return record.has("RAPID") ? setRapid() : incomplete();
+        const double inches = record.has("IPM") || record.has("IPR")     ? millimetresPerInch
+                              : record.has("MMPM") || record.has("MMPR") ? 1.0
+                                                                         : unit_;
+        feed_ = numbers[0] * inches;
+        feedPerTurn_ = record.has("MMPR") || record.has("IPR") || record.has("PERREV");
+        if (record.has("INVERS")) return "a feed by inverse time";
+        if (!(feed_ > 0.0)) return "a feed that is not above 0";
+        return {};
+    }
+    Problem setRapid() {
+        rapid_ = true;
+        return {};
+    }
+    Problem spindle(const Record& record) {
+        if (record.has("OFF")) {
+            spindle_ = SpindleState::off;
+            return {};
+        }
+        if (record.has("SFM") || record.has("SMM")) return "a spindle speed as surface speed";
+        for (const std::string& word : record.data)
+            if (const std::optional<double> number = parseNumber(word)) speed_ = *number;
+        if (!(speed_ >= 0.0)) return "a spindle speed below 0";
+        if (record.has("CCLW")) clockwise_ = false;
+        if (record.has("CLW")) clockwise_ = true;
+        spindle_ = clockwise_ ? SpindleState::clockwise : SpindleState::anticlockwise;
+        made_.maximumSpindleSpeed = std::max(made_.maximumSpindleSpeed, speed_);
+        return {};
+    }
+    Problem units(const Record& record) {
+        if (record.has("MM"))
+            unit_ = 1.0;
+        else if (record.has("INCHES") || record.has("INCH"))
+            unit_ = millimetresPerInch;
+        else
+            return "a unit other than MM and INCHES";
+        return {};
+    }
+    Problem load(const Record& record) {
+        const std::vector<double> numbers = record.numbers(record.word == "LOAD" ? 1 : 0);
+        if (numbers.empty()) return incomplete();
+        if (!(numbers[0] >= 0.0 && numbers[0] < 1e6 && numbers[0] == std::floor(numbers[0])))
+            return "a tool number that is not whole";
+        tool_ = static_cast<int>(numbers[0]);
+        place_.reset(); // the change happens somewhere else
+        return {};
+    }
+    Problem coolant(const Record& record) {
+        mist_ = record.has("MIST");
+        flood_ = !mist_ && !record.has("OFF");
+        return {};
+    }
+    Problem dwell(const Record& record) {
+        const std::vector<double> numbers = record.numbers();
+        if (numbers.empty()) return incomplete();
+        NcMotion motion = begin(record, NcMotionKind::dwell);
+        motion.to = motion.from;
+        motion.toKnown = motion.fromKnown;
+        motion.seconds = numbers[0];
+        made_.motions.push_back(std::move(motion));
+        return {};
+    }
+
+    struct Turn {
+        glm::dvec3 centre;
+        double radius; ///< mm
+        bool clockwise;
+    };
+    ParsedProgram made_;
+    std::optional<glm::dvec3> place_; ///< of the tip, mm
+    std::optional<Turn> arc_;         ///< of the next move
+    double unit_ = 1.0;               ///< mm
+    double feed_ = 0.0, speed_ = 0.0; ///< mm/min, or mm a turn; 1/min
+    SpindleState spindle_ = SpindleState::off;
+    int tool_ = 0;
+    bool rapid_ = false, feedPerTurn_ = false, clockwise_ = true, mist_ = false, flood_ = false;
+};
+
+} // namespace
+
+bool isCutterLocations(std::string_view text) {
+    if (text.find('\0') != std::string_view::npos) return false;
+    RecordReader records(text);
+    std::size_t motions = 0, read = 0;
+    for (std::optional<Record> record = records.next(); record && read < 2000; record = records.next(), ++read)
+        if (!record->data.empty() && std::ranges::find(motionWords, record->word) != motionWords.end()) ++motions;
+    return motions > 0 && 2 * motions + 20 >= read;
+}
+
+Result<ParsedProgram> parseCutterLocations(std::string_view text, const std::string& origin) {
+    CutterLocations locations;
+    RecordReader records(text);
+    std::size_t count = 0;
+    while (const std::optional<Record> record = records.next()) {
+        const std::optional<std::string> problem =
+            record->word.empty() ? std::string(wordingOf(ProgramProblem::lineTooLong)) : locations.take(*record);
+        if (problem) return Error{ErrorCode::programSyntax, origin, "line " + std::to_string(record->line), *problem};
+        ++count;
+        if (record->word == "FINI") break;
+    }
+    return locations.finish(count);
+}
+
+} // namespace burin

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/measure_words.h"
+
+#include "core/base/units.h"
+#include "ui/panels/texts.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace burin {
+
+namespace {
+
+using Kind = MeasuredFace::Kind;
+
+struct MeasureWords {
+    Q_DECLARE_TR_FUNCTIONS(MeasureWords)
+};
+
+QString angleText(double radians) {
+    return fixedNumber(radians * 180.0 / pi, 3) + QStringLiteral("°");
+}
+
+QString positionText(const glm::dvec3& place, LengthUnit unit) {
+    return MeasureWords::tr("X %1, Y %2, Z %3")
+        .arg(lengthText(place.x, unit), lengthText(place.y, unit), lengthText(place.z, unit));
+}
+
+QString shapeText(const MeasuredFace& face, LengthUnit unit) {
+    switch (face.kind) {
+    case Kind::plane:
+        return MeasureWords::tr("Plane.");
+    case Kind::cylinder:
+        return MeasureWords::tr("Cylinder, Ø %1.").arg(lengthText(2.0 * face.radius, unit));
+    case Kind::cone:
+        return MeasureWords::tr("Cone, Ø %1 there, half angle %2.")
+            .arg(lengthText(2.0 * face.radius, unit), angleText(face.taper));
+    case Kind::sphere:
+        return MeasureWords::tr("Sphere, radius %1.").arg(lengthText(face.radius, unit));
+    case Kind::torus:
+        return MeasureWords::tr("Torus, radius of the tube %1.").arg(lengthText(face.radius, unit));
+    case Kind::other:
+        break;
+    }
+    return MeasureWords::tr("Free-form face.");
+}
+
+QStringList faceSentences(const MeasuredFace& face, const glm::dvec3& zero, LengthUnit unit) {
+    QStringList sentences{shapeText(face, unit)};
+    sentences << MeasureWords::tr("Position %1.").arg(positionText(face.place - zero, unit));
+    if (face.thickness) sentences << MeasureWords::tr("Wall thickness %1.").arg(lengthText(*face.thickness, unit));
+    if (face.area > 0.0) sentences << MeasureWords::tr("Area of the face %1.").arg(areaText(face.area, unit));
+    return sentences;
+}
+
+} // namespace
+
+QString mainFigure(const PartMeasure& measure, LengthUnit unit) {
+    if (measure.pair) {
+        if (measure.pair->apart) return lengthText(*measure.pair->apart, unit);
+        if (measure.pair->angle) return angleText(*measure.pair->angle);
+        return lengthText(measure.pair->places, unit);
+    }
+    const MeasuredFace& face = measure.from;
+    if (face.kind == Kind::cylinder || face.kind == Kind::cone)
+        return QStringLiteral("Ø ") + lengthText(2.0 * face.radius, unit);
+    if (face.kind == Kind::sphere || face.kind == Kind::torus)
+        return QStringLiteral("R ") + lengthText(face.radius, unit);
+    return face.thickness ? lengthText(*face.thickness, unit) : QString();
+}
+
+QString measureText(const PartMeasure& measure, const glm::dvec3& zero, LengthUnit unit) {
+    if (!measure.pair || !measure.to) return faceSentences(measure.from, zero, unit).join(QLatin1Char(' '));
+    const MeasuredPair& pair = *measure.pair;
+    QStringList sentences;
+    if (pair.apart)
+        sentences << MeasureWords::tr("Parallel, %1 apart.").arg(lengthText(*pair.apart, unit));
+    else if (pair.angle)
+        sentences << MeasureWords::tr("Angle %1.").arg(angleText(*pair.angle));
+    sentences << MeasureWords::tr("Between the points: %1 (%2).")
+                     .arg(lengthText(pair.places, unit), positionText(measure.to->place - measure.from.place, unit));
+    if (pair.faces)
+        sentences << MeasureWords::tr("Between the faces at their nearest: %1.").arg(lengthText(*pair.faces, unit));
+    sentences
+        << MeasureWords::tr("Between the nearest corners or circle centres: %1.").arg(lengthText(pair.corners, unit));
+    return sentences.join(QLatin1Char(' '));
+}
+
+} // namespace burin

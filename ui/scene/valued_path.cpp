@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/valued_path.h"
+
+#include "core/base/units.h"
+
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QGuiApplication>
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+constexpr double haloWidth = 2.0;                                                    // widths of the line
+constexpr double legendMargin = 16.0, legendTop = 120.0;                             // below the view cube
+constexpr double legendPadding = 8.0, barWide = 16.0, barHigh = 160.0, barGap = 6.0; // device-independent pixels
+constexpr double legendRadius = 4.0;
+constexpr float legendOpacity = 0.85F;
+constexpr int legendMarks = 5;
+
+/// viridis (S. van der Walt, N. Smith, 2015, matplotlib, CC0), nine of its colours.
+constexpr std::array<std::array<int, 3>, 9> viridis{{{68, 1, 84},
+                                                     {71, 44, 122},
+                                                     {59, 81, 139},
+                                                     {44, 113, 142},
+                                                     {33, 144, 141},
+                                                     {39, 173, 129},
+                                                     {92, 200, 99},
+                                                     {170, 220, 50},
+                                                     {253, 231, 37}}};
+const QColor withoutValue(128, 128, 122);
+
+QColor colourOf(const ValuedPiece& piece, const PathValues& values) {
+    if (!piece.value) return withoutValue;
+    const double range = values.high - values.low;
+    return valueColour(range > 0.0 ? (*piece.value - values.low) / range : 1.0);
+}
+
+/// As many digits as tell the marks of a scale apart.
+int decimalsFor(double range) {
+    if (!(range > 0.0)) return 3;
+    return std::clamp(static_cast<int>(std::ceil(-std::log10(range / (legendMarks - 1)))) + 1, 0, 4);
+}
+
+/// Values and unit as the user reads lengths.
+struct ShownUnit {
+    double factor = 1.0;
+    QString text;
+};
+ShownUnit shownUnit(PathQuantity quantity, LengthUnit unit) {
+    const bool inch = unit == LengthUnit::inch;
+    switch (quantity) {
+    case PathQuantity::feed:
+        return inch ? ShownUnit{1.0 / millimetresPerInch, QStringLiteral("in/min")}
+                    : ShownUnit{1.0, QStringLiteral("mm/min")};
+    case PathQuantity::height:
+    case PathQuantity::deviation:
+        return inch ? ShownUnit{1.0 / millimetresPerInch, QStringLiteral("in")} : ShownUnit{1.0, QStringLiteral("mm")};
+    default: {
+        const std::string_view text = unitOf(quantity);
+        return {1.0, QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()))};
+    }
+    }
+}
+
+} // namespace
+
+QColor valueColour(double share) {
+    const double along = std::clamp(share, 0.0, 1.0) * static_cast<double>(viridis.size() - 1);
+    const std::size_t below = std::min(static_cast<std::size_t>(along), viridis.size() - 2);
+    std::array<int, 3> colour{};
+    for (std::size_t i = 0; i < colour.size(); ++i)
+        colour[i] = static_cast<int>(
+            std::lround(std::lerp(viridis[below][i], viridis[below + 1][i], along - static_cast<double>(below))));
+    return {colour[0], colour[1], colour[2]};
+}
+
+ValuedPath::ValuedPath(vtkRenderer& renderer)
+    : renderer_(renderer)
+    , halo_(raisedLineActor(vtkNew<vtkPolyData>(), seamHeight))
+    , line_(raisedLineActor(vtkNew<vtkPolyData>(), overSeamHeight))
+    , scale_(renderer) {
+    line_->GetMapper()->ScalarVisibilityOn();
+    renderer_.AddActor(halo_);
+    renderer_.AddActor(line_);
+    setVisible(true);
+}
+
+ValuedPath::~ValuedPath() {
+    renderer_.RemoveActor(halo_);
+    renderer_.RemoveActor(line_);
+}
+
+void ValuedPath::setPalette(const Palette& palette) {
+    setColour(*halo_, palette.pathHalo);
+    text_ = palette.text;
+    plate_ = palette.panel;
+    ratio_ = 0.0;
+}
+
+void ValuedPath::setUnit(LengthUnit unit) {
+    unit_ = unit;
+    ratio_ = 0.0;
+}
+
+void ValuedPath::setLineWidth(double screenPixels) {
+    burin::setLineWidth(*line_, screenPixels);
+    burin::setLineWidth(*halo_, haloWidth * screenPixels);
+}
+
+void ValuedPath::setValues(std::shared_ptr<const PathValues> values) {
+    values_ = std::move(values);
+    std::vector<LineEnds> lines;
+    vtkNew<vtkUnsignedCharArray> colours;
+    colours->SetNumberOfComponents(3);
+    if (values_)
+        for (const ValuedPiece& piece : values_->pieces) {
+            const QColor colour = colourOf(piece, *values_);
+            lines.emplace_back(piece.from, piece.to);
+            colours->InsertNextTuple3(colour.red(), colour.green(), colour.blue());
+        }
+    const vtkSmartPointer<vtkPolyData> data = lineData(lines);
+    data->GetCellData()->SetScalars(colours);
+    for (vtkActor* actor : {halo_.Get(), line_.Get()})
+        vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(data);
+    ratio_ = 0.0;
+    setVisible(visible_);
+}
+
+void ValuedPath::setVisible(bool visible) {
+    visible_ = visible;
+    halo_->SetVisibility(shown());
+    line_->SetVisibility(shown());
+    scale_.setVisible(shown());
+}
+
+void ValuedPath::place(const QSizeF& size, double ratio) {
+    if (!shown()) return;
+    if (ratio != ratio_) {
+        ratio_ = ratio;
+        drawScale();
+    }
+    scale_.setPosition(QPointF(size.width() - scale_.size().width() / ratio - legendMargin, legendTop) * ratio,
+                       static_cast<int>(std::lround(size.height() * ratio)));
+}
+
+void ValuedPath::drawScale() {
+    const ShownUnit unit = shownUnit(values_->quantity, unit_);
+    const TextId title = titleOf(values_->quantity);
+    const QString heading =
+        QStringLiteral("%1, %2").arg(QCoreApplication::translate(title.context, title.text), unit.text);
+    const double low = unit.factor * values_->low, high = unit.factor * values_->high;
+    const int marks = high > low ? legendMarks : 1;
+    QStringList numbers;
+    for (int i = 0; i < marks; ++i)
+        numbers << fixedNumber(marks == 1 ? low : std::lerp(low, high, i / (marks - 1.0)), decimalsFor(high - low));
+    const QFontMetricsF metrics(QGuiApplication::font());
+    double widest = 0.0;
+    for (const QString& number : numbers) widest = std::max(widest, metrics.horizontalAdvance(number));
+    const QSizeF size(std::max(metrics.horizontalAdvance(heading), barWide + barGap + widest) + 2.0 * legendPadding,
+                      2.5 * metrics.height() + barHigh + 2.0 * legendPadding);
+    QImage image((size * ratio_).toSize(), QImage::Format_RGBA8888);
+    image.setDevicePixelRatio(ratio_);
+    QColor plate = plate_;
+    plate.setAlpha(0);
+    image.fill(plate);
+    plate.setAlphaF(legendOpacity);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(plate);
+    painter.drawRoundedRect(QRectF(QPointF(0.0, 0.0), size), legendRadius, legendRadius);
+    painter.setPen(text_);
+    painter.drawText(QPointF(legendPadding, legendPadding + metrics.ascent()), heading);
+    const double top = legendPadding + 2.0 * metrics.height(), bottom = top + barHigh;
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    for (int row = 0; row < static_cast<int>(barHigh); ++row)
+        painter.fillRect(QRectF(legendPadding, bottom - row - 1.0, barWide, 1.0),
+                         valueColour(marks == 1 ? 1.0 : (row + 0.5) / barHigh));
+    for (int i = 0; i < marks; ++i) {
+        const double y = marks == 1 ? 0.5 * (top + bottom) : std::lerp(bottom, top, i / (marks - 1.0));
+        painter.drawText(QPointF(legendPadding + barWide + barGap, y + 0.5 * (metrics.ascent() - metrics.descent())),
+                         numbers[i]);
+    }
+    painter.end();
+    scale_.setImage(image);
+}
+
+} // namespace burin

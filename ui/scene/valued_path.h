@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/job/path_values.h"
+#include "ui/scene/actors.h"
+#include "ui/scene/label.h"
+#include "ui/theme/length_unit.h"
+#include "ui/theme/theme.h"
+
+#include <vtkRenderer.h>
+
+#include <memory>
+
+namespace burin {
+
+/// Moves at feed in the colours of a quantity, with a seam as other lines have, and the scale of its colours in the
+/// picture's upper right corner: dark for low values, bright for high ones, which a colour-blind eye and grey tell
+/// apart as well. What has no value is grey.
+class ValuedPath {
+public:
+    explicit ValuedPath(vtkRenderer& renderer);
+    ~ValuedPath();
+    ValuedPath(const ValuedPath&) = delete;
+    ValuedPath& operator=(const ValuedPath&) = delete;
+
+    void setPalette(const Palette& palette);
+    void setUnit(LengthUnit unit);
+    void setLineWidth(double screenPixels);
+    /// Null: none, and no scale.
+    void setValues(std::shared_ptr<const PathValues> values);
+    void setVisible(bool visible);
+    bool shown() const noexcept { return visible_ && values_ != nullptr; }
+    /// Before each paint. @param ratio screen pixels a device-independent one
+    void place(const QSizeF& size, double ratio);
+
+private:
+    void drawScale();
+
+    vtkRenderer& renderer_;
+    vtkSmartPointer<vtkActor> halo_, line_;
+    ScreenImage scale_;
+    std::shared_ptr<const PathValues> values_;
+    QColor text_, plate_;
+    LengthUnit unit_{}; ///< millimetre
+    double ratio_ = 0.0;
+    bool visible_ = true;
+};
+
+/// sRGB, of a share of the way from the lowest value to the highest, 0 … 1.
+QColor valueColour(double share);
+
+} // namespace burin

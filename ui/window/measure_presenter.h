@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/actions/actions.h"
+#include "ui/input/face_picker.h"
+#include "ui/scene/viewport.h"
+#include "ui/window/presenter.h"
+
+namespace burin {
+
+/// Asks for places to measure, until Esc ends it.
+class MeasurePicker final : public FacePicker {
+    Q_OBJECT
+public:
+    using FacePicker::FacePicker;
+    QString escapeMeaning() override { return tr("Esc: end measuring"); }
+};
+
+/// Has the part measured by clicks in the view, and shows what came of it there and above the view.
+class MeasurePresenter final : public Presenter {
+    Q_OBJECT
+public:
+    MeasurePresenter(Workbench& workbench, Viewport& viewport, QObject* parent);
+    void connectActions(const Actions& actions);
+
+signals:
+    void told(const QString& sentences); ///< what was measured, or what to do
+
+private:
+    void present() override;
+    void ask(bool wanted);
+    MeasureMark markOf(const PartMeasure& measure) const;
+
+    Viewport& viewport_;
+    MeasurePicker picker_;
+    QAction* action_ = nullptr;
+    InteractiveTool* before_ = nullptr; ///< that the view had before
+    std::shared_ptr<const PartMeasure> told_;
+    bool asking_ = false;
+};
+
+} // namespace burin
