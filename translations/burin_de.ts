@@ -779,6 +779,30 @@
         <source>Put docks and panels back to where they were at first.</source>
         <translation>Andockfenster und Bereiche wieder dorthin legen, wo sie anfangs waren.</translation>
     </message>
+    <message>
+        <source>Export a p&amp;icture…</source>
+        <translation>B&amp;ild exportieren…</translation>
+    </message>
+    <message>
+        <source>Write what the view shows to a PNG file.</source>
+        <translation>Was die Ansicht zeigt, in eine PNG-Datei schreiben.</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts…</source>
+        <translation>&amp;Tastenkürzel…</translation>
+    </message>
+    <message>
+        <source>Give actions other keys.</source>
+        <translation>Befehlen andere Tasten geben.</translation>
+    </message>
+    <message>
+        <source>Pro&amp;ject tree</source>
+        <translation>Pro&amp;jektbaum</translation>
+    </message>
+    <message>
+        <source>Show setups, bodies, fixtures, tools, takes, paths and program as a tree.</source>
+        <translation>Aufspannungen, Körper, Vorrichtungen, Werkzeuge, Aufnahmen, Bahnen und Programm als Baum zeigen.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -4683,6 +4707,14 @@
     <message>
         <source>Programs and cutter locations (%1);;All files (*)</source>
         <translation>Programme und CL-Daten (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export a picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
     </message>
 </context>
 <context>
@@ -9108,6 +9140,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Update this edit to its current version; its result changes</source>
         <translation>Diese Bearbeitung auf ihre heutige Fassung bringen; ihr Ergebnis ändert sich</translation>
     </message>
+    <message>
+        <source>Show in the view where the error is the largest</source>
+        <translation>In der Ansicht zeigen, wo der Fehler am größten ist</translation>
+    </message>
 </context>
 <context>
     <name>burin::EditFieldEditor</name>
@@ -10589,27 +10625,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>%1 of the program at feed became a path, with its feeds and speeds. Links replace its rapids.</source>
         <translation>%1 des Programms im Vorschub wurden eine Bahn, mit Vorschüben und Drehzahlen. Verbindungen ersetzen die Eilgänge.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n arc(s) became chords within 0.001 mm; “Fit arcs” makes arcs of them again.</source>
-        <translation>
-            <numerusform>%n Bogen wurde zu Sehnen innerhalb von 0,001 mm; „Bögen einpassen“ macht daraus wieder Bögen.</numerusform>
-            <numerusform>%n Bögen wurden zu Sehnen innerhalb von 0,001 mm; „Bögen einpassen“ macht daraus wieder Bögen.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n dwell(s) were left out.</source>
-        <translation>
-            <numerusform>%n Verweilzeit wurde weggelassen.</numerusform>
-            <numerusform>%n Verweilzeiten wurden weggelassen.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n move(s) were left out: the program does not state where they begin.</source>
-        <translation>
-            <numerusform>%n Bewegung wurde weggelassen: Das Programm nennt nicht, wo sie beginnt.</numerusform>
-            <numerusform>%n Bewegungen wurden weggelassen: Das Programm nennt nicht, wo sie beginnen.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>History</source>
         <translation>Verlauf</translation>
@@ -10625,6 +10640,51 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Hide the history</source>
         <translation>Verlauf ausblenden</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Hide the project tree</source>
+        <translation>Projektbaum ausblenden</translation>
+    </message>
+    <message>
+        <source>1 arc became chords within 0.001 mm; “Fit arcs” makes an arc of them again.</source>
+        <translation>1 Bogen wurde zu Sehnen innerhalb von 0,001 mm; „Bögen einpassen“ macht daraus wieder einen Bogen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n arcs became chords within 0.001 mm; “Fit arcs” makes arcs of them again.</source>
+        <translation>
+            <numerusform>%n Bogen wurde zu Sehnen innerhalb von 0,001 mm; „Bögen einpassen“ macht daraus wieder Bögen.</numerusform>
+            <numerusform>%n Bögen wurden zu Sehnen innerhalb von 0,001 mm; „Bögen einpassen“ macht daraus wieder Bögen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 dwell was left out.</source>
+        <translation>1 Verweilzeit wurde weggelassen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dwells were left out.</source>
+        <translation>
+            <numerusform>%n Verweilzeit wurde weggelassen.</numerusform>
+            <numerusform>%n Verweilzeiten wurden weggelassen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 move was left out: the program does not state where it begins.</source>
+        <translation>1 Bewegung wurde weggelassen: Das Programm nennt nicht, wo sie beginnt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n moves were left out: the program does not state where they begin.</source>
+        <translation>
+            <numerusform>%n Bewegung wurde weggelassen: Das Programm nennt nicht, wo sie beginnt.</numerusform>
+            <numerusform>%n Bewegungen wurden weggelassen: Das Programm nennt nicht, wo sie beginnen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The picture was written to “%1”.</source>
+        <translation>Das Bild wurde in „%1“ geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -12712,6 +12772,13 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::ProjectTree</name>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+</context>
+<context>
     <name>burin::QuantityField</name>
     <message>
         <source>%1 is out of range (%2 to %3). The value stays at %4.</source>
@@ -13210,7 +13277,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Fixtures and keep-out volumes</source>
-        <translation>Spannmittel und Sperrräume</translation>
+        <translation>Vorrichtungen und Sperrräume</translation>
     </message>
     <message>
         <source>None.</source>
@@ -13218,7 +13285,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>fixture</source>
-        <translation>Spannmittel</translation>
+        <translation>Vorrichtung</translation>
     </message>
     <message>
         <source>keep out</source>
@@ -13367,6 +13434,77 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>From zero to the stock: right, back, top</source>
         <translation>Von Null zum Rohteil: rechts, hinten, oben</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ShortcutDialog</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Show only actions whose name, tooltip or keys contain this.</source>
+        <translation>Nur Befehle zeigen, deren Name, Hinweis oder Tasten dies enthalten.</translation>
+    </message>
+    <message>
+        <source>Actions and their keys</source>
+        <translation>Befehle und ihre Tasten</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>New keys</source>
+        <translation>Neue Tasten</translation>
+    </message>
+    <message>
+        <source>Click here and press the new keys.</source>
+        <translation>Hier klicken und die neuen Tasten drücken.</translation>
+    </message>
+    <message>
+        <source>&amp;Assign</source>
+        <translation>&amp;Zuweisen</translation>
+    </message>
+    <message>
+        <source>The selected action gets these keys.</source>
+        <translation>Der gewählte Befehl bekommt diese Tasten.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>The selected action has no keys.</source>
+        <translation>Der gewählte Befehl hat keine Tasten.</translation>
+    </message>
+    <message>
+        <source>Re&amp;set</source>
+        <translation>Zu&amp;rücksetzen</translation>
+    </message>
+    <message>
+        <source>The selected action gets its first keys back.</source>
+        <translation>Der gewählte Befehl bekommt seine ersten Tasten zurück.</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>All actions get their first keys back.</source>
+        <translation>Alle Befehle bekommen ihre ersten Tasten zurück.</translation>
+    </message>
+    <message>
+        <source>“%1” has these keys now, and would have none.</source>
+        <translation>„%1“ hat diese Tasten jetzt und hätte dann keine.</translation>
     </message>
 </context>
 <context>
@@ -14657,6 +14795,184 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Add this point to the curve (Enter in the torque field)</source>
         <translation>Diesen Punkt zur Kurve hinzufügen (Eingabetaste im Feld des Drehmoments)</translation>
+    </message>
+</context>
+<context>
+    <name>burin::TreePresenter</name>
+    <message>
+        <source>Setups</source>
+        <translation>Aufspannungen</translation>
+    </message>
+    <message>
+        <source>Double click: work in this setup.</source>
+        <translation>Doppelklick: in dieser Aufspannung arbeiten.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Tick: shown in the view.</source>
+        <translation>Häkchen: in der Ansicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Fixtures and keep-out volumes</source>
+        <translation>Vorrichtungen und Sperrräume</translation>
+    </message>
+    <message>
+        <source>fixture</source>
+        <translation>Vorrichtung</translation>
+    </message>
+    <message>
+        <source>keep-out</source>
+        <translation>Sperrraum</translation>
+    </message>
+    <message>
+        <source>Tick: the tool keeps clear of it.</source>
+        <translation>Häkchen: Das Werkzeug hält Abstand davon.</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Double click: load this tool.</source>
+        <translation>Doppelklick: dieses Werkzeug einsetzen.</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Right click: switch it off and on, rename or delete it.</source>
+        <translation>Rechtsklick: aus- und einschalten, umbenennen oder löschen.</translation>
+    </message>
+    <message>
+        <source>Paths</source>
+        <translation>Bahnen</translation>
+    </message>
+    <message>
+        <source>1 edit</source>
+        <translation>1 Schritt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits</source>
+        <translation>
+            <numerusform>%n Schritt</numerusform>
+            <numerusform>%n Schritte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Double click: load its tool and edit it.</source>
+        <translation>Doppelklick: ihr Werkzeug einsetzen und sie bearbeiten.</translation>
+    </message>
+    <message>
+        <source>Right click: order and delete passes.</source>
+        <translation>Rechtsklick: Durchgänge ordnen und löschen.</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation>nicht geprüft</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>veraltet</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>overridden</source>
+        <translation>trotz Befund freigegeben</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>Double click: show its text and findings.</source>
+        <translation>Doppelklick: Text und Befunde zeigen.</translation>
+    </message>
+    <message>
+        <source>&amp;Work in it</source>
+        <translation>&amp;Darin arbeiten</translation>
+    </message>
+    <message>
+        <source>Switch to this setup.</source>
+        <translation>Zu dieser Aufspannung wechseln.</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Rename the setup.</source>
+        <translation>Die Aufspannung umbenennen.</translation>
+    </message>
+    <message>
+        <source>Rename the setup</source>
+        <translation>Aufspannung umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the setup, if nothing was recorded in it.</source>
+        <translation>Die Aufspannung löschen, wenn in ihr nichts aufgenommen wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>&amp;Ausblenden</translation>
+    </message>
+    <message>
+        <source>Draw this body again.</source>
+        <translation>Diesen Körper wieder zeichnen.</translation>
+    </message>
+    <message>
+        <source>Do not draw this body; nothing else changes.</source>
+        <translation>Diesen Körper nicht zeichnen; sonst ändert sich nichts.</translation>
+    </message>
+    <message>
+        <source>Show this one &amp;alone</source>
+        <translation>&amp;Nur diesen zeigen</translation>
+    </message>
+    <message>
+        <source>Hide all other bodies.</source>
+        <translation>Alle anderen Körper ausblenden.</translation>
+    </message>
+    <message>
+        <source>Show a&amp;ll</source>
+        <translation>A&amp;lle zeigen</translation>
+    </message>
+    <message>
+        <source>Draw all bodies again.</source>
+        <translation>Alle Körper wieder zeichnen.</translation>
+    </message>
+    <message>
+        <source>Delete it from the setup.</source>
+        <translation>Aus der Aufspannung löschen.</translation>
+    </message>
+    <message>
+        <source>Mill it &amp;earlier</source>
+        <translation>&amp;Früher fräsen</translation>
+    </message>
+    <message>
+        <source>Mill this pass before the one above.</source>
+        <translation>Diesen Durchgang vor dem darüber fräsen.</translation>
+    </message>
+    <message>
+        <source>Delete this pass.</source>
+        <translation>Diesen Durchgang löschen.</translation>
     </message>
 </context>
 <context>

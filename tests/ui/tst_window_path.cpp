@@ -3,6 +3,7 @@
 #include "core/geometry/arc.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
+#include "ui/scene/camera_view.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -118,6 +119,7 @@ private slots:
     void placesAreDraggedStretchesDrawnAndEditsOrdered();
     void anAreaIsDrawnAndEmptied();
     void theMirrorsPlaneIsDrawn();
+    void theWorstPlaceOfAnEditIsShown();
 };
 
 void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
@@ -335,7 +337,7 @@ void TestWindowPath::theMirrorsPlaneIsDrawn() {
     const double before = rightEnd();
 
     // By the shortcut: a line along Y, roughly, makes a plane across X.
-    driver.key(Qt::Key_D, Qt::ControlModifier | Qt::ShiftModifier);
+    driver.key(Qt::Key_D, Qt::ControlModifier | Qt::AltModifier);
     const QString button = QStringLiteral("edit%1_at_mm_draw").arg(placeOf(workbench, "mirror"));
     auto* draw = driver.window().findChild<QAbstractButton*>(button);
     QVERIFY(draw != nullptr && !draw->toolTip().isEmpty());
@@ -363,6 +365,28 @@ void TestWindowPath::theMirrorsPlaneIsDrawn() {
     QVERIFY(driver.waitFor([&] { return mirror().across == Mirror::Across::x; }, 3000));
     QVERIFY(std::abs(mirror().at - zero.x - 4.0) < 0.3);
     QVERIFY(evaluatedAgain(driver));
+}
+
+/// The eye on an edit's card brings the place of its largest error to the picture's middle.
+void TestWindowPath::theWorstPlaceOfAnEditIsShown() {
+    WindowDriver driver(QSize(1280, 920));
+    Workbench& workbench = driver.window().workbench();
+    QVERIFY(makePath(driver));
+    QVERIFY(driver.waitFor([&] { return workbench.path.evaluated() != nullptr; }));
+    QVERIFY(driver.settle());
+    auto* viewport = driver.visible<Viewport>("viewport");
+    const std::vector<EditReport>& reports = workbench.path.evaluated()->reports; // one for each edit: all are on
+    std::size_t shown = 0;
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+        auto* eye = driver.window().findChild<QAbstractButton*>(QStringLiteral("edit%1Worst").arg(i));
+        QVERIFY(eye != nullptr);
+        QCOMPARE(eye->isVisibleTo(eye->parentWidget()), reports[i].largestDeviation > 0.0);
+        if (!(reports[i].largestDeviation > 0.0)) continue;
+        eye->click();
+        QVERIFY(glm::distance(viewport->cameraView().focus, reports[i].worstPlace) < 1e-9);
+        ++shown;
+    }
+    QVERIFY(shown > 0);
 }
 
 BURIN_TEST(TestWindowPath, QApplication)

@@ -4,6 +4,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace burin {
 
 namespace {
@@ -45,6 +47,8 @@ constexpr std::array rows{
     Row{ActionId::exportSheet, "exportSheetAction", QT_TRANSLATE_NOOP("Actions", "Export the setup s&heet…"),
         QT_TRANSLATE_NOOP("Actions", "Write a page for the machine: pictures, zero, fixtures, tools, times, findings."),
         "Ctrl+Shift+H"},
+    Row{ActionId::exportPicture, "exportPictureAction", QT_TRANSLATE_NOOP("Actions", "Export a p&icture…"),
+        QT_TRANSLATE_NOOP("Actions", "Write what the view shows to a PNG file."), "Ctrl+Shift+G"},
     Row{ActionId::undo, "undoAction", QT_TRANSLATE_NOOP("Actions", "&Undo"),
         QT_TRANSLATE_NOOP("Actions", "Undo the last change."), "Ctrl+Z"},
     Row{ActionId::redo, "redoAction", QT_TRANSLATE_NOOP("Actions", "&Redo"),
@@ -54,6 +58,8 @@ constexpr std::array rows{
         "Ctrl+H", true},
     Row{ActionId::preferences, "preferencesAction", QT_TRANSLATE_NOOP("Actions", "&Preferences…"),
         QT_TRANSLATE_NOOP("Actions", "Unit, theme and language."), "Ctrl+,"},
+    Row{ActionId::shortcuts, "shortcutsAction", QT_TRANSLATE_NOOP("Actions", "&Keyboard shortcuts…"),
+        QT_TRANSLATE_NOOP("Actions", "Give actions other keys."), "Ctrl+Shift+,"},
     Row{ActionId::quit, "quitAction", QT_TRANSLATE_NOOP("Actions", "&Quit"),
         QT_TRANSLATE_NOOP("Actions", "Quit Burin."), "Ctrl+Q"},
     Row{ActionId::fit, "fitAction", QT_TRANSLATE_NOOP("Actions", "&Fit"),
@@ -208,7 +214,7 @@ constexpr std::array rows{
         "Ctrl+D"},
     Row{ActionId::drawEdit, "drawEditAction", QT_TRANSLATE_NOOP("Actions", "Draw for an ed&it"),
         QT_TRANSLATE_NOOP("Actions", "Draw the area, the guide or the mirror plane of the last edit that has one."),
-        "Ctrl+Shift+D"},
+        "Ctrl+Alt+D"},
     Row{ActionId::post, "postAction", QT_TRANSLATE_NOOP("Actions", "&Post and check"),
         QT_TRANSLATE_NOOP("Actions", "Make the program, read it back and check it."), "F6"},
     Row{ActionId::findInProgram, "findAction", QT_TRANSLATE_NOOP("Actions", "&Find in the program"),
@@ -218,6 +224,9 @@ constexpr std::array rows{
         "F7", true},
     Row{ActionId::showTimeline, "timelineAction", QT_TRANSLATE_NOOP("Actions", "Time&line"),
         QT_TRANSLATE_NOOP("Actions", "Show the takes along their time below the view."), "F9", true},
+    Row{ActionId::showTree, "treeAction", QT_TRANSLATE_NOOP("Actions", "Pro&ject tree"),
+        QT_TRANSLATE_NOOP("Actions", "Show setups, bodies, fixtures, tools, takes, paths and program as a tree."),
+        "Ctrl+F10", true},
     Row{ActionId::resetLayout, "resetLayoutAction", QT_TRANSLATE_NOOP("Actions", "Reset the &window layout"),
         QT_TRANSLATE_NOOP("Actions", "Put docks and panels back to where they were at first."), "Ctrl+Shift+F9"},
     Row{ActionId::playTime, "playAction", QT_TRANSLATE_NOOP("Actions", "&Play or pause"),
@@ -259,6 +268,11 @@ static_assert(rows.size() == static_cast<std::size_t>(ActionId::count));
 
 } // namespace
 
+QKeySequence Actions::firstShortcut(ActionId id) {
+    const auto row = std::ranges::find(rows, id, &Row::id);
+    return row != rows.end() ? QKeySequence(QString::fromLatin1(row->shortcut)) : QKeySequence();
+}
+
 Actions::Actions(QObject* parent) : QObject(parent) {
     for (const Row& row : rows) {
         auto* action = new QAction(QCoreApplication::translate(context, row.text), this);
@@ -266,7 +280,7 @@ Actions::Actions(QObject* parent) : QObject(parent) {
         const QString tip = QCoreApplication::translate(context, row.toolTip);
         action->setToolTip(tip);
         action->setStatusTip(tip);
-        action->setShortcut(QKeySequence(QString::fromLatin1(row.shortcut)));
+        action->setShortcut(firstShortcut(row.id));
         action->setCheckable(row.checkable);
         if (row.checkable) action->setChecked(row.id != ActionId::showPart);
         actions_[static_cast<std::size_t>(row.id)] = action;
@@ -276,6 +290,7 @@ Actions::Actions(QObject* parent) : QObject(parent) {
     (*this)[ActionId::sectionPlane]->setChecked(false);
     (*this)[ActionId::measure]->setChecked(false);
     (*this)[ActionId::showHistory]->setChecked(false);
+    (*this)[ActionId::showTree]->setChecked(false);
     (*this)[ActionId::programDock]->setChecked(false);
     (*this)[ActionId::millMode]->setChecked(false);
     (*this)[ActionId::raster]->setChecked(false);

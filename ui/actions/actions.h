@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QAction>
+#include <QKeySequence>
 #include <QObject>
 
 #include <array>
@@ -22,10 +23,12 @@ enum class ActionId : std::size_t {
     exportProgram,
     exportWorkpiece,
     exportSheet,
+    exportPicture,
     undo, ///< its text and that of redo name what it would do
     redo,
     showHistory,
     preferences,
+    shortcuts,
     quit,
     fit,
     viewIsometric,
@@ -95,6 +98,7 @@ enum class ActionId : std::size_t {
     findInProgram,
     programDock,
     showTimeline,
+    showTree,
     resetLayout,
     playTime,
     presentTime,
@@ -119,6 +123,8 @@ class Actions final : public QObject {
 public:
     explicit Actions(QObject* parent = nullptr);
 
+    /// Keys that an action has as long as the user gives it no others.
+    static QKeySequence firstShortcut(ActionId id);
     QAction* operator[](ActionId id) const { return actions_[static_cast<std::size_t>(id)]; }
 
 private:

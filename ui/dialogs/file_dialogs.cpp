@@ -140,6 +140,11 @@ QString askToolExport(QWidget* parent, const QString& folder, const QString& nam
                      FileDialogs::tr("Tools for other programs (*.fctb *.tbl *.tools *.ctbl *.json)"));
 }
 
+QString askPictureToExport(QWidget* parent, const QString& folder, const QString& name) {
+    return askToSave(parent, FileDialogs::tr("Export a picture"), folder, name, QStringLiteral("png"),
+                     FileDialogs::tr("Pictures (*.png)"));
+}
+
 QString askSheetToExport(QWidget* parent, const QString& folder, const QString& name) {
     return askToSave(parent, FileDialogs::tr("Export the setup sheet"), folder, name, QStringLiteral("html"),
                      FileDialogs::tr("Web pages (*.html)"));

@@ -38,6 +38,7 @@ QString askProgramToExport(QWidget* parent, const QString& folder, const QString
 /// With the ending .stl unless the user gave another.
 /// One page. @param name without its ending; empty: cancelled
 QString askSheetToExport(QWidget* parent, const QString& folder, const QString& name);
+QString askPictureToExport(QWidget* parent, const QString& folder, const QString& name);
 QString askWorkpieceToExport(QWidget* parent, const QString& folder, const QString& name);
 
 } // namespace burin

@@ -21,6 +21,7 @@ constexpr const char* timelineCurvesKey = "timeline_curves";
 constexpr const char* metersKey = "meters_folded";
 constexpr const char* parallelKey = "parallel_view";
 constexpr const char* transparencyKey = "workpiece_transparency";
+constexpr const char* shortcutsKey = "shortcuts";
 constexpr const char* deviceKey = "device";
 constexpr const char* viewDeviceKey = "viewDevice";
 constexpr const char* deviceModeKey = "device_mode";
@@ -138,6 +139,19 @@ bool UserSettings::parallelView() const {
 
 void UserSettings::setParallelView(bool parallel) {
     settings_.setValue(parallelKey, parallel);
+}
+
+QMap<QString, QString> UserSettings::shortcuts() const {
+    QMap<QString, QString> shortcuts;
+    const QVariantMap stored = settings_.value(shortcutsKey).toMap();
+    for (auto at = stored.begin(); at != stored.end(); ++at) shortcuts.insert(at.key(), at.value().toString());
+    return shortcuts;
+}
+
+void UserSettings::setShortcuts(const QMap<QString, QString>& shortcuts) {
+    QVariantMap stored;
+    for (auto at = shortcuts.begin(); at != shortcuts.end(); ++at) stored.insert(at.key(), at.value());
+    settings_.setValue(shortcutsKey, stored);
 }
 
 int UserSettings::transparency() const {

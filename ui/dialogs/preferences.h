@@ -6,6 +6,7 @@
 #include "ui/theme/length_unit.h"
 #include "ui/theme/theme.h"
 
+#include <QMap>
 #include <QSettings>
 #include <QString>
 #include <QStringList>
@@ -49,6 +50,9 @@ public:
     void setTimelineShown(bool shown);
     QStringList timelineCurves() const; ///< names of those that are on
     void setTimelineCurves(const QStringList& curves);
+    /// Keys that the user gave actions, by object name; an empty text: none.
+    QMap<QString, QString> shortcuts() const;
+    void setShortcuts(const QMap<QString, QString>& shortcuts);
     bool metersFolded() const;
     void setMetersFolded(bool folded);
     bool parallelView() const;

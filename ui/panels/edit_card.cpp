@@ -30,7 +30,14 @@ EditCard::EditCard(std::size_t place, const Edit& edit, QWidget* parent) : QFram
     report_->setObjectName(name + QStringLiteral("Report"));
     report_->setProperty("look", "small");
     report_->setFont(numberFont(report_->font()));
-    column->addWidget(report_);
+    worst_ = makeIconButton(QStringLiteral("eye"), tr("Show in the view where the error is the largest"),
+                            name + QStringLiteral("Worst"), this);
+    connect(worst_, &QToolButton::clicked, this, [this] { emit placeWanted(worstPlace_); });
+    auto* line = new QHBoxLayout;
+    line->setSpacing(0);
+    line->addWidget(report_, 1);
+    line->addWidget(worst_);
+    column->addLayout(line);
     showEdit(edit, zero_, {});
     showReport(nullptr, LengthUnit::millimetre, zero_);
 }
@@ -112,6 +119,9 @@ void EditCard::showReport(const EditReport* report, LengthUnit unit, const glm::
     if (report != nullptr) lines = {omissionLines(*report, zero, unit), plungeLines(*report, zero, unit)};
     lines.removeAll(QString());
     report_->setToolTip(lines.join(QLatin1Char('\n')));
+    const bool hasError = report != nullptr && report->largestDeviation > 0.0;
+    worst_->setVisible(hasError);
+    if (hasError) worstPlace_ = report->worstPlace;
     if (report == nullptr) return report_->setText(QString(QChar::Nbsp)); // as high as one: the fields below stay
     QString text = tr("%1 → %2 points").arg(countText(report->pointsBefore), countText(report->pointsAfter));
     for (const QString& first : {entriesText(*report), omittedText(*report, unit)})

@@ -40,6 +40,7 @@ signals:
     void moveRequested(int by); ///< -1: one place earlier, 1: one later
     void removalRequested();
     void drawingWanted(const QString& key, bool wanted); ///< of a parameter
+    void placeWanted(const glm::dvec3& place);           ///< mm, setup frame: where its error is the largest
 
 private:
     void addHead(const QString& name);
@@ -49,7 +50,8 @@ private:
     glm::dvec3 zero_{0.0};
     std::vector<TakeInfo> takes_;
     NamedSwitch* switch_ = nullptr;
-    QToolButton *earlier_ = nullptr, *later_ = nullptr;
+    QToolButton *earlier_ = nullptr, *later_ = nullptr, *worst_ = nullptr;
+    glm::dvec3 worstPlace_{0.0}; ///< mm, setup frame
     std::vector<EditFieldEditor*> fields_;
     ElidedLabel* report_ = nullptr;
 };

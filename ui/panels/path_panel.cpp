@@ -338,6 +338,7 @@ void PathPanel::Fields::makeCard(std::size_t place) {
         keyboard_.follow(place, to);
         emit panel_->editMoved(place, to);
     });
+    connect(card, &EditCard::placeWanted, panel_, &PathPanel::placeWanted);
     connect(card, &EditCard::removalRequested, this, [this, place] { emit panel_->editRemoved(place); });
     connect(card, &EditCard::drawingWanted, this, [this, place](const QString& key, bool wanted) {
         emit panel_->fieldDrawingWanted({place, key.toStdString()}, wanted);

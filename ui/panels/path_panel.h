@@ -29,6 +29,7 @@ signals:
     // Ids: of the path's passes. Indices: of its edits, in their order.
     void passRemoved(std::int64_t id);
     void passChangeRequested(std::int64_t id);
+    void placeWanted(const glm::dvec3& place); ///< mm, setup frame: to be looked at
     void passMovedUp(std::int64_t id);
     void editChanged(std::size_t index, const burin::Edit& edit); ///< switched or a parameter changed
     void editAdded(const burin::Edit& edit);

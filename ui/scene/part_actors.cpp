@@ -108,6 +108,12 @@ void PartActors::setVisible(bool visible) {
     refresh();
 }
 
+void PartActors::setHidden(std::vector<bool> hidden) {
+    if (hidden == hidden_) return;
+    hidden_ = std::move(hidden);
+    refresh();
+}
+
 void PartActors::setInWorkpiece(bool drawn) {
     if (drawn == inWorkpiece_) return;
     inWorkpiece_ = drawn;
@@ -135,11 +141,12 @@ void PartActors::setDetail(bool moving, double pixel) {
 }
 
 void PartActors::showSolids() {
-    for (Drawn& body : bodies_) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        Drawn& body = bodies_[i];
         if (body.coarse) body.coarse->actor->VisibilityOff();
         body.surface.actor->VisibilityOff();
-        show(body.shown(coarse_), drawn() && !covered_);
-        show(body.edges, drawn());
+        show(body.shown(coarse_), drawn() && !covered_ && !hides(i));
+        show(body.edges, drawn() && !hides(i));
     }
 }
 
@@ -181,7 +188,9 @@ void PartActors::setLineWidth(double screenPixels) {
 std::optional<glm::dvec3> PartActors::pick(const Sight& sight) const {
     if (!visible_) return std::nullopt;
     std::optional<double> nearest;
-    for (const Drawn& body : bodies_) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (hides(i)) continue;
+        const Drawn& body = bodies_[i];
         const std::optional<double> distance = distanceAlong(*body.body.mesh, sight.origin, sight.direction);
         if (distance && (!nearest || *distance < *nearest)) nearest = distance;
     }
@@ -190,7 +199,8 @@ std::optional<glm::dvec3> PartActors::pick(const Sight& sight) const {
 }
 
 void PartActors::refresh() {
-    for (const Drawn& body : bodies_) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const Drawn& body = bodies_[i];
         const QColor colour = inWorkpiece_ ? part_ : body.body.colour.value_or(part_);
         setColour(*body.surface.actor, colour);
         if (body.coarse) setColour(*body.coarse->actor, colour);
@@ -202,8 +212,8 @@ void PartActors::refresh() {
         body.ghostSurface->GetProperty()->SetOpacity(ghostOpacity);
         setBlended(*body.ghostEdges, ghostEdgeOpacity);
         burin::setLineWidth(*body.ghostEdges, lineWidth_);
-        body.ghostSurface->SetVisibility(ghost_ && triangles_ <= ghostTriangles);
-        body.ghostEdges->SetVisibility(ghost_);
+        body.ghostSurface->SetVisibility(ghost_ && !hides(i) && triangles_ <= ghostTriangles);
+        body.ghostEdges->SetVisibility(ghost_ && !hides(i));
     }
     showSolids();
 }

@@ -54,6 +54,7 @@ public:
     void setCoarse(const CoarseBodies& coarse);
     void setColours(const QColor& part, const QColor& edges);
     void setVisible(bool visible);
+    void setHidden(std::vector<bool> hidden); ///< by body; those that it does not name are drawn
     /// Drawn in the part's blue where the workpiece is bare, whether visible or not; not picked for that.
     void setInWorkpiece(bool drawn);
     /// Where that is; null: it may be bare anywhere.
@@ -101,12 +102,14 @@ private:
     }
     void show(Piece& piece, bool shown) const;
     bool drawn() const noexcept { return visible_ || inWorkpiece_; }
+    bool hides(std::size_t body) const noexcept { return body < hidden_.size() && hidden_[body]; }
     void add(ShadedBody body);
     void refresh();
     void showSolids();
 
     vtkRenderer &solids_, &marks_;
     std::vector<Drawn> bodies_;
+    std::vector<bool> hidden_; ///< by body
     vtkSmartPointer<vtkPlane> clip_;
     QColor part_, edges_;
     double lineWidth_ = 1.0;

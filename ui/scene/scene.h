@@ -55,6 +55,7 @@ public:
     }
     void setPart(std::vector<ShadedBody> bodies, const Box& box);
     void setCoarsePart(const CoarseBodies& coarse) { part_.setCoarse(coarse); }
+    void setHiddenBodies(std::vector<bool> hidden) { part_.setHidden(std::move(hidden)); } ///< by body
     /// In the stead of all else, until it is cleared. @param content what a fitted view shows, mm
     void setPreview(std::vector<ShadedBody> bodies, const Box& content);
     void clearPreview();

@@ -240,6 +240,11 @@ void Viewport::setPathValues(std::shared_ptr<const PathValues> values) {
     impl_->refresh();
 }
 
+void Viewport::setHiddenBodies(std::vector<bool> hidden) {
+    impl_->scene.setHiddenBodies(std::move(hidden));
+    impl_->refresh();
+}
+
 void Viewport::setMeasureMark(const std::optional<MeasureMark>& mark) {
     impl_->scene.measure().set(mark);
     impl_->refresh();

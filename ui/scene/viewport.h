@@ -88,6 +88,7 @@ public:
     void setPreview(const std::shared_ptr<const ModelPreview>& preview, double margin = 0.0);
     bool showsPreview() const; ///< it is drawn
     void setPartVisible(bool visible);
+    void setHiddenBodies(std::vector<bool> hidden); ///< of the part, by body; the others are drawn
     /// Outline of the stock to be, mm, setup frame. Nothing: none.
     void setStockOutline(const std::optional<Box>& stock);
     /// The workpiece as it is now: bricks that changed are meshed on the worker's thread and drawn when they are ready.

@@ -81,11 +81,12 @@ QComboBox QAbstractItemView { background: @field; border: 1px solid @border; bor
 QCheckBox, QRadioButton { spacing: 8px; border: 1px solid transparent; border-radius: 4px; padding: 2px; }
 QCheckBox:focus, QRadioButton:focus { border-color: @focus; }
 QCheckBox:disabled { color: @disabled; }
-QCheckBox::indicator, QRadioButton::indicator { width: 16px; height: 16px; border: 1px solid @controlEdge;
+QCheckBox::indicator, QRadioButton::indicator, QTreeView::indicator { width: 16px; height: 16px; border: 1px solid @controlEdge;
     border-radius: 4px; background: @field; }
 QRadioButton::indicator { border-radius: 8px; }
-QCheckBox::indicator:hover, QRadioButton::indicator:hover { border-color: @accent; }
-QCheckBox::indicator:checked { background: @accent; border-color: @accent; image: url("@icons/@tick.svg"); }
+QTreeView::indicator { width: 12px; height: 12px; }
+QCheckBox::indicator:hover, QRadioButton::indicator:hover, QTreeView::indicator:hover { border-color: @accent; }
+QCheckBox::indicator:checked, QTreeView::indicator:checked { background: @accent; border-color: @accent; image: url("@icons/@tick.svg"); }
 QRadioButton::indicator:checked { background: @accent; border: 4px solid @field; }
 QCheckBox::indicator:disabled { border-color: @border; background: @panel; }
 QCheckBox::indicator:checked:disabled { background: @border; }

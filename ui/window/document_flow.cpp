@@ -15,6 +15,7 @@
 #include "ui/window/restart_dialog.h"
 #include "ui/window/tool_shape_dialog.h"
 
+#include <QBuffer>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QStandardPaths>
@@ -338,6 +339,20 @@ void DocumentFlow::exportSheet() {
 }
 
 /// The pictures are drawn on this thread, as VTK and Qt's letters want it: some seconds.
+void DocumentFlow::exportPicture(const QImage& picture) {
+    const QString file = askPictureToExport(&window_, folder(), jobName(workbench_));
+    if (file.isEmpty()) return;
+    keepFolder(file);
+    QByteArray png;
+    QBuffer buffer(&png);
+    if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG"))
+        return emit workbench_.failed({ErrorCode::outOfMemory, file.toStdString(), {}, {}});
+    if (const Result<void> written = writeFileAtomically(pathOf(file), png.toStdString()); !written)
+        emit workbench_.failed(written.error());
+    else
+        emit pictureExported(file);
+}
+
 void DocumentFlow::writeSheet(const std::shared_ptr<const SheetContent>& content, const QString& file) {
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);
     const Result<std::string> page = setupSheet(*content, settings_.preferences().unit);

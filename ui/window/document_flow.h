@@ -40,6 +40,8 @@ public:
     void shapeTool(); ///< of models
     void exportWorkpiece();
     void exportSheet();
+    /// Asks for a file and writes a picture to it.
+    void exportPicture(const QImage& picture);
     void addProgramPath(); ///< asks for the program
     /// The rest of the program from a line of its text on; asks for the file once it passed its check.
     void restartProgram(int line);
@@ -59,6 +61,7 @@ signals:
     void exported(const QString& file);    ///< a program
     void workpieceExported(const QString& file);
     void sheetExported(const QString& file);
+    void pictureExported(const QString& file);
     void restartExported(int line, const QString& file);
 
 private:

@@ -4,8 +4,10 @@
 
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/questions.h"
+#include "ui/dialogs/shortcut_dialog.h"
 #include "ui/messages/messages.h"
 #include "ui/panels/program_editor.h"
+#include "ui/panels/project_tree.h"
 #include "ui/panels/texts.h"
 #include "ui/panels/timeline_panel.h"
 #include "ui/scene/view_cube_room.h"
@@ -58,10 +60,11 @@ MainWindow::MainWindow(QWidget* parent)
     setMinimumSize(smallestWindow);
     dress(settings_.preferences().theme); // before there are widgets: they take font and style from it
     layOut();
-    presenters_ = std::make_unique<Presenters>(workbench_, actions_,
-                                               Stage{*viewport_, *jobLine_, *panels_, *status_, *timeline_}, nullptr);
+    presenters_ = std::make_unique<Presenters>(
+        workbench_, actions_, Stage{*viewport_, *jobLine_, *panels_, *status_, *timeline_, *tree_}, nullptr);
     new ViewOptions(*viewport_, *viewBar_, actions_, settings_, this);
     new PathColours(workbench_, *viewport_, *viewBar_, actions_, this);
+    takeShortcuts();
     connectActions();
     connectWorkbench();
     connectWelcome();
@@ -109,6 +112,7 @@ void MainWindow::layOut() {
     view_ = makeView();
     programDock_ = new ProgramDock(*panels_->program, *actions_[ActionId::programDock], *view_);
     layOutTimeline();
+    layOutTree();
     layOutHistory();
     work_->addWidget(view_);
     work_->addWidget(panels_);
@@ -166,6 +170,14 @@ void MainWindow::layOutTimeline() {
             [this](bool visible) { workbench_.time.setFollowed(visible); });
 }
 
+void MainWindow::layOutTree() {
+    tree_ = new ProjectTree;
+    treeDock_ = new ViewDock({tr("Project"), QStringLiteral("treeDock"), tr("Hide the project tree"), nullptr,
+                              sideDockWidth, Qt::LeftDockWidgetArea},
+                             *actions_[ActionId::showTree], *view_);
+    treeDock_->setWidget(tree_);
+}
+
 /// What was done, each entry a way back to it.
 void MainWindow::layOutHistory() {
     auto* history = new QUndoView(&workbench_.undo());
@@ -185,9 +197,37 @@ void MainWindow::layOutHistory() {
     connect(&workbench_.session, &SessionRunner::ticked, this, follow);
 }
 
+void MainWindow::takeShortcuts() {
+    const QMap<QString, QString> own = settings_.shortcuts();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(ActionId::count); ++i) {
+        QAction* action = actions_[static_cast<ActionId>(i)];
+        const auto keys = own.find(action->objectName());
+        if (keys != own.end()) action->setShortcut(QKeySequence(*keys, QKeySequence::PortableText));
+    }
+}
+
+void MainWindow::showShortcuts() {
+    std::vector<ShortcutRow> rows;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(ActionId::count); ++i) {
+        const auto id = static_cast<ActionId>(i);
+        rows.push_back({actions_[id], Actions::firstShortcut(id)});
+    }
+    ShortcutDialog dialog(rows, this);
+    connect(&dialog, &ShortcutDialog::changed, this, [this, &rows] {
+        QMap<QString, QString> own;
+        for (const ShortcutRow& row : rows)
+            if (row.action->shortcut() != row.first)
+                own.insert(row.action->objectName(), row.action->shortcut().toString(QKeySequence::PortableText));
+        settings_.setShortcuts(own);
+        delete findChild<KeyList*>(); // it shows those from before
+    });
+    dialog.exec();
+}
+
 /// Docks and panel as they were before the user moved them.
 void MainWindow::resetLayout() {
-    for (const ActionId id : {ActionId::programDock, ActionId::showHistory}) actions_[id]->setChecked(false);
+    for (const ActionId id : {ActionId::programDock, ActionId::showHistory, ActionId::showTree})
+        actions_[id]->setChecked(false);
     actions_[ActionId::showTimeline]->setChecked(true);
     view_->restoreState(firstDocks_);
     work_->restoreState(firstWork_);
@@ -195,6 +235,7 @@ void MainWindow::resetLayout() {
 }
 
 void MainWindow::followDocks() {
+    treeDock_->setUsed(pages_->currentWidget() == workPage_);
     historyDock_->setUsed(pages_->currentWidget() == workPage_);
     timelineDock_->setUsed(pages_->currentWidget() == workPage_);
     programDock_->setUsed(presenters_ && pages_->currentWidget() == workPage_ &&

@@ -22,6 +22,7 @@ class QStackedWidget;
 namespace burin {
 
 class ProgramDock;
+class ProjectTree;
 class TimelinePanel;
 class ViewDock;
 
@@ -65,8 +66,11 @@ private:
     void dress(Theme theme);
     void apply(const Preferences& preferences, const Preferences& before);
     QMainWindow* makeView(); ///< the viewport and the bar below it, with docks around
+    void layOutTree();
     void layOutHistory();
     void resetLayout();
+    void takeShortcuts(); ///< those that the user chose
+    void showShortcuts();
     void followDocks();
     void layOutTimeline();
     void setUnit(LengthUnit unit);
@@ -99,6 +103,8 @@ private:
     ProgramDock* programDock_ = nullptr;
     TimelinePanel* timeline_ = nullptr;
     ViewDock* timelineDock_ = nullptr;
+    ProjectTree* tree_ = nullptr;
+    ViewDock* treeDock_ = nullptr;
     ViewDock* historyDock_ = nullptr;
     QByteArray firstDocks_, firstWork_; ///< as the window was laid out, before the user moved anything
     QPointer<QWidget> leftFrom_;        ///< what had the keyboard before the welcome page came

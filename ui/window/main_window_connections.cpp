@@ -61,6 +61,8 @@ void MainWindow::connectActions() {
         flow_.restartProgram(panels_->program->line());
     });
     on(ActionId::resetLayout, [this] { resetLayout(); });
+    on(ActionId::shortcuts, [this] { showShortcuts(); });
+    on(ActionId::exportPicture, [this] { flow_.exportPicture(viewport_->grabFramebuffer()); });
     on(ActionId::machines, [this] { showMachines(); });
     on(ActionId::tools, [this] { showTools(); });
     on(ActionId::materials, [this] { showMaterials(); });
@@ -92,6 +94,7 @@ void MainWindow::connectActions() {
     });
     connect(&presenters_->zero, &ZeroPresenter::refused, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
+    connect(&presenters_->tree, &TreePresenter::stepWanted, this, &MainWindow::showStep);
     connect(&presenters_->measure, &MeasurePresenter::told, this,
             [this](const QString& sentences) { message_->tell(Notice::Kind::information, sentences); });
     connect(&presenters_->area, &AreaPresenter::paintingBegins, this, [this] {
@@ -111,13 +114,18 @@ QString MainWindow::programPathText(const ProgramPasses& passes) const {
     for (const ProgramPass& pass : passes.passes) length += pass.length;
     QStringList text{tr("%1 of the program at feed became a path, with its feeds and speeds. Links replace its rapids.")
                          .arg(wayText(length, settings_.preferences().unit))};
+    const auto count = [](std::size_t number) { return static_cast<int>(number); };
     if (passes.arcs > 0)
-        text << tr("%n arc(s) became chords within 0.001 mm; “Fit arcs” makes arcs of them again.", nullptr,
-                   static_cast<int>(passes.arcs));
-    if (passes.dwells > 0) text << tr("%n dwell(s) were left out.", nullptr, static_cast<int>(passes.dwells));
+        text << (passes.arcs == 1 ? tr("1 arc became chords within 0.001 mm; “Fit arcs” makes an arc of them again.")
+                                  : tr("%n arcs became chords within 0.001 mm; “Fit arcs” makes arcs of them again.",
+                                       nullptr, count(passes.arcs)));
+    if (passes.dwells > 0)
+        text << (passes.dwells == 1 ? tr("1 dwell was left out.")
+                                    : tr("%n dwells were left out.", nullptr, count(passes.dwells)));
     if (passes.startless > 0)
-        text << tr("%n move(s) were left out: the program does not state where they begin.", nullptr,
-                   static_cast<int>(passes.startless));
+        text << (passes.startless == 1 ? tr("1 move was left out: the program does not state where it begins.")
+                                       : tr("%n moves were left out: the program does not state where they begin.",
+                                            nullptr, count(passes.startless)));
     return text.join(QLatin1Char(' '));
 }
 
@@ -219,6 +227,9 @@ void MainWindow::connectWorkbench() {
     });
     connect(&flow_, &DocumentFlow::workpieceExported, this, [this](const QString& file) {
         message_->tell(Notice::Kind::passed, tr("The workpiece was written to “%1”.").arg(QFileInfo(file).fileName()));
+    });
+    connect(&flow_, &DocumentFlow::pictureExported, this, [this](const QString& file) {
+        message_->tell(Notice::Kind::passed, tr("The picture was written to “%1”.").arg(QFileInfo(file).fileName()));
     });
     connect(&flow_, &DocumentFlow::sheetExported, this, [this](const QString& file) {
         message_->tell(Notice::Kind::passed,

@@ -33,17 +33,17 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
     constexpr auto line = std::nullopt;
     QMenu* file = addMenu(bar, tr("&File"), "fileMenu", actions,
                           {newProject, openProject, line, importPart, updatePart, sampleProject, line, save, saveAs,
-                           exportProgram, exportWorkpiece, exportSheet, line, quit});
+                           exportProgram, exportWorkpiece, exportSheet, exportPicture, line, quit});
     recent_ = new QMenu(tr("Open &recent"), file);
     recent_->setObjectName(QStringLiteral("recentMenu"));
     file->insertMenu(file->actions().at(2), recent_);
     addMenu(bar, tr("&Edit"), "editMenu", actions,
-            {undo, redo, showHistory, line, tools, materials, devices, preferences});
+            {undo, redo, showHistory, line, tools, materials, devices, shortcuts, preferences});
     addMenu(bar, tr("&View"), "viewMenu", actions,
             {fit,           line,         viewIsometric, viewTop,    viewBottom,     viewFront,   viewBack,   viewLeft,
              viewRight,     parallelView, line,          seeThrough, sectionPlane,   flipSection, measure,    line,
              showWorkpiece, showPart,     showTool,      showPath,   showOtherPaths, pathColours, showGuides, line,
-             showTimeline,  resetLayout,  line,          nextStep,   previousStep});
+             showTimeline,  showTree,     resetLayout,   line,       nextStep,       previousStep});
     addMenu(bar, tr("&Setup"), "setupMenu", actions,
             {addSetup, nextSetup, previousSetup, line, faceDown, turnAboutX, turnAboutY, turnAboutZ, line, pickZero,
              touchZero});

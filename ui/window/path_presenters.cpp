@@ -47,12 +47,10 @@ std::optional<MillingSide> sideOf(const EvaluatedPath& path, const SourceStretch
 
 /// A pass by its kind, with the figure that tells it from another of its kind.
 PassRow rowOf(const GeneratedInfo& pass, LengthUnit unit) {
-    PassRow row{pass.id, QString::fromStdString(pass.name), {}};
+    PassRow row{pass.id, passName(pass), {}};
     const Result<PassRequest> request = passRequestFromJson(pass.request, pass.name);
     row.computed = request.hasValue();
     if (!request) return row; // of a program
-    const TextId title = rowOf(request->kind).title;
-    row.name = QCoreApplication::translate(title.context, title.text);
     if (request->stepOver > 0.0)
         row.figures = lengthText(request->stepOver, unit);
     else if (request->scallop > 0.0)
@@ -104,6 +102,13 @@ QStringList toolNames(const Workbench& workbench, const std::vector<std::string>
 
 } // namespace
 
+QString passName(const GeneratedInfo& pass) {
+    const Result<PassRequest> request = passRequestFromJson(pass.request, pass.name);
+    if (!request) return QString::fromStdString(pass.name); // of a program: its file
+    const TextId title = rowOf(request->kind).title;
+    return QCoreApplication::translate(title.context, title.text);
+}
+
 QString jobName(const Workbench& workbench) {
     QString name = workbench.document.title();
     if (workbench.document.isUnnamed() && workbench.model.model())
@@ -140,6 +145,7 @@ PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePr
     connect(&panel, &PathPanel::passChangeRequested, this, &PathPresenter::askChange);
     connect(&panel, &PathPanel::editChanged, &workbench.path, &PathController::changeEdit);
     connect(&panel, &PathPanel::editAdded, &scene, &PathScenePresenter::addEdit);
+    connect(&panel, &PathPanel::placeWanted, &scene, &PathScenePresenter::lookAt);
     connect(&panel, &PathPanel::fieldDrawingWanted, &scene, &PathScenePresenter::setFieldDrawing);
     connect(&panel, &PathPanel::editRemoved, &workbench.path, &PathController::removeEdit);
     connect(&panel, &PathPanel::editMoved, &workbench.path, &PathController::moveEdit);

@@ -45,6 +45,8 @@ private:
     ProgramPanel& panel_;
 };
 
+/// What a pass is, or the file of the program that it is of.
+QString passName(const GeneratedInfo& pass);
 /// The project's name, or that of the part as long as it has none.
 QString jobName(const Workbench& workbench);
 /// The name of the file that a project's program gets: the job's, that of the setup where there are several, the suffix

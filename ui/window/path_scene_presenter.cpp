@@ -4,6 +4,7 @@
 
 #include "core/geometry/arc.h"
 #include "core/path/hand_stretch.h"
+#include "ui/scene/camera_view.h"
 
 #include <algorithm>
 
@@ -168,6 +169,13 @@ void PathScenePresenter::addEdit(const Edit& edit) {
     for (const EditField& field : fieldsOf(edit.parameters))
         if (const auto* places = std::get_if<std::vector<glm::dvec3>>(&field.value); places && places->empty())
             setFieldDrawing({place, std::string(field.key)}, true);
+}
+
+void PathScenePresenter::lookAt(const glm::dvec3& place) {
+    CameraView view = viewport_.cameraView();
+    view.focus = place;
+    viewport_.setCameraView(view);
+    viewport_.setMoveMark({{place}});
 }
 
 /// An area reaches from the stock's bottom to where travel is free, a mirror stands in the stock's middle, until they

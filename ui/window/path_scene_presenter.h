@@ -30,6 +30,8 @@ public:
     void toggleLastDrawing();
     /// Adds an edit to the path; one that needs places has them drawn next.
     void addEdit(const Edit& edit);
+    /// Marks a place, and brings it to the picture's middle. @param place mm, setup frame
+    void lookAt(const glm::dvec3& place);
 
 signals:
     void changed();       ///< drag or drawing

@@ -33,7 +33,8 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , programScene(workbench, stage.viewport, *stage.panels.program, scene, this)
     , deviation(workbench, stage.viewport, stage.panels.program->deviation(), scene, this)
     , time(workbench, stage.timeline, scene, this)
-    , measure(workbench, stage.viewport, this) {
+    , measure(workbench, stage.viewport, this)
+    , tree(workbench, stage.tree, scene, this) {
     connect(&pathScene, &PathScenePresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(&area, &AreaPresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(stage.panels.program, &ProgramPanel::lineChosen, &workbench.time, &TimeController::followLine);
@@ -58,9 +59,9 @@ void Presenters::connectActions(const Actions& actions, const Viewport& viewport
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{
-             &part,         &setups,     &stock,        &zero,      &material, &layers,  &tool,   &allowance, &mill,
-             &surroundings, &guides,     &hand,         &pathScene, &path,     &program, &meters, &status,    &job,
-             &scene,        &guideScene, &programScene, &deviation, &area,     &time,    &measure})
+             &part,         &setups,     &stock,        &zero,      &material, &layers,  &tool,    &allowance, &mill,
+             &surroundings, &guides,     &hand,         &pathScene, &path,     &program, &meters,  &status,    &job,
+             &scene,        &guideScene, &programScene, &deviation, &area,     &time,    &measure, &tree})
         presenter->setUnit(unit);
 }
 

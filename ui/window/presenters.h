@@ -20,6 +20,7 @@
 #include "ui/window/status_presenter.h"
 #include "ui/window/surroundings_presenter.h"
 #include "ui/window/time_presenter.h"
+#include "ui/window/tree_presenter.h"
 #include "ui/window/zero_presenter.h"
 
 namespace burin {
@@ -31,6 +32,7 @@ struct Stage {
     PanelStack& panels;
     StatusLine& status;
     TimelinePanel& timeline;
+    ProjectTree& tree;
 };
 
 /// All presenters of a window.
@@ -68,6 +70,7 @@ public:
     DeviationPresenter deviation;
     TimePresenter time;
     MeasurePresenter measure;
+    TreePresenter tree;
 };
 
 } // namespace burin

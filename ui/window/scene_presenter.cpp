@@ -43,6 +43,7 @@ ScenePresenter::ScenePresenter(Workbench& workbench, Viewport& viewport, const A
 void ScenePresenter::present() {
     const bool embedded = workbench_.workpiece.embedded();
     presentPart();
+    viewport_.setHiddenBodies(hiddenOfPart());
     viewport_.setPartVisible(!embedded || bare_ || actions_[ActionId::showPart]->isChecked());
     viewport_.setWorkpieceVisible(embedded && !bare_ && actions_[ActionId::showWorkpiece]->isChecked());
     const bool outline = workbench_.setup.usable() && !embedded;
@@ -109,6 +110,20 @@ void ScenePresenter::showBarePart(bool bare) {
     if (bare == bare_) return;
     bare_ = bare;
     presentSoon();
+}
+
+void ScenePresenter::setHiddenBodies(const std::set<std::size_t>& bodies) {
+    hidden_ = bodies;
+    presentSoon();
+}
+
+/// Where the workpiece stands, the part that is drawn is what nothing may cut of the model.
+std::vector<bool> ScenePresenter::hiddenOfPart() const {
+    std::vector<bool> hidden;
+    if (hidden_.empty() || !model_) return hidden;
+    for (std::size_t i = 0; i < model_->bodies.size(); ++i)
+        if (part_ == model_ || isProtected(roleOf(workbench_.setup.setup(), i))) hidden.push_back(hidden_.contains(i));
+    return hidden;
 }
 
 void ScenePresenter::showToolAt(const glm::dvec3& tip, const Tool* tool) {

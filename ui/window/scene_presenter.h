@@ -7,6 +7,8 @@
 #include "ui/window/live_strokes.h"
 #include "ui/window/presenter.h"
 
+#include <set>
+
 namespace burin {
 
 /// The viewport: part, stock, workpiece, tool and path as the controllers have them; tool and cuts of a session as they
@@ -18,6 +20,7 @@ public:
     void setUnit(LengthUnit unit) override;
     /// The bare part in the workpiece's stead.
     void showBarePart(bool bare);
+    void setHiddenBodies(const std::set<std::size_t>& bodies); ///< of the whole model; all others are drawn
     /// Where a tool stands while no session moves it. @param tip mm, setup frame @param tool null: the one in force
     void showToolAt(const glm::dvec3& tip, const Tool* tool);
     void parkTool(); ///< the one in force, over the stock
@@ -27,6 +30,7 @@ public:
 private:
     void present() override;
     void presentPart();
+    std::vector<bool> hiddenOfPart() const;
     void showTicks();
     void showSample(const Sample& sample, bool cutting);
     void showTrace(const std::vector<TracePoint>& points);
@@ -40,6 +44,7 @@ private:
     std::shared_ptr<const Model> part_;           ///< that is drawn
     std::shared_ptr<const Model> model_;          ///< that it is of
     std::shared_ptr<const ModelPreview> preview_; ///< that is drawn in its stead
+    std::set<std::size_t> hidden_;                ///< of the model's bodies
     bool bare_ = false;
     std::optional<glm::dvec3> toolTip_;
     std::optional<Tool> shownTool_; ///< in the stead of the one in force

@@ -3,9 +3,9 @@
 #include "ui/window/take_menu.h"
 
 #include "ui/panels/texts.h"
+#include "ui/window/context_menu.h"
 
 #include <QCoreApplication>
-#include <QInputDialog>
 #include <QMenu>
 
 #include <algorithm>
@@ -25,65 +25,53 @@ struct TakeMenu {
     Q_DECLARE_TR_FUNCTIONS(TakeMenu)
 };
 
-void add(QMenu& menu, const QString& text, const QString& tip, const char* name, const std::function<void()>& use) {
-    QAction* action = menu.addAction(text);
-    action->setObjectName(QLatin1String(name));
-    action->setToolTip(tip);
-    QObject::connect(action, &QAction::triggered, &menu, use);
-}
-
-/// Empty: none was given.
-QString askName(const QString& title, const QString& before, QWidget* parent) {
-    bool wanted = false;
-    const QString name = QInputDialog::getText(parent, title, TakeMenu::tr("Name"), QLineEdit::Normal, before, &wanted);
-    return wanted ? name.trimmed() : QString();
-}
-
-QMenu* makeMenu(const char* name, const QString& title, QWidget* parent) {
-    auto* menu = new QMenu(parent);
-    menu->setObjectName(QLatin1String(name));
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->setToolTipsVisible(true);
-    menu->addSection(title);
-    return menu;
+/// What becomes of stretches of a take.
+void addSwitches(QMenu& menu, TimeController& time, const TakeTrack& track, std::uint64_t sample) {
+    const std::int64_t take = track.info.id;
+    const auto switching = [&time, take](const SampleRange& stretch, bool on) {
+        return [&time, take, stretch, on] { time.switchStretch(take, stretch, on); };
+    };
+    const SampleRange whole{0, track.info.sampleCount};
+    if (const SampleRange* off = rangeAt(track.switchedOff, sample)) {
+        addEntry(menu, TakeMenu::tr("Switch &on"),
+                 TakeMenu::tr("It counts again, milled on top of the current workpiece."), "switchOnAction",
+                 switching(*off, true));
+    } else if (const SampleRange* stroke = rangeAt(track.strokes, sample);
+               stroke != nullptr && rangeAt(track.undone, sample) == nullptr) {
+        addEntry(menu, TakeMenu::tr("Switch the &stroke off"),
+                 TakeMenu::tr("The workpiece and the paths are made without it, until it is switched on again."),
+                 "strokeOffAction", switching(*stroke, false));
+    }
+    if (track.switchedOff.empty() || track.switchedOff.front() != whole)
+        addEntry(menu, TakeMenu::tr("Switch the &take off"),
+                 TakeMenu::tr("The workpiece and the paths are made without it, until it is switched on again."),
+                 "takeOffAction", switching(whole, false));
+    if (!track.switchedOff.empty())
+        addEntry(menu, TakeMenu::tr("Switch &all of the take on"),
+                 TakeMenu::tr("It counts again, milled on top of the current workpiece."), "takeOnAction",
+                 switching(whole, true));
+    menu.addSeparator();
 }
 
 } // namespace
 
 void showTakeMenu(Workbench& workbench, std::int64_t take, std::uint64_t sample, const QPoint& globalPosition,
                   QWidget* parent) {
-    TimeController& time = workbench.time;
-    const TakeTrack* track = time.recorded() ? time.recorded()->trackOf(take) : nullptr;
-    if (track == nullptr) return;
-    QMenu* menu = makeMenu("takeMenu", takeName(track->info.name), parent);
-    const auto switching = [&time, take](const SampleRange& stretch, bool on) {
-        return [&time, take, stretch, on] { time.switchStretch(take, stretch, on); };
-    };
-    const SampleRange whole{0, track->info.sampleCount};
-    if (const SampleRange* off = rangeAt(track->switchedOff, sample)) {
-        add(*menu, TakeMenu::tr("Switch &on"), TakeMenu::tr("It counts again, milled on top of the current workpiece."),
-            "switchOnAction", switching(*off, true));
-    } else if (const SampleRange* stroke = rangeAt(track->strokes, sample);
-               stroke != nullptr && rangeAt(track->undone, sample) == nullptr) {
-        add(*menu, TakeMenu::tr("Switch the &stroke off"),
-            TakeMenu::tr("The workpiece and the paths are made without it, until it is switched on again."),
-            "strokeOffAction", switching(*stroke, false));
-    }
-    if (track->switchedOff.empty() || track->switchedOff.front() != whole)
-        add(*menu, TakeMenu::tr("Switch the &take off"),
-            TakeMenu::tr("The workpiece and the paths are made without it, until it is switched on again."),
-            "takeOffAction", switching(whole, false));
-    if (!track->switchedOff.empty())
-        add(*menu, TakeMenu::tr("Switch &all of the take on"),
-            TakeMenu::tr("It counts again, milled on top of the current workpiece."), "takeOnAction",
-            switching(whole, true));
-    menu->addSeparator();
-    add(*menu, TakeMenu::tr("&Rename…"), TakeMenu::tr("Rename the take."), "renameTakeAction",
-        [&workbench, info = track->info, parent] {
-            workbench.mill.nameTake(info.id, askName(TakeMenu::tr("Rename the take"), takeName(info.name), parent));
-        });
-    add(*menu, TakeMenu::tr("&Delete"), TakeMenu::tr("The workpiece is milled again without it."), "deleteTakeAction",
-        [&workbench, take] { workbench.mill.removeTake(take); });
+    const std::vector<TakeInfo>& takes = workbench.mill.allTakes();
+    const auto info = std::ranges::find(takes, take, &TakeInfo::id);
+    if (info == takes.end()) return;
+    QMenu* menu = makeContextMenu("takeMenu", takeName(info->name), parent);
+    // Where the timeline is hidden, nobody has read the take; in the program's step it has other tracks.
+    const bool read = workbench.time.recorded() && !workbench.time.showsProgram();
+    const TakeTrack* track = read ? workbench.time.recorded()->trackOf(take) : nullptr;
+    if (track != nullptr) addSwitches(*menu, workbench.time, *track, sample);
+    addEntry(*menu, TakeMenu::tr("&Rename…"), TakeMenu::tr("Rename the take."), "renameTakeAction",
+             [&workbench, info = *info, parent] {
+                 workbench.mill.nameTake(info.id,
+                                         askName(TakeMenu::tr("Rename the take"), takeName(info.name), parent));
+             });
+    addEntry(*menu, TakeMenu::tr("&Delete"), TakeMenu::tr("The workpiece is milled again without it."),
+             "deleteTakeAction", [&workbench, take] { workbench.mill.removeTake(take); });
     menu->popup(globalPosition);
 }
 
@@ -91,14 +79,14 @@ void showMarkerMenu(Workbench& workbench, std::size_t marker, const QPoint& glob
     TimeController& time = workbench.time;
     if (marker >= time.markers().size()) return;
     const QString name = QString::fromStdString(time.markers()[marker].name);
-    QMenu* menu = makeMenu("markerMenu", name, parent);
-    add(*menu, TakeMenu::tr("&Rename…"), TakeMenu::tr("Rename the marker."), "renameMarkerAction",
-        [&time, marker, name, parent] {
-            const QString other = askName(TakeMenu::tr("Rename the marker"), name, parent);
-            if (!other.isEmpty()) time.changeMarker(marker, other);
-        });
-    add(*menu, TakeMenu::tr("&Delete"), TakeMenu::tr("Delete the marker."), "deleteMarkerAction",
-        [&time, marker] { time.changeMarker(marker, {}); });
+    QMenu* menu = makeContextMenu("markerMenu", name, parent);
+    addEntry(*menu, TakeMenu::tr("&Rename…"), TakeMenu::tr("Rename the marker."), "renameMarkerAction",
+             [&time, marker, name, parent] {
+                 const QString other = askName(TakeMenu::tr("Rename the marker"), name, parent);
+                 if (!other.isEmpty()) time.changeMarker(marker, other);
+             });
+    addEntry(*menu, TakeMenu::tr("&Delete"), TakeMenu::tr("Delete the marker."), "deleteMarkerAction",
+             [&time, marker] { time.changeMarker(marker, {}); });
     menu->popup(globalPosition);
 }
 

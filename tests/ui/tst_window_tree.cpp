@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+// The project's tree, and bodies hidden in the view: by mouse and keys.
+#include "tests/test_program.h"
+#include "tests/ui/window_steps.h"
+
+#include "ui/panels/project_tree.h"
+
+#include <QApplication>
+#include <QInputDialog>
+#include <QMenu>
+#include <QtTest>
+
+namespace burin::tst_window_tree {
+
+using namespace burin::testing;
+
+namespace {
+
+Workbench& workbenchOf(WindowDriver& driver) {
+    return driver.window().workbench();
+}
+
+QTreeWidgetItem* rowOf(const ProjectTree& tree, const QString& name) {
+    const QList<QTreeWidgetItem*> found = tree.findItems(name, Qt::MatchExactly | Qt::MatchRecursive, 0);
+    return found.isEmpty() ? nullptr : found.front();
+}
+
+ProjectTree* openTree(WindowDriver& driver) {
+    driver.key(Qt::Key_F10, Qt::ControlModifier);
+    driver.waitFor([&] { return driver.visible<ProjectTree>("projectTree") != nullptr; });
+    return driver.visible<ProjectTree>("projectTree");
+}
+
+void doubleClick(ProjectTree& tree, QTreeWidgetItem& row) {
+    const QPoint place = tree.visualItemRect(&row).center();
+    QTest::mouseClick(tree.viewport(), Qt::LeftButton, Qt::NoModifier, place);
+    QTest::mouseDClick(tree.viewport(), Qt::LeftButton, Qt::NoModifier, place);
+}
+
+/// Opens a row's menu by the right button and triggers one of its actions.
+bool chooseFromMenu(WindowDriver& driver, ProjectTree& tree, QTreeWidgetItem& row, const char* menu,
+                    const char* action) {
+    const QPoint place = tree.visualItemRect(&row).center();
+    QContextMenuEvent event(QContextMenuEvent::Mouse, place, tree.viewport()->mapToGlobal(place));
+    QApplication::sendEvent(tree.viewport(), &event);
+    QMenu* shown = nullptr;
+    if (!driver.waitFor([&] {
+            shown = driver.window().findChild<QMenu*>(menu);
+            return shown != nullptr && shown->isVisible();
+        }))
+        return false;
+    auto* chosen = shown->findChild<QAction*>(action);
+    if (chosen == nullptr) return false;
+    QTest::mouseClick(shown, Qt::LeftButton, Qt::NoModifier, shown->actionGeometry(chosen).center());
+    return true;
+}
+
+} // namespace
+
+class TestWindowTree : public QObject {
+    Q_OBJECT
+private slots:
+    /// What was made stands there, and a double click leads to it.
+    void theTreeShowsTheJob() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 1.0));
+        ProjectTree* tree = openTree(driver);
+        QVERIFY(tree);
+        QTRY_VERIFY(rowOf(*tree, "Setups") && rowOf(*tree, "Part") && rowOf(*tree, "Tools"));
+        QVERIFY(rowOf(*tree, "Takes") == nullptr); // nothing is milled yet
+        QVERIFY(recordLine(driver, {-10.0, 0.0}, {10.0, 0.0}));
+        QVERIFY(newPath(driver));
+        QTRY_VERIFY(rowOf(*tree, "Takes") && rowOf(*tree, "Paths"));
+        driver.shoot("tree-1-job");
+        QVERIFY(driver.step(JobStep::part));
+        QTreeWidgetItem* path = rowOf(*tree, "Paths")->child(0);
+        QVERIFY(path && path->font(0).bold());
+        doubleClick(*tree, *path);
+        QTRY_VERIFY(driver.visible<QWidget>("pathPanel") != nullptr);
+        // A tool by the keyboard: its row, and Enter.
+        workbenchOf(driver).tool.choose("flat-10");
+        QVERIFY(driver.settle());
+        QTRY_COMPARE(rowOf(*tree, "Tools")->childCount(), 2);
+        QTreeWidgetItem* other = rowOf(*tree, "Tools")->child(0);
+        QVERIFY(!other->font(0).bold());
+        tree->setFocus();
+        tree->setCurrentItem(other);
+        QTest::keyClick(tree, Qt::Key_Return);
+        QTRY_VERIFY(workbenchOf(driver).tool.current().id != "flat-10");
+    }
+
+    /// By its menu a take is renamed and deleted; undo brings it back.
+    void rowsHaveMenus() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 1.0));
+        QVERIFY(recordLine(driver, {-10.0, 0.0}, {10.0, 0.0}));
+        ProjectTree* tree = openTree(driver);
+        QVERIFY(tree);
+        QTRY_VERIFY(rowOf(*tree, "Takes") && workbenchOf(driver).time.recorded());
+        driver.whenDialogStands([](QWidget& dialog) {
+            auto* input = qobject_cast<QInputDialog*>(&dialog);
+            if (input == nullptr) return;
+            input->setTextValue("slot");
+            input->accept();
+        });
+        QVERIFY(chooseFromMenu(driver, *tree, *rowOf(*tree, "Takes")->child(0), "takeMenu", "renameTakeAction"));
+        QTRY_VERIFY(rowOf(*tree, "slot") != nullptr);
+        QVERIFY(chooseFromMenu(driver, *tree, *rowOf(*tree, "slot"), "takeMenu", "deleteTakeAction"));
+        QTRY_VERIFY_WITH_TIMEOUT(workbenchOf(driver).mill.takes().empty(), 30000);
+        QVERIFY(driver.settle());
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(workbenchOf(driver).mill.takes().size(), std::size_t{1}, 30000);
+        QTRY_VERIFY(rowOf(*tree, "slot") != nullptr);
+    }
+
+    /// A body whose box is not ticked is not drawn, and nothing else of it changes.
+    void bodiesAreHiddenAndShown() {
+        WindowDriver driver;
+        drop(driver.window(), writeBlock(driver));
+        QVERIFY(driver.waitFor([&] { return workbenchOf(driver).setup.hasPart(); }));
+        QVERIFY(driver.settle());
+        ProjectTree* tree = openTree(driver);
+        QVERIFY(tree);
+        QTRY_VERIFY(rowOf(*tree, "Part") != nullptr);
+        auto& viewport = *driver.visible<Viewport>("viewport");
+        const QPointF centre = QRectF(viewport.rect()).center();
+        QTRY_VERIFY(viewport.pick(centre).has_value());
+        QTreeWidgetItem* body = rowOf(*tree, "Part")->child(0);
+        QCOMPARE(body->checkState(0), Qt::Checked);
+        QVERIFY(chooseFromMenu(driver, *tree, *body, "bodyMenu", "hideBodyAction"));
+        QTRY_VERIFY(!viewport.pick(centre).has_value());
+        driver.shoot("tree-2-hidden");
+        body = rowOf(*tree, "Part")->child(0);
+        QCOMPARE(body->checkState(0), Qt::Unchecked);
+        QVERIFY(chooseFromMenu(driver, *tree, *body, "bodyMenu", "isolateBodyAction"));
+        QTRY_VERIFY(viewport.pick(centre).has_value());
+        // By the keyboard: its row, and the space bar.
+        tree->setFocus();
+        tree->setCurrentItem(rowOf(*tree, "Part")->child(0));
+        QTest::keyClick(tree, Qt::Key_Space);
+        QTRY_VERIFY(!viewport.pick(centre).has_value());
+        QVERIFY(workbenchOf(driver).setup.hasPart());
+    }
+};
+
+BURIN_TEST(TestWindowTree, QApplication)
+
+} // namespace burin::tst_window_tree
+
+#include "tst_window_tree.moc"

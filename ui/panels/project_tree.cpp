@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/project_tree.h"
+
+#include "ui/theme/theme.h"
+
+#include <QContextMenuEvent>
+#include <QHeaderView>
+#include <QPixmap>
+
+#include <set>
+
+namespace burin {
+
+namespace {
+
+constexpr int kindRole = Qt::UserRole, idRole = Qt::UserRole + 1;
+constexpr int swatchSide = 10; // pixels
+
+ProjectRowKind kindOf(const QTreeWidgetItem& item) {
+    return static_cast<ProjectRowKind>(item.data(0, kindRole).toInt());
+}
+
+qint64 idOf(const QTreeWidgetItem& item) {
+    return item.data(0, idRole).toLongLong();
+}
+
+} // namespace
+
+ProjectTree::ProjectTree(QWidget* parent) : QTreeWidget(parent) {
+    setObjectName(QStringLiteral("projectTree"));
+    setAccessibleName(tr("Project"));
+    setColumnCount(2);
+    setHeaderHidden(true);
+    setUniformRowHeights(true);
+    setExpandsOnDoubleClick(false);
+    setTextElideMode(Qt::ElideMiddle);
+    header()->setStretchLastSection(false);
+    header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    connect(this, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
+        if (kindOf(*item) == ProjectRowKind::group)
+            item->setExpanded(!item->isExpanded());
+        else
+            emit opened(kindOf(*item), idOf(*item));
+    });
+    connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
+        if (!filling_ && column == 0 && item->data(0, Qt::CheckStateRole).isValid())
+            emit switched(kindOf(*item), idOf(*item), item->checkState(0) == Qt::Checked);
+    });
+}
+
+void ProjectTree::setRows(const std::vector<ProjectRow>& rows) {
+    if (rows == rows_) return;
+    rows_ = rows;
+    filling_ = true;
+    std::set<std::pair<int, qint64>> closed;
+    for (QTreeWidgetItemIterator at(this); *at != nullptr; ++at)
+        if ((*at)->childCount() > 0 && !(*at)->isExpanded())
+            closed.insert({static_cast<int>(kindOf(**at)), idOf(**at)});
+    const QTreeWidgetItem* chosen = currentItem();
+    const auto kind = chosen != nullptr ? kindOf(*chosen) : ProjectRowKind::group;
+    const qint64 id = chosen != nullptr ? idOf(*chosen) : -1;
+    clear();
+    for (const ProjectRow& node : rows_) addTopLevelItem(itemOf(node));
+    expandAll();
+    for (QTreeWidgetItemIterator at(this); *at != nullptr; ++at)
+        if (closed.contains({static_cast<int>(kindOf(**at)), idOf(**at)})) (*at)->setExpanded(false);
+    if (QTreeWidgetItem* again = itemWith(kind, id)) setCurrentItem(again);
+    filling_ = false;
+}
+
+QTreeWidgetItem* ProjectTree::itemOf(const ProjectRow& node) const {
+    auto* item = new QTreeWidgetItem; // the tree's, or its parent's
+    fill(*item, node);
+    for (const ProjectRow& child : node.children) item->addChild(itemOf(child));
+    return item;
+}
+
+void ProjectTree::fill(QTreeWidgetItem& item, const ProjectRow& node) const {
+    item.setText(0, node.name);
+    item.setText(1, node.detail);
+    item.setToolTip(0, node.toolTip);
+    item.setToolTip(1, node.toolTip);
+    item.setData(0, kindRole, static_cast<int>(node.kind));
+    item.setData(0, idRole, node.id);
+    QFont own = font();
+    own.setBold(node.current);
+    item.setFont(0, own);
+    item.setForeground(1, activePalette().quietText);
+    if (node.dimmed) item.setForeground(0, activePalette().quietText);
+    if (node.on) item.setCheckState(0, *node.on ? Qt::Checked : Qt::Unchecked);
+    if (node.swatch.isValid()) {
+        QPixmap swatch(swatchSide, swatchSide);
+        swatch.fill(node.swatch);
+        item.setIcon(0, swatch);
+    }
+}
+
+QTreeWidgetItem* ProjectTree::itemWith(ProjectRowKind kind, qint64 id) const {
+    for (QTreeWidgetItemIterator at(const_cast<ProjectTree*>(this)); *at != nullptr; ++at)
+        if (kindOf(**at) == kind && idOf(**at) == id) return *at;
+    return nullptr;
+}
+
+void ProjectTree::contextMenuEvent(QContextMenuEvent* event) {
+    // By the keyboard it is the selected row's.
+    QTreeWidgetItem* item = event->reason() == QContextMenuEvent::Keyboard
+                                ? currentItem()
+                                : itemAt(viewport()->mapFromGlobal(event->globalPos()));
+    if (item == nullptr) return;
+    const QPoint place = event->reason() == QContextMenuEvent::Keyboard
+                             ? viewport()->mapToGlobal(visualItemRect(item).center())
+                             : event->globalPos();
+    emit menuWanted(kindOf(*item), idOf(*item), place);
+}
+
+} // namespace burin

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/job_states.h"
+#include "ui/panels/project_tree.h"
+#include "ui/window/presenter.h"
+#include "ui/window/scene_presenter.h"
+
+#include <set>
+
+namespace burin {
+
+/// Fills the project's tree, and does what is asked for there: opens, switches, renames, deletes, hides.
+class TreePresenter final : public Presenter {
+    Q_OBJECT
+public:
+    TreePresenter(Workbench& workbench, ProjectTree& tree, ScenePresenter& scene, QObject* parent);
+
+signals:
+    void stepWanted(JobStep step); ///< where what was opened is worked on
+
+private:
+    void present() override;
+    void open(ProjectRowKind kind, qint64 id);
+    void switchRow(ProjectRowKind kind, qint64 id, bool on);
+    void showMenu(ProjectRowKind kind, qint64 id, const QPoint& globalPosition);
+    void showSetupMenu(qint64 id, const QPoint& globalPosition);
+    void showBodyMenu(std::size_t body, const QPoint& globalPosition);
+    void showFixtureMenu(std::size_t place, const QPoint& globalPosition);
+    void showPassMenu(qint64 id, const QPoint& globalPosition);
+    void hide(const std::set<std::size_t>& bodies);
+    ProjectRow setups() const;
+    ProjectRow bodies() const;
+    ProjectRow fixtures() const;
+    ProjectRow tools() const;
+    ProjectRow takes() const;
+    ProjectRow paths() const;
+    ProjectRow programs() const;
+
+    ProjectTree& tree_;
+    ScenePresenter& scene_;
+    std::shared_ptr<const Model> model_; ///< whose bodies are hidden
+    std::set<std::size_t> hidden_;       ///< of the model's bodies
+};
+
+} // namespace burin
