@@ -803,6 +803,14 @@
         <source>Show setups, bodies, fixtures, tools, takes, paths and program as a tree.</source>
         <translation>Aufspannungen, Körper, Vorrichtungen, Werkzeuge, Aufnahmen, Bahnen und Programm als Baum zeigen.</translation>
     </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Show the help on the current step.</source>
+        <translation>Die Hilfe zum aktuellen Schritt zeigen.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -3475,6 +3483,14 @@
     <message>
         <source>a finite feed and speed</source>
         <translation>endlicher Vorschub und endliche Drehzahl</translation>
+    </message>
+    <message>
+        <source>a feed beyond 1e9 mm/min</source>
+        <translation>ein Vorschub von mehr als 1e9 mm/min</translation>
+    </message>
+    <message>
+        <source>a position more than 1e6 mm away</source>
+        <translation>eine Position, die mehr als 1e6 mm entfernt ist</translation>
     </message>
 </context>
 <context>
@@ -9654,6 +9670,41 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>This button of the stylus requests the next lower level, or ends a pass</source>
         <translation>Dieser Knopf des Stifts fordert die nächsttiefere Ebene an oder beendet eine Zeile</translation>
+    </message>
+</context>
+<context>
+    <name>burin::HelpDialog</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Search the help</source>
+        <translation>In der Hilfe suchen</translation>
+    </message>
+    <message>
+        <source>Only topics that contain these words are shown.</source>
+        <translation>Nur Themen, die diese Wörter enthalten, werden gezeigt.</translation>
+    </message>
+    <message>
+        <source>Topics</source>
+        <translation>Themen</translation>
+    </message>
+    <message>
+        <source>Page of the help</source>
+        <translation>Seite der Hilfe</translation>
+    </message>
+    <message>
+        <source>No topic contains these words.</source>
+        <translation>Kein Thema enthält diese Wörter.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this window.</source>
+        <translation>Dieses Fenster schließen.</translation>
     </message>
 </context>
 <context>

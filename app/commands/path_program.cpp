@@ -101,16 +101,14 @@ int addProgramPaths(ProjectChange& project, const ProgramPathArguments& argument
                           {"dwells_left_out", passes->dwells},
                           {"moves_left_out", passes->startless}};
     std::string lines;
-    double length = 0.0;
-    for (const ProgramPass& pass : passes->passes) length += pass.length;
-    answer["length_mm"] = length;
+    answer["length_mm"] = passes->length();
     for (const StoredPath& path : *paths) {
         const Result<std::vector<GeneratedInfo>> made = passesOf(*project, path);
         if (!made) return context.fail(made.error());
         answer["paths"].push_back(jsonOf(path, *made));
         lines += textOf(path, *made) + "\n";
     }
-    context.answer(answer, lines + worded(BURIN_TEXT("Command", "%1 mm at feed"), {formatFixed(length, 1)}) +
+    context.answer(answer, lines + worded(BURIN_TEXT("Command", "%1 mm at feed"), {formatFixed(passes->length(), 1)}) +
                                textOfLosses(*passes));
     return 0;
 }

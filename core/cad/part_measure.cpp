@@ -19,7 +19,7 @@ namespace {
 
 using Kind = MeasuredFace::Kind;
 
-constexpr double parallelWithin = 1e-6; // rad
+constexpr double parallelWithin = 1e-5; // rad: what single precision makes of the faces of an STL file
 constexpr double behindFace = 1e-6;     // mm, in which a ray does not look for the other side
 
 bool isRound(const MeasuredFace& face) noexcept {
@@ -39,14 +39,9 @@ double fromPlane(const glm::dvec3& place, const MeasuredFace& plane) {
     return std::abs(glm::dot(place - plane.place, plane.normal));
 }
 
-/// The triangle of a mesh file that is nearest to a place.
-struct MeshPlace {
-    Triangle corners{};
+/// The triangle that is nearest to a place.
+MeasuredFace measuredTriangle(const Model& model, const glm::dvec3& place) {
     MeasuredFace face;
-};
-
-MeshPlace nearestTriangle(const Model& model, const glm::dvec3& place) {
-    MeshPlace found;
     double nearest = std::numeric_limits<double>::infinity();
     for (const Body& body : model.bodies)
         for (const auto& triangle : body.mesh.triangles) {
@@ -56,14 +51,13 @@ MeshPlace nearestTriangle(const Model& model, const glm::dvec3& place) {
             const double distance = glm::distance(foot, place);
             if (!(glm::length(normal) > 0.0) || distance >= nearest) continue;
             nearest = distance;
-            found.corners = corners;
-            found.face.kind = Kind::plane;
-            found.face.place = foot;
-            found.face.corner = *std::ranges::min_element(
+            face.kind = Kind::plane;
+            face.place = foot;
+            face.corner = *std::ranges::min_element(
                 corners, {}, [&place](const glm::dvec3& corner) { return glm::distance(corner, place); });
-            found.face.normal = glm::normalize(normal);
+            face.normal = glm::normalize(normal);
         }
-    return found;
+    return face;
 }
 
 /// Straight in from the place to the first triangle that the ray leaves the material through.
@@ -82,18 +76,15 @@ std::optional<double> thicknessAt(const Model& model, const MeasuredFace& face) 
 }
 
 PartMeasure ofMesh(const Model& model, const glm::dvec3& from, const std::optional<glm::dvec3>& to) {
-    PartMeasure measure;
     const auto measured = [&](const glm::dvec3& place) {
-        MeshPlace found = nearestTriangle(model, place);
-        found.face.thickness = thicknessAt(model, found.face);
-        return found;
+        MeasuredFace face = measuredTriangle(model, place);
+        face.thickness = thicknessAt(model, face);
+        return face;
     };
-    const MeshPlace first = measured(from);
-    measure.from = first.face;
+    PartMeasure measure{measured(from)};
     if (!to) return measure;
-    const MeshPlace second = measured(*to);
-    measure.to = second.face;
-    measure.pair = pairOf(first.face, second.face);
+    measure.to = measured(*to);
+    measure.pair = pairOf(measure.from, *measure.to);
     return measure;
 }
 

@@ -108,7 +108,10 @@ std::string memorySubject(const StoredPath& path, std::uint64_t samples) {
 // What is checked takes time with the length of its moves: a slip of some digits would take hours. mm
 constexpr double longestMove = 1e6, longestProgram = 1e7;
 
-/// That a program is of a length that a machine could mill. Errors: programSyntax, with the line where it is not.
+constexpr std::string_view authored = "path authored by hand"; // some dialects write it in capitals
+
+} // namespace
+
 Result<void> checkLength(const ParsedProgram& program, const std::string& origin) {
     double all = 0.0;
     for (const NcMotion& motion : program.motions) {
@@ -124,10 +127,6 @@ Result<void> checkLength(const ParsedProgram& program, const std::string& origin
     }
     return {};
 }
-
-constexpr std::string_view authored = "path authored by hand"; // some dialects write it in capitals
-
-} // namespace
 
 bool isPosted(std::string_view text) {
     constexpr std::size_t header = 4000; // characters

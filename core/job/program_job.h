@@ -87,6 +87,10 @@ struct ProgramPaths {
 std::vector<std::string> programHeader(const MillingContext& milling, const std::vector<Tool>& tools,
                                        const std::string& setupName);
 
+/// That a program is of a length that a machine could mill: what reads its moves takes time and memory with it. Errors:
+/// programSyntax, with the line where it is not. @param origin file name for messages
+Result<void> checkLength(const ParsedProgram& program, const std::string& origin);
+
 /// Whether a text says in its header that Burin posted it: it is then to follow the project's paths.
 bool isPosted(std::string_view text);
 

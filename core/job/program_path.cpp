@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/job/program_path.h"
 
+#include "core/job/program_job.h"
 #include "core/nc/apt_reader.h"
 #include "core/nc/dialect_library.h"
 #include "core/nc/parser.h"
@@ -101,11 +102,18 @@ private:
 
 } // namespace
 
+double ProgramPasses::length() const noexcept {
+    double sum = 0.0;
+    for (const ProgramPass& pass : passes) sum += pass.length;
+    return sum;
+}
+
 Result<ProgramPasses> passesOfProgram(std::string_view text, const std::string& file, const std::string& dialect,
                                       const MillingContext& milling, const ToolChoice& tools,
                                       const Progress& progress) {
     const Result<ParsedProgram> program = read(text, file, dialect);
     if (!program) return program.error();
+    if (Result<void> checkable = checkLength(*program, file); !checkable) return std::move(checkable).error();
     if (Result<void> one = checkOffsets(*program, file); !one) return std::move(one).error();
     PassWriter writer(file, tools);
     for (const ToolMove& move : toolMoves(*program, milling.setup.workOffset, milling.machine)) {

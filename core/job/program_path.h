@@ -27,6 +27,8 @@ struct ProgramPasses {
     std::size_t arcs = 0;            ///< moves that became chords, which leave them by `arcChord` at most
     std::size_t dwells = 0;          ///< left out: paths know none
     std::size_t startless = 0;       ///< feed moves from a place that the program does not state, left out
+
+    double length() const noexcept; ///< mm, of all of them
 };
 
 /// What a program's tool numbers mean.
@@ -39,8 +41,8 @@ struct ToolChoice {
 /// @param milling its setup, program zero and machine count, not its tool
 /// @param tools without a number called, and one of them: that one
 /// Errors: those of parseProgram and parseCutterLocations; nameUnknown (a tool number), pathEmpty (no move at feed),
-/// programSyntax (several work offsets, or one that the program sets), argumentInvalid (a place beyond 1e6 mm),
-/// cancelled.
+/// those of checkLength, programSyntax (several work offsets, or one that the program sets), argumentInvalid (a place
+/// beyond 1e6 mm), cancelled.
 Result<ProgramPasses> passesOfProgram(std::string_view text, const std::string& file, const std::string& dialect,
                                       const MillingContext& milling, const ToolChoice& tools, const Progress& progress);
 /// Tool numbers that a program mills with, each once, in order. Errors: those of the parsers.

@@ -22,6 +22,8 @@ constexpr std::string_view spaces = " \t\r\f\v";
 constexpr double millimetresPerInch = 25.4;
 constexpr double uprightWithin = 1e-6;      // of a unit vector's components
 constexpr double onCircleWithin = 0.01;     // mm, that ends of an arc may lie off its circle
+constexpr double farthest = 1e6;            // mm from zero, of a place
+constexpr double fastest = 1e9;             // mm/min
 constexpr std::size_t longestRecord = 4096; // characters, continued lines included
 
 /// "GOTO / 1, 2, 3": the word before the slash, and what stands behind it. In capitals.
@@ -177,6 +179,7 @@ private:
         if (numbers.size() == 6 && !isUpright({numbers.begin() + 3, numbers.end()})) return tilted();
         const glm::dvec3 to = unit_ * glm::dvec3(numbers[0], numbers[1], numbers[2]);
         if (from) {
+            if (!inReach(to)) return "a position more than 1e6 mm away";
             place_ = to;
             return {};
         }
@@ -189,7 +192,12 @@ private:
         return goTo(record,
                     *place_ + unit_ * (by.size() == 1 ? glm::dvec3(0.0, 0.0, by[0]) : glm::dvec3(by[0], by[1], by[2])));
     }
+    static bool inReach(const glm::dvec3& place) {
+        return std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}) <= farthest;
+    }
+
     Problem goTo(const Record& record, const glm::dvec3& to) {
+        if (!inReach(to)) return "a position more than 1e6 mm away";
         const auto arc = std::exchange(arc_, std::nullopt);
         NcMotion motion = begin(record, rapid_ ? NcMotionKind::rapid : arc ? NcMotionKind::arc : NcMotionKind::line);
         rapid_ = false;
@@ -197,6 +205,7 @@ private:
         if (motion.kind != NcMotionKind::rapid) {
             motion.feed = feedPerTurn_ ? feed_ * speed_ : feed_;
             if (!(motion.feed > 0.0)) return "a move without a feed";
+            if (!(motion.feed <= fastest)) return "a feed beyond 1e9 mm/min";
         }
         if (motion.kind == NcMotionKind::arc) {
             if (!place_) return "an arc from a position that is not stated";
@@ -218,6 +227,9 @@ private:
         if (std::abs(axis.x) > uprightWithin || std::abs(axis.y) > uprightWithin ||
             std::abs(std::abs(axis.z) - 1.0) > uprightWithin)
             return "an arc about an axis other than Z";
+        if (!inReach(unit_ * glm::dvec3(numbers[0], numbers[1], numbers[2])) ||
+            !(std::abs(unit_ * numbers[6]) <= farthest))
+            return "a position more than 1e6 mm away";
         arc_ = Turn{unit_ * glm::dvec3(numbers[0], numbers[1], numbers[2]), unit_ * numbers[6], axis.z < 0.0};
         return {};
     }

@@ -260,7 +260,9 @@ std::vector<StrokePoint> EntryPlanner::rampBeside(const PathStroke& stroke, cons
             double depth = 0.0;
             for (const StrokeStep& step : stepsOf(line, look)) depth = std::max(depth, depthAt(step.tip, true));
             std::vector<StrokePoint> way = rampInto(line, depth + gap, RampEnd::passes);
-            if (!way.empty() && clearsShank(way)) return way;
+            // The last leg comes down, too: that may turn it by the degree that makes a back-step.
+            if (way.size() < 2 || isBackStep(way[way.size() - 2].pose.tip, way.back().pose.tip, next)) continue;
+            if (clearsShank(way)) return way;
         }
     return {};
 }

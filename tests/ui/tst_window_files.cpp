@@ -182,7 +182,7 @@ void TestWindowFiles::whatIsOpenAlreadyIsShown() {
     QVERIFY(makeReady(driver, 1.0));
     const QString file = driver.folder().filePath("here.burin");
     QVERIFY(saveAs(driver, file));
-    driver.key(Qt::Key_F1);
+    driver.key(Qt::Key_F1, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("recentFileButton") != nullptr; }, 5000));
     const auto workpiece = driver.window().workbench().workpiece.milling();
     QVERIFY(driver.clickOn("recentFileButton"));

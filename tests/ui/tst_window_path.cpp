@@ -380,7 +380,7 @@ void TestWindowPath::theWorstPlaceOfAnEditIsShown() {
     for (std::size_t i = 0; i < reports.size(); ++i) {
         auto* eye = driver.window().findChild<QAbstractButton*>(QStringLiteral("edit%1Worst").arg(i));
         QVERIFY(eye != nullptr);
-        QCOMPARE(eye->isVisibleTo(eye->parentWidget()), reports[i].largestDeviation > 0.0);
+        QCOMPARE(eye->isEnabled(), reports[i].largestDeviation > 0.0);
         if (!(reports[i].largestDeviation > 0.0)) continue;
         eye->click();
         QVERIFY(glm::distance(viewport->cameraView().focus, reports[i].worstPlace) < 1e-9);

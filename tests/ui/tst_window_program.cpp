@@ -423,9 +423,9 @@ void TestWindowProgram::theTextOpensNextToTheView() {
     QTest::keyClick(text, Qt::Key_F, Qt::ControlModifier); // the window's shortcuts hold there as well
     QVERIFY(driver.visible<QLineEdit>("programSearch")->hasFocus());
     text->setFocus();
-    QTest::keyClick(text, Qt::Key_F1);
+    QTest::keyClick(text, Qt::Key_F1, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(driver.visible("welcomePage") != nullptr && !dock->isVisible());
-    driver.key(Qt::Key_F1);
+    driver.key(Qt::Key_F1, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(dock->isVisible());
     QVERIFY(driver.waitFor([&] { return text->hasFocus(); }, 3000)); // where it was before
 

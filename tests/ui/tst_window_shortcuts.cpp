@@ -53,9 +53,10 @@ private slots:
     void eachHasItsOwn() {
         WindowDriver driver;
         std::set<QString> seen;
-        for (const QAction* action : driver.window().findChildren<QAction*>()) {
+        for (const QAction* action : menuActions(driver)) {
             const QString keys = action->shortcut().toString();
-            if (keys.isEmpty() || action->objectName().isEmpty()) continue;
+            if (action == menuAction(driver, "exportAction") && seen.contains(keys)) continue; // in two menus
+            QVERIFY2(!keys.isEmpty(), qPrintable(action->objectName()));
             QVERIFY2(seen.insert(keys).second, qPrintable(keys + " " + action->objectName()));
         }
         QVERIFY(seen.size() > 70);

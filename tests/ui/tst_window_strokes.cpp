@@ -380,17 +380,17 @@ private slots:
     }
 
     void helpAndBack() {
-        driver_->key(Qt::Key_F1);
+        driver_->key(Qt::Key_F1, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(driver_->visible<QWidget>("backButton") != nullptr);
         driver_->shoot("strokes-welcome-back");
         const auto* escape = driver_->visible<QLabel>("escapeStatus");
         QVERIFY(escape != nullptr && escape->text() == QStringLiteral("Esc: back to the project"));
         QVERIFY(driver_->clickOn("backButton"));
         QVERIFY(driver_->visible<QWidget>("viewport") != nullptr);
-        driver_->key(Qt::Key_F1);
-        driver_->key(Qt::Key_F1);
+        driver_->key(Qt::Key_F1, Qt::ControlModifier | Qt::ShiftModifier);
+        driver_->key(Qt::Key_F1, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(driver_->visible<QWidget>("viewport") != nullptr);
-        driver_->key(Qt::Key_F1);
+        driver_->key(Qt::Key_F1, Qt::ControlModifier | Qt::ShiftModifier);
         driver_->key(Qt::Key_Escape);
         QVERIFY(driver_->visible<QWidget>("viewport") != nullptr);
         QVERIFY(workbench().mill.active()); // that Esc was the page's

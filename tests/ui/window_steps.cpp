@@ -9,6 +9,7 @@
 #include <QFile>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QPushButton>
 #include <QtTest>
@@ -100,6 +101,14 @@ QAction* menuAction(WindowDriver& driver, const QString& name) {
         for (QAction* action : menu->actions())
             if (action->objectName() == name) return action;
     return nullptr;
+}
+
+std::vector<QAction*> menuActions(WindowDriver& driver) {
+    std::vector<QAction*> actions;
+    for (const QAction* entry : driver.window().menuBar()->actions())
+        for (QAction* action : entry->menu()->actions())
+            if (!action->isSeparator() && action->menu() == nullptr) actions.push_back(action);
+    return actions;
 }
 
 bool saveAs(WindowDriver& driver, const QString& file) {

@@ -14,6 +14,8 @@ void chooseFile(WindowDriver& driver, const QString& file);
 bool answer(QWidget& dialog, const char* button);
 /// An action of one of the menus, by its object's name; null where there is none.
 QAction* menuAction(WindowDriver& driver, const QString& name);
+/// All that the menus offer.
+std::vector<QAction*> menuActions(WindowDriver& driver);
 /// Saves the project under a name by key and dialogue; true once nothing is left to save.
 bool saveAs(WindowDriver& driver, const QString& file);
 /// Lets a file fall on the window.

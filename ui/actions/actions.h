@@ -110,6 +110,7 @@ enum class ActionId : std::size_t {
     tools,
     materials,
     devices,
+    help,
     welcome,
     keyList,
     about,

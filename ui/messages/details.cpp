@@ -352,6 +352,8 @@ constexpr std::array details{
     BURIN_TEXT("Detail", "numbers are missing"),
     BURIN_TEXT("Detail", "a step from a position that is not stated"),
     BURIN_TEXT("Detail", "a move without a feed"),
+    BURIN_TEXT("Detail", "a feed beyond 1e9 mm/min"),
+    BURIN_TEXT("Detail", "a position more than 1e6 mm away"),
     BURIN_TEXT("Detail", "an arc from a position that is not stated"),
     BURIN_TEXT("Detail", "an arc whose ends do not lie on its circle"),
     BURIN_TEXT("Detail", "an arc about an axis other than Z"),

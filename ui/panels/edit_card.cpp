@@ -120,7 +120,7 @@ void EditCard::showReport(const EditReport* report, LengthUnit unit, const glm::
     lines.removeAll(QString());
     report_->setToolTip(lines.join(QLatin1Char('\n')));
     const bool hasError = report != nullptr && report->largestDeviation > 0.0;
-    worst_->setVisible(hasError);
+    setEnabledKeepingFocus(worst_, hasError);
     if (hasError) worstPlace_ = report->worstPlace;
     if (report == nullptr) return report_->setText(QString(QChar::Nbsp)); // as high as one: the fields below stay
     QString text = tr("%1 → %2 points").arg(countText(report->pointsBefore), countText(report->pointsAfter));

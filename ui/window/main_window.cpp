@@ -5,6 +5,7 @@
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/questions.h"
 #include "ui/dialogs/shortcut_dialog.h"
+#include "ui/help/help_dialog.h"
 #include "ui/messages/messages.h"
 #include "ui/panels/program_editor.h"
 #include "ui/panels/project_tree.h"
@@ -222,6 +223,41 @@ void MainWindow::showShortcuts() {
         delete findChild<KeyList*>(); // it shows those from before
     });
     dialog.exec();
+}
+
+/// On what one is doing.
+void MainWindow::showHelp() {
+    const auto topic = [this]() -> QString {
+        if (pages_->currentWidget() == welcome_) return QStringLiteral("start");
+        if (timeline_->isAncestorOf(QApplication::focusWidget())) return QStringLiteral("time");
+        switch (presenters_->job.shown()) {
+        case JobStep::part:
+            return QStringLiteral("part");
+        case JobStep::stock:
+        case JobStep::material:
+            return QStringLiteral("stock");
+        case JobStep::tool:
+        case JobStep::allowance:
+            return QStringLiteral("tool");
+        case JobStep::mill:
+            return QStringLiteral("mill");
+        case JobStep::path:
+            return QStringLiteral("path");
+        case JobStep::program:
+            return QStringLiteral("program");
+        }
+        return QStringLiteral("window");
+    }();
+    auto* help = findChild<HelpDialog*>();
+    if (help == nullptr) {
+        const QString language = settings_.preferences().language;
+        help = new HelpDialog(helpPages(language.isEmpty() ? QLocale().name() : language), this);
+        help->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    help->showTopic(topic);
+    help->show();
+    help->raise();
+    help->activateWindow();
 }
 
 /// Docks and panel as they were before the user moved them.

@@ -71,6 +71,7 @@ private:
     void resetLayout();
     void takeShortcuts(); ///< those that the user chose
     void showShortcuts();
+    void showHelp();
     void followDocks();
     void layOutTimeline();
     void setUnit(LengthUnit unit);

@@ -77,6 +77,7 @@ void MainWindow::connectActions() {
     });
     connect(welcome_, &WelcomePage::backRequested, this, &MainWindow::goBack);
     connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MainWindow::escape);
+    on(ActionId::help, [this] { showHelp(); });
     on(ActionId::keyList, [this] { showKeys(); });
     on(ActionId::about, [this] { showAbout(this, QCoreApplication::applicationVersion()); });
     connect(panels_->part, &PartPanel::importRequested, &flow_, &DocumentFlow::import);
@@ -110,10 +111,8 @@ void MainWindow::connectActions() {
 /// What a part that was read again differs in.
 /// What became of a program that is edited as a path now.
 QString MainWindow::programPathText(const ProgramPasses& passes) const {
-    double length = 0.0;
-    for (const ProgramPass& pass : passes.passes) length += pass.length;
     QStringList text{tr("%1 of the program at feed became a path, with its feeds and speeds. Links replace its rapids.")
-                         .arg(wayText(length, settings_.preferences().unit))};
+                         .arg(wayText(passes.length(), settings_.preferences().unit))};
     const auto count = [](std::size_t number) { return static_cast<int>(number); };
     if (passes.arcs > 0)
         text << (passes.arcs == 1 ? tr("1 arc became chords within 0.001 mm; “Fit arcs” makes an arc of them again.")

@@ -57,7 +57,7 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
              line, drawStretch, drawEdit});
     addMenu(bar, tr("P&rogram"), "programMenu", actions,
             {post, exportProgram, overrideCheck, restart, line, findInProgram, programDock, line, machines});
-    addMenu(bar, tr("&Help"), "helpMenu", actions, {welcome, keyList, about});
+    addMenu(bar, tr("&Help"), "helpMenu", actions, {help, welcome, keyList, about});
     setRecentFiles({});
 }
 

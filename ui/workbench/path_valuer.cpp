@@ -36,7 +36,7 @@ std::shared_ptr<const PathValues> PathValuer::values() const {
 void PathValuer::goOn() {
     const auto path = path_.evaluated();
     if (!chosen_ || !path || path_.stored() == nullptr || path == of_ || path == asked_ || !workpiece_.milling() ||
-        workpiece_.changing())
+        workpiece_.changing() || workpiece_.milling()->tool.id != path->path.toolId)
         return;
     asked_ = path;
     desk_.project.ask(

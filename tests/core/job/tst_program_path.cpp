@@ -159,6 +159,8 @@ private slots:
                                         << "line 3";
         QTest::newRow("surface speed") << "SPINDL/300,SFM\n"
                                        << "line 1";
+        QTest::newRow("far away") << "FEDRAT/1\nGOTO/0,0,1e308\n"
+                                  << "line 2";
         QTest::newRow("unknown") << "WHATEVER/1,2\n"
                                  << "line 1";
     }
@@ -241,6 +243,10 @@ private slots:
         const Error offsets = errorOf("G21 G90 G94 G54\nG0 X1 Y1 Z1\nG1 X2 F100\nG55\nG0 X1 Y1 Z1\nG1 X2\nM2\n");
         QCOMPARE(offsets.code, ErrorCode::programSyntax);
         QCOMPARE(offsets.place, std::string("line 5"));
+        // Chords of such arcs would fill the memory.
+        std::string far = "G21 G90 G94 G54 G17\nG0 X0 Y0 Z0\n";
+        for (int i = 0; i < 20; ++i) far += "G2 X0 Y0 I90000 J0 F100\n";
+        QCOMPARE(errorOf(far + "M2\n").code, ErrorCode::programSyntax);
     }
 
 private:

@@ -223,6 +223,16 @@ private slots:
         QVERIFY(ramps > 30.0); // there was something to judge
     }
 
+    /// A ramp beside the stroke, whose way down alone makes a back-step of its turn into the stroke.
+    void aRampBesideAStrokeDoesNotStepBack() {
+        const std::vector<glm::dvec3> corners{
+            {-5.0, -5.0, 1.0}, {-4.5, -5.0, -0.4}, {-5.0, -5.0, -1.0}, {-5.9165, -4.5999, -1.2}};
+        const auto path = run({takeOf(along(corners, 40.0))}, {{DropAirCuts{}}, {DropDwells{}}, {rampingLink()}},
+                              blockContext(stubbyTool(CutterType::ball)));
+        QVERIFY2(path, path ? "" : path.error().detail.c_str());
+        QVERIFY(backStepsIn(path->path.points, false) == 0U);
+    }
+
     /// A stroke that begins at a wall with a tiny move along it leaves no room to turn beyond its beginning.
     void atAWallNothingStepsBackEither() {
         const MeshDistance part(meshOf({{{-10, -10, -16}, {-8, 10, -1}}, {{-10, -10, -16}, {10, -8, -1}}}));

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QDialog>
+#include <QString>
+
+#include <vector>
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QTextBrowser;
+
+namespace burin {
+
+/// A page of the help: Markdown, its first line the title.
+struct HelpPage {
+    QString topic; ///< the file's name without its ending: "path"
+    QString title, text;
+};
+
+/// The pages in a language, in their order (resources/help); those of a language that has none, or lacks one, are
+/// English. @param language "de", "de_AT"
+std::vector<HelpPage> helpPages(const QString& language);
+
+/// The help, beside the window: topics on the left, a page on the right. What is typed is looked for in all pages.
+class HelpDialog final : public QDialog {
+    Q_OBJECT
+public:
+    explicit HelpDialog(std::vector<HelpPage> pages, QWidget* parent = nullptr);
+    void showTopic(const QString& topic); ///< nothing where there is none of that name
+
+private:
+    void showOnly(const QString& text);
+    void showPage(int row);
+    void mark(const QString& text);
+
+    std::vector<HelpPage> pages_;
+    QLineEdit* search_ = nullptr;
+    QListWidget* topics_ = nullptr;
+    QTextBrowser* page_ = nullptr;
+    QLabel* nothing_ = nullptr;
+};
+
+} // namespace burin
