@@ -29,7 +29,8 @@ struct MeasuredFace {
 struct MeasuredPair {
     double places = 0.0;  ///< mm, between both places
     double corners = 0.0; ///< mm, between both corners
-    /// mm, between both faces where they are nearest to each other; nothing: of a mesh, which has no faces.
+    /// mm, between both faces where they are nearest to each other; nothing: of one face, and of a mesh, which has
+    /// none.
     std::optional<double> faces{};
     glm::dvec3 nearestFrom{0.0}, nearestTo{0.0}; ///< mm: where that is, else both places
     /// rad, 0 … π / 2, between two directions: normals of planes, axes of round faces; a plane's own direction is its

@@ -260,10 +260,10 @@ std::optional<PartMeasure> readMeasure(ByteReader& from) {
         measure.to = readMeasuredFace(from, sound);
         MeasuredPair pair = pairOf(measure.from, *measure.to);
         const auto apart = from.value<double>();
-        pair.faces = apart;
+        if (apart >= 0.0) pair.faces = apart;
         pair.nearestFrom = from.value<glm::dvec3>();
         pair.nearestTo = from.value<glm::dvec3>();
-        sound = sound && std::isfinite(apart) && apart >= 0.0 && isFinite(pair.nearestFrom) && isFinite(pair.nearestTo);
+        sound = sound && std::isfinite(apart) && isFinite(pair.nearestFrom) && isFinite(pair.nearestTo);
         measure.pair = pair;
     }
     if (!from.finished() || !sound) return std::nullopt;

@@ -72,6 +72,9 @@ private slots:
         const QJsonObject square = measure("plate.burin", {80.0, 25.0, 6.0}, glm::dvec3(30.0, 50.0, 6.0));
         near(square["between"]["angle_rad"], 0.5 * pi);
         QVERIFY(square["between"]["apart_mm"].isNull());
+        const QJsonObject same = measure("plate.burin", {80.0, 25.0, 6.0}, glm::dvec3(80.0, 35.0, 6.0));
+        near(same["between"]["points_mm"], 10.0);
+        QVERIFY(same["between"]["faces_mm"].isNull()); // one face
         near(square["between"]["faces_mm"], 0.0);
         // A hole along the plate's side.
         const QJsonObject along = measure("plate.burin", {40.0, 0.0, 6.0}, glm::dvec3(13.0, 10.0, 6.0));

@@ -106,6 +106,42 @@ private slots:
         QVERIFY(!history->isVisible());
     }
 
+    /// Where tree, section and path want room at once, nothing lies over anything else, and what was spared comes back.
+    void theBarBelowTheViewMakesDo() {
+        WindowDriver driver(QSize(1280, 800));
+        QVERIFY(makeReady(driver, 1.0));
+        QVERIFY(recordLine(driver, {-10.0, 0.0}, {10.0, 0.0}));
+        QVERIFY(newPath(driver));
+        auto* bar = driver.window().findChild<QWidget*>("viewBar");
+        auto* colours = driver.window().findChild<QWidget*>("pathColour");
+        QVERIFY(bar && driver.waitFor([&] { return colours->isVisible(); }));
+        const auto overlaps = [&] {
+            std::vector<QRect> places;
+            for (QWidget* widget : bar->findChildren<QWidget*>()) {
+                if (!widget->isVisible() || widget->layout() != nullptr || widget->parentWidget() == nullptr) continue;
+                if (widget->parentWidget() != bar && widget->parentWidget()->parentWidget() != bar) continue;
+                const QRect place(widget->mapTo(bar, QPoint(0, 0)), widget->size());
+                if (!bar->rect().contains(place)) return true;
+                for (const QRect& other : places)
+                    if (other.intersects(place)) return true;
+                places.push_back(place);
+            }
+            return places.size() < 3;
+        };
+        QVERIFY(!overlaps());
+        driver.key(Qt::Key_F10, Qt::ControlModifier);
+        driver.key(Qt::Key_S);
+        QVERIFY(driver.settle());
+        QTRY_VERIFY(!overlaps());
+        driver.shoot("view-bar-narrow");
+        driver.key(Qt::Key_F10, Qt::ControlModifier);
+        driver.window().resize(1024, 700);
+        QTRY_VERIFY(!overlaps());
+        driver.shoot("view-bar-narrowest");
+        driver.window().resize(1600, 900);
+        QTRY_VERIFY(!overlaps() && colours->isVisible());
+    }
+
     /// Docks that were moved come back to where they were at first; so does the panel.
     void theLayoutIsReset() {
         WindowDriver driver;

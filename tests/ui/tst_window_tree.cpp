@@ -133,6 +133,12 @@ private slots:
         driver.shoot("tree-2-hidden");
         body = rowOf(*tree, "Part")->child(0);
         QCOMPARE(body->checkState(0), Qt::Unchecked);
+        // Nor is it picked.
+        driver.key(Qt::Key_J, Qt::ControlModifier);
+        QTRY_VERIFY(menuAction(driver, "measureAction")->isChecked());
+        QTest::mouseClick(&viewport, Qt::LeftButton, Qt::NoModifier, centre.toPoint());
+        QVERIFY(!workbenchOf(driver).measure.busy() && workbenchOf(driver).measure.measure() == nullptr);
+        driver.key(Qt::Key_Escape);
         QVERIFY(chooseFromMenu(driver, *tree, *body, "bodyMenu", "isolateBodyAction"));
         QTRY_VERIFY(viewport.pick(centre).has_value());
         // By the keyboard: its row, and the space bar.

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace burin {
 
@@ -19,6 +20,7 @@ class BodyPicker : public QObject, public InteractiveTool {
 public:
     using QObject::QObject;
     void setModel(std::shared_ptr<const Model> model) { model_ = std::move(model); }
+    void setHidden(std::set<std::size_t> bodies) { hidden_ = std::move(bodies); } ///< of the model: seen through
 
     bool press(const ViewportEvent& event) override;
     bool release(const ViewportEvent& event) override;
@@ -29,6 +31,7 @@ signals:
 
 private:
     std::shared_ptr<const Model> model_;
+    std::set<std::size_t> hidden_;
     bool taken_ = false; ///< the press that is under way was on a body
 };
 
@@ -37,7 +40,7 @@ struct SeenBody {
     std::size_t body = 0;
     glm::dvec3 place{0.0}; ///< mm, setup frame
 };
-/// Nothing: no body. Cost: all of its triangles.
-std::optional<SeenBody> bodyOn(const Sight& sight, const Model& model);
+/// Nothing: no body. Cost: all of its triangles. @param hidden bodies that are seen through
+std::optional<SeenBody> bodyOn(const Sight& sight, const Model& model, const std::set<std::size_t>& hidden);
 
 } // namespace burin

@@ -82,8 +82,9 @@ QString measureText(const PartMeasure& measure, const glm::dvec3& zero, LengthUn
                      .arg(lengthText(pair.places, unit), positionText(measure.to->place - measure.from.place, unit));
     if (pair.faces)
         sentences << MeasureWords::tr("Between the faces at their nearest: %1.").arg(lengthText(*pair.faces, unit));
-    sentences
-        << MeasureWords::tr("Between the nearest corners or circle centres: %1.").arg(lengthText(pair.corners, unit));
+    if (pair.corners > 0.0) // else it is one corner
+        sentences << MeasureWords::tr("Between the nearest corners or circle centres: %1.")
+                         .arg(lengthText(pair.corners, unit));
     return sentences.join(QLatin1Char(' '));
 }
 

@@ -9,6 +9,7 @@
 #include <QPixmap>
 
 #include <set>
+#include <utility>
 
 namespace burin {
 
@@ -101,6 +102,11 @@ QTreeWidgetItem* ProjectTree::itemWith(ProjectRowKind kind, qint64 id) const {
     for (QTreeWidgetItemIterator at(const_cast<ProjectTree*>(this)); *at != nullptr; ++at)
         if (kindOf(**at) == kind && idOf(**at) == id) return *at;
     return nullptr;
+}
+
+void ProjectTree::changeEvent(QEvent* event) {
+    QTreeWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange && !filling_) setRows(std::exchange(rows_, {}));
 }
 
 void ProjectTree::contextMenuEvent(QContextMenuEvent* event) {

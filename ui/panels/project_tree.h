@@ -42,6 +42,7 @@ signals:
 
 protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void changeEvent(QEvent* event) override; ///< colours are the theme's
 
 private:
     QTreeWidgetItem* itemOf(const ProjectRow& node) const;

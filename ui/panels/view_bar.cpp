@@ -13,22 +13,25 @@
 #include <QSignalBlocker>
 #include <QSlider>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace burin {
 
 namespace {
 
-constexpr int sliderWidth = 120, fieldWidth = 110; // pixels
-constexpr int sliderSteps = 1000;                  // of the section's way
-constexpr int transparencyStep = 5;                // %
+constexpr int sliderWidth = 120, leastSliderWidth = 50, fieldWidth = 110; // pixels
+constexpr int sliderSteps = 1000;                                         // of the section's way
+constexpr int transparencyStep = 5;                                       // %
 
 QSlider* makeSlider(const QString& toolTip, const char* name, QWidget* parent) {
     auto* slider = new QSlider(Qt::Horizontal, parent);
     slider->setObjectName(QLatin1String(name));
     slider->setAccessibleName(toolTip);
     slider->setToolTip(toolTip);
-    slider->setFixedWidth(sliderWidth);
+    slider->setMinimumWidth(leastSliderWidth);
+    slider->setMaximumWidth(sliderWidth);
     return slider;
 }
 
@@ -53,12 +56,13 @@ QPushButton* makeActionButton(QAction& action, const char* name, QWidget* parent
 
 ViewBar::ViewBar(const Offered& offered, QWidget* parent) : QFrame(parent) {
     setObjectName(QStringLiteral("viewBar"));
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // it makes do with what there is
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 6, 12, 6);
     layout->setSpacing(8);
-    auto* label = new QLabel(tr("Transparency"), this);
-    label->setProperty("look", "quiet");
-    layout->addWidget(label);
+    transparencyTitle_ = new QLabel(tr("Transparency"), this);
+    transparencyTitle_->setProperty("look", "quiet");
+    layout->addWidget(transparencyTitle_);
     transparency_ = makeSlider(tr("Transparency of the workpiece."), "transparencySlider", this);
     transparency_->setRange(0, mostTransparent);
     transparency_->setSingleStep(transparencyStep);
@@ -71,9 +75,9 @@ ViewBar::ViewBar(const Offered& offered, QWidget* parent) : QFrame(parent) {
     auto* colours = new QHBoxLayout(pathColours_);
     colours->setContentsMargins(0, 0, 0, 0);
     colours->setSpacing(8);
-    auto* path = new QLabel(tr("Path"), pathColours_);
-    path->setProperty("look", "quiet");
-    colours->addWidget(path);
+    pathTitle_ = new QLabel(tr("Path"), pathColours_);
+    pathTitle_->setProperty("look", "quiet");
+    colours->addWidget(pathTitle_);
     pathColour_ = new ChoiceBox(pathColours_);
     pathColour_->setObjectName(QStringLiteral("pathColour"));
     pathColour_->setAccessibleName(tr("Colours of the path"));
@@ -127,9 +131,48 @@ void ViewBar::setPathColours(const QStringList& names) {
 }
 
 void ViewBar::showPathColour(const std::optional<int>& place) {
-    pathColours_->setVisible(place.has_value());
+    hasPath_ = place.has_value();
     const QSignalBlocker quiet(pathColour_);
     if (place) pathColour_->setCurrentIndex(*place);
+    followRoom();
+}
+
+void ViewBar::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    followRoom();
+}
+
+void ViewBar::followRoom() {
+    // By what widgets ask for, shown or not: to show them for the question would change their places meanwhile.
+    const int spacing = layout()->spacing();
+    const auto widthOf = [spacing](const QWidget& widget) {
+        return std::max(widget.minimumSizeHint().width(), widget.minimumWidth()) + spacing;
+    };
+    const QMargins margins = layout()->contentsMargins();
+    int needed = margins.left() + margins.right();
+    for (int i = 0; i < layout()->count(); ++i) {
+        const QWidget* widget = layout()->itemAt(i)->widget();
+        const bool own = widget == transparencyTitle_ || widget == transparency_ || widget == pathColours_;
+        if (widget == nullptr || own || (widget == sectionControls_ && widget->isHidden())) continue;
+        needed += widthOf(*widget);
+    }
+    struct Spared {
+        QWidget* widget;
+        int width; ///< pixels
+        bool wanted = true;
+    };
+    std::array<Spared, 4> spared{{{transparencyTitle_, widthOf(*transparencyTitle_)},
+                                  {pathTitle_, widthOf(*pathTitle_), hasPath_},
+                                  {pathColours_, widthOf(*pathColour_), hasPath_},
+                                  {transparency_, widthOf(*transparency_)}}};
+    for (const Spared& each : spared) needed += each.wanted ? each.width : 0;
+    for (Spared& each : spared) {
+        if (needed > width() && each.wanted) {
+            needed -= each.width;
+            each.wanted = false;
+        }
+        each.widget->setVisible(each.wanted);
+    }
 }
 
 void ViewBar::showTransparency(int percent) {
@@ -139,6 +182,7 @@ void ViewBar::showTransparency(int percent) {
 
 void ViewBar::showSection(const std::optional<Section>& section) {
     sectionControls_->setVisible(section.has_value());
+    followRoom();
     if (!section) return;
     low_ = section->low;
     high_ = section->high;

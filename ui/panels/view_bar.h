@@ -16,7 +16,8 @@ namespace burin {
 
 class LengthField;
 
-/// Below the view: how it shows things. The section's controls are there while there is a section.
+/// Below the view: how it shows things. The section's controls are there while there is a section. Where there is no
+/// room for all, titles go first, then what has an action as well.
 class ViewBar final : public QFrame {
     Q_OBJECT
 public:
@@ -47,9 +48,16 @@ signals:
     void axisChosen(int axis);            ///< 0, 1, 2
     void positionChosen(double position); ///< mm along the axis
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void followRoom();
+
+    QWidget* transparencyTitle_;
     QSlider* transparency_;
-    QWidget* pathColours_;
+    QWidget *pathColours_, *pathTitle_;
+    bool hasPath_ = false; ///< that could be coloured
     QComboBox* pathColour_;
     QWidget* sectionControls_;
     QComboBox* axis_;

@@ -39,8 +39,8 @@ namespace {
 
 constexpr QSize smallestWindow(1024, 680);
 constexpr QSize firstWindow(1280, 800);
-constexpr int sideDockWidth = 220;                    // pixels
-constexpr std::chrono::milliseconds warmUpAfter(300); // when the welcome page stands, and before anyone has read it
+constexpr int sideDockWidth = 220, leastDockWidth = 180; // pixels
+constexpr std::chrono::milliseconds warmUpAfter(300);    // when the welcome page stands, and before anyone has read it
 
 /// What the view shows.
 constexpr ActionId shownByAction[] = {ActionId::showPart, ActionId::showWorkpiece, ActionId::showTool,
@@ -176,6 +176,7 @@ void MainWindow::layOutTree() {
     treeDock_ = new ViewDock({tr("Project"), QStringLiteral("treeDock"), tr("Hide the project tree"), nullptr,
                               sideDockWidth, Qt::LeftDockWidgetArea},
                              *actions_[ActionId::showTree], *view_);
+    tree_->setMinimumWidth(leastDockWidth);
     treeDock_->setWidget(tree_);
 }
 
@@ -189,6 +190,7 @@ void MainWindow::layOutHistory() {
     historyDock_ = new ViewDock({tr("History"), QStringLiteral("historyDock"), tr("Hide the history"), nullptr,
                                  sideDockWidth, Qt::LeftDockWidgetArea},
                                 *actions_[ActionId::showHistory], *view_);
+    history->setMinimumWidth(leastDockWidth);
     historyDock_->setWidget(history);
     // As for Ctrl+Z: not while a stroke is under way.
     const auto follow = [this, history] { history->setEnabled(workbench_.canUndoNow()); };

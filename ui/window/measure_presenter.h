@@ -23,6 +23,7 @@ class MeasurePresenter final : public Presenter {
 public:
     MeasurePresenter(Workbench& workbench, Viewport& viewport, QObject* parent);
     void connectActions(const Actions& actions);
+    void setHiddenBodies(const std::set<std::size_t>& bodies) { picker_.setHidden(bodies); }
 
 signals:
     void told(const QString& sentences); ///< what was measured, or what to do

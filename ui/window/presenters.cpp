@@ -35,6 +35,12 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , time(workbench, stage.timeline, scene, this)
     , measure(workbench, stage.viewport, this)
     , tree(workbench, stage.tree, scene, this) {
+    connect(&scene, &ScenePresenter::hiddenBodiesChanged, this, [this](const std::set<std::size_t>& bodies) {
+        part.setHiddenBodies(bodies);
+        setups.setHiddenBodies(bodies);
+        zero.setHiddenBodies(bodies);
+        measure.setHiddenBodies(bodies);
+    });
     connect(&pathScene, &PathScenePresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(&area, &AreaPresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(stage.panels.program, &ProgramPanel::lineChosen, &workbench.time, &TimeController::followLine);

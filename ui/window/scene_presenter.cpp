@@ -114,6 +114,7 @@ void ScenePresenter::showBarePart(bool bare) {
 
 void ScenePresenter::setHiddenBodies(const std::set<std::size_t>& bodies) {
     hidden_ = bodies;
+    emit hiddenBodiesChanged(hidden_);
     presentSoon();
 }
 

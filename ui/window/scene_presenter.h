@@ -27,6 +27,9 @@ public:
     /// What stood there at a moment of the recordings; nothing: the present again.
     void showMoment(const std::optional<MomentView>& moment);
 
+signals:
+    void hiddenBodiesChanged(const std::set<std::size_t>& bodies);
+
 private:
     void present() override;
     void presentPart();

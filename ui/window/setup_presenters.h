@@ -26,6 +26,8 @@ public:
     /// While its step is shown a click in the viewport chooses a body.
     void setShown(bool shown);
 
+    void setHiddenBodies(const std::set<std::size_t>& bodies) { picker_.setHidden(bodies); }
+
 private:
     void present() override;
     Viewport& viewport_;

@@ -17,6 +17,7 @@ public:
     SetupsPresenter(Workbench& workbench, Viewport& viewport, SetupPanel& panel, QObject* parent);
     void setUnit(LengthUnit unit) override;
     void connectActions(const Actions& actions);
+    void setHiddenBodies(const std::set<std::size_t>& bodies) { picker_.setHidden(bodies); }
     /// Its step is no longer shown: no face is being picked.
     void leave() { pick(FaceAim::none); }
 

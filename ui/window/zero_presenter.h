@@ -18,6 +18,7 @@ public:
     ZeroPresenter(Workbench& workbench, Viewport& viewport, ZeroPanel& panel, QObject* parent);
     void setUnit(LengthUnit unit) override;
     void connectActions(const Actions& actions);
+    void setHiddenBodies(const std::set<std::size_t>& bodies) { picker_.setHidden(bodies); }
     /// The mark is drawn but while something is milled; another step than the stock's ends the question.
     void setShown(JobStep step);
 

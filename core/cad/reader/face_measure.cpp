@@ -103,6 +103,7 @@ Result<PartMeasure> faceMeasure(const TopoDS_Shape& shape, std::span<const glm::
     if (nearest.size() < 2) return measure;
     measure.to = measured(shape, nearest[1], toPoint(places[1]));
     measure.pair = pairOf(measure.from, *measure.to);
+    if (nearest[0].face.IsSame(nearest[1].face)) return measure; // it is 0, and says nothing
     const BRepExtrema_DistShapeShape between(nearest[0].face, nearest[1].face);
     if (!between.IsDone() || between.NbSolution() == 0)
         return Error{ErrorCode::fileDamaged, {}, {}, "no face that can be measured"};
