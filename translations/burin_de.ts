@@ -768,10 +768,6 @@
         <translation>&amp;Messen</translation>
     </message>
     <message>
-        <source>Click places of the part: diameter, wall thickness, area, distances and angle.</source>
-        <translation>Stellen des Teils anklicken: Durchmesser, Wandstärke, Fläche, Abstände und Winkel.</translation>
-    </message>
-    <message>
         <source>Reset the &amp;window layout</source>
         <translation>&amp;Fensteraufteilung zurücksetzen</translation>
     </message>
@@ -810,6 +806,10 @@
     <message>
         <source>Show the help on the current step.</source>
         <translation>Die Hilfe zum aktuellen Schritt zeigen.</translation>
+    </message>
+    <message>
+        <source>Click points on the part: diameter, wall thickness, area, distances and angle.</source>
+        <translation>Punkte auf dem Teil anklicken: Durchmesser, Wandstärke, Fläche, Abstände und Winkel.</translation>
     </message>
 </context>
 <context>
@@ -11018,8 +11018,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::MeasurePresenter</name>
     <message>
-        <source>Click a place of the part to measure its face, then another one for the distance. Esc ends it.</source>
-        <translation>Klicken Sie eine Stelle des Teils an, um ihre Fläche zu messen, dann eine zweite für den Abstand. Esc beendet.</translation>
+        <source>Click a point on the part to measure its face, then another one for the distance. Esc ends measuring.</source>
+        <translation>Klicken Sie einen Punkt auf dem Teil an, um seine Fläche zu messen, dann einen zweiten für den Abstand. Esc beendet das Messen.</translation>
     </message>
 </context>
 <context>

@@ -46,11 +46,11 @@ nlohmann::json jsonOf(const std::optional<double>& value) {
 nlohmann::json jsonOf(const MeasuredFace& face) {
     const bool round = face.radius > 0.0;
     return {{"face", idOf(face.kind)},
-            {"place_mm", jsonOf(face.place)},
+            {"position_mm", jsonOf(face.place)},
             {"corner_mm", jsonOf(face.corner)},
             {"normal", jsonOf(face.normal)},
             {"axis", jsonOf(face.axis)},
-            {"axis_place_mm", round ? jsonOf(face.axisPlace) : nlohmann::json()},
+            {"axis_position_mm", round ? jsonOf(face.axisPlace) : nlohmann::json()},
             {"radius_mm", round ? nlohmann::json(face.radius) : nlohmann::json()},
             {"taper_rad", face.taper},
             {"area_mm2", face.area > 0.0 ? nlohmann::json(face.area) : nlohmann::json()},

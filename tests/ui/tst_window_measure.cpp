@@ -42,7 +42,7 @@ private slots:
         QVERIFY(makeReady(driver, 1.0));
         const Box box = workbenchOf(driver).setup.part()->box();
         driver.key(Qt::Key_J, Qt::ControlModifier);
-        QTRY_VERIFY(driver.message().contains("Click a place"));
+        QTRY_VERIFY(driver.message().contains("Click a point"));
         clickAt(driver, {box.centre().x + 4.0, box.centre().y + 3.0, box.high.z});
         QVERIFY(measured(driver));
         QTRY_VERIFY2(driver.message().contains("Wall thickness 20.000"), qPrintable(driver.message()));

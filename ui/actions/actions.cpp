@@ -88,7 +88,7 @@ constexpr std::array rows{
     Row{ActionId::flipSection, "flipSectionAction", QT_TRANSLATE_NOOP("Actions", "Fl&ip"),
         QT_TRANSLATE_NOOP("Actions", "Show the other side of the section plane."), "Shift+S"},
     Row{ActionId::measure, "measureAction", QT_TRANSLATE_NOOP("Actions", "&Measure"),
-        QT_TRANSLATE_NOOP("Actions", "Click places of the part: diameter, wall thickness, area, distances and angle."),
+        QT_TRANSLATE_NOOP("Actions", "Click points on the part: diameter, wall thickness, area, distances and angle."),
         "Ctrl+J", true},
     Row{ActionId::showPart, "showPartAction", QT_TRANSLATE_NOOP("Actions", "&Part"),
         QT_TRANSLATE_NOOP("Actions", "Draw the part together with the workpiece."), "Ctrl+1", true},

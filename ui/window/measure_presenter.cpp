@@ -38,7 +38,8 @@ void MeasurePresenter::ask(bool wanted) {
     if (wanted) {
         before_ = viewport_.interactiveTool();
         viewport_.setInteractiveTool(&picker_);
-        emit told(tr("Click a place of the part to measure its face, then another one for the distance. Esc ends it."));
+        emit told(tr(
+            "Click a point on the part to measure its face, then another one for the distance. Esc ends measuring."));
     } else {
         if (viewport_.interactiveTool() == &picker_) viewport_.setInteractiveTool(std::exchange(before_, nullptr));
         workbench_.measure.clear();
