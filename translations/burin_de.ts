@@ -788,10 +788,6 @@
         <translation>&amp;Tastenkürzel…</translation>
     </message>
     <message>
-        <source>Give actions other keys.</source>
-        <translation>Befehlen andere Tasten geben.</translation>
-    </message>
-    <message>
         <source>Pro&amp;ject tree</source>
         <translation>Pro&amp;jektbaum</translation>
     </message>
@@ -810,6 +806,10 @@
     <message>
         <source>Click points on the part: diameter, wall thickness, area, distances and angle.</source>
         <translation>Punkte auf dem Teil anklicken: Durchmesser, Wandstärke, Fläche, Abstände und Winkel.</translation>
+    </message>
+    <message>
+        <source>Change the shortcuts of actions.</source>
+        <translation>Die Tastenkürzel von Befehlen ändern.</translation>
     </message>
 </context>
 <context>
@@ -865,6 +865,17 @@
     <message>
         <source>FLUTES</source>
         <translation>SCHNEIDEN</translation>
+    </message>
+</context>
+<context>
+    <name>Buttons</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this window.</source>
+        <translation>Dieses Fenster schließen.</translation>
     </message>
 </context>
 <context>
@@ -1906,14 +1917,6 @@
         <translation>Eilgänge wurden weggelassen: Verbindungen ersetzen sie.</translation>
     </message>
     <message>
-        <source>%1 arc became chords within 0.001 mm; fit-arcs makes an arc of them again.</source>
-        <translation>%1 Bogen wurde zu Sehnen innerhalb von 0,001 mm; fit-arcs macht daraus wieder einen Bogen.</translation>
-    </message>
-    <message>
-        <source>%1 arcs became chords within 0.001 mm; fit-arcs makes arcs of them again.</source>
-        <translation>%1 Bögen wurden zu Sehnen innerhalb von 0,001 mm; fit-arcs macht daraus wieder Bögen.</translation>
-    </message>
-    <message>
         <source>%1 dwell was left out.</source>
         <translation>%1 Verweilzeit wurde weggelassen.</translation>
     </message>
@@ -1938,12 +1941,20 @@
         <translation>Programm wird gelesen</translation>
     </message>
     <message>
-        <source>%1 mm at feed</source>
-        <translation>%1 mm im Vorschub</translation>
-    </message>
-    <message>
         <source>X,Y,Z in mm, on the part</source>
         <translation>X,Y,Z in mm, auf dem Teil</translation>
+    </message>
+    <message>
+        <source>%1 arc was converted to lines within 0.001 mm; fit-arcs restores it.</source>
+        <translation>%1 Bogen wurde innerhalb von 0,001 mm in Geraden zerlegt; fit-arcs stellt ihn wieder her.</translation>
+    </message>
+    <message>
+        <source>%1 arcs were converted to lines within 0.001 mm; fit-arcs restores them.</source>
+        <translation>%1 Bögen wurden innerhalb von 0,001 mm in Geraden zerlegt; fit-arcs stellt sie wieder her.</translation>
+    </message>
+    <message>
+        <source>%1 mm of feed moves</source>
+        <translation>%1 mm Vorschubbewegungen</translation>
     </message>
 </context>
 <context>
@@ -6435,10 +6446,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Wandstärke %1.</translation>
     </message>
     <message>
-        <source>Area of the face %1.</source>
-        <translation>Inhalt der Fläche %1.</translation>
-    </message>
-    <message>
         <source>Parallel, %1 apart.</source>
         <translation>Parallel, %1 Abstand.</translation>
     </message>
@@ -6447,16 +6454,20 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Winkel %1.</translation>
     </message>
     <message>
-        <source>Between the points: %1 (%2).</source>
-        <translation>Zwischen den Punkten: %1 (%2).</translation>
+        <source>Face area %1.</source>
+        <translation>Flächeninhalt %1.</translation>
     </message>
     <message>
-        <source>Between the faces at their nearest: %1.</source>
+        <source>Distance between the points: %1 (%2).</source>
+        <translation>Abstand der Punkte: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Smallest distance between the faces: %1.</source>
         <translation>Kleinster Abstand der Flächen: %1.</translation>
     </message>
     <message>
-        <source>Between the nearest corners or circle centres: %1.</source>
-        <translation>Zwischen den nächsten Ecken oder Kreismitten: %1.</translation>
+        <source>Distance between the nearest corners or circle centres: %1.</source>
+        <translation>Abstand der nächsten Ecken oder Kreismitten: %1.</translation>
     </message>
 </context>
 <context>
@@ -9698,14 +9709,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>No topic contains these words.</source>
         <translation>Kein Thema enthält diese Wörter.</translation>
     </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Close this window.</source>
-        <translation>Dieses Fenster schließen.</translation>
-    </message>
 </context>
 <context>
     <name>burin::JobEvaluation</name>
@@ -9903,14 +9906,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>No key does that.</source>
         <translation>Das tut keine Taste.</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Close this window.</source>
-        <translation>Dieses Fenster schließen.</translation>
     </message>
 </context>
 <context>
@@ -10673,10 +10668,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Zeitleiste ausblenden</translation>
     </message>
     <message>
-        <source>%1 of the program at feed became a path, with its feeds and speeds. Links replace its rapids.</source>
-        <translation>%1 des Programms im Vorschub wurden eine Bahn, mit Vorschüben und Drehzahlen. Verbindungen ersetzen die Eilgänge.</translation>
-    </message>
-    <message>
         <source>History</source>
         <translation>Verlauf</translation>
     </message>
@@ -10699,17 +10690,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Hide the project tree</source>
         <translation>Projektbaum ausblenden</translation>
-    </message>
-    <message>
-        <source>1 arc became chords within 0.001 mm; “Fit arcs” makes an arc of them again.</source>
-        <translation>1 Bogen wurde zu Sehnen innerhalb von 0,001 mm; „Bögen einpassen“ macht daraus wieder einen Bogen.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n arcs became chords within 0.001 mm; “Fit arcs” makes arcs of them again.</source>
-        <translation>
-            <numerusform>%n Bogen wurde zu Sehnen innerhalb von 0,001 mm; „Bögen einpassen“ macht daraus wieder Bögen.</numerusform>
-            <numerusform>%n Bögen wurden zu Sehnen innerhalb von 0,001 mm; „Bögen einpassen“ macht daraus wieder Bögen.</numerusform>
-        </translation>
     </message>
     <message>
         <source>1 dwell was left out.</source>
@@ -10736,6 +10716,21 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The picture was written to “%1”.</source>
         <translation>Das Bild wurde in „%1“ geschrieben.</translation>
+    </message>
+    <message>
+        <source>A path was made of %1 of feed moves, with the feeds and speeds of the program. Links replace its rapids.</source>
+        <translation>Aus %1 Vorschubbewegungen wurde eine Bahn, mit Vorschüben und Drehzahlen des Programms. Verbindungen ersetzen die Eilgänge.</translation>
+    </message>
+    <message>
+        <source>1 arc was converted to lines within 0.001 mm; “Fit arcs” restores it.</source>
+        <translation>1 Bogen wurde innerhalb von 0,001 mm in Geraden zerlegt; „Bögen einpassen“ stellt ihn wieder her.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n arcs were converted to lines within 0.001 mm; “Fit arcs” restores them.</source>
+        <translation>
+            <numerusform>%n Bogen wurde innerhalb von 0,001 mm in Geraden zerlegt; „Bögen einpassen“ stellt ihn wieder her.</numerusform>
+            <numerusform>%n Bögen wurden innerhalb von 0,001 mm in Geraden zerlegt; „Bögen einpassen“ stellt sie wieder her.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13498,64 +13493,64 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Suchen</translation>
     </message>
     <message>
-        <source>Show only actions whose name, tooltip or keys contain this.</source>
-        <translation>Nur Befehle zeigen, deren Name, Hinweis oder Tasten dies enthalten.</translation>
-    </message>
-    <message>
-        <source>Actions and their keys</source>
-        <translation>Befehle und ihre Tasten</translation>
-    </message>
-    <message>
         <source>Action</source>
         <translation>Befehl</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
-        <source>New keys</source>
-        <translation>Neue Tasten</translation>
-    </message>
-    <message>
-        <source>Click here and press the new keys.</source>
-        <translation>Hier klicken und die neuen Tasten drücken.</translation>
     </message>
     <message>
         <source>&amp;Assign</source>
         <translation>&amp;Zuweisen</translation>
     </message>
     <message>
-        <source>The selected action gets these keys.</source>
-        <translation>Der gewählte Befehl bekommt diese Tasten.</translation>
-    </message>
-    <message>
         <source>&amp;Remove</source>
         <translation>&amp;Entfernen</translation>
-    </message>
-    <message>
-        <source>The selected action has no keys.</source>
-        <translation>Der gewählte Befehl hat keine Tasten.</translation>
     </message>
     <message>
         <source>Re&amp;set</source>
         <translation>Zu&amp;rücksetzen</translation>
     </message>
     <message>
-        <source>The selected action gets its first keys back.</source>
-        <translation>Der gewählte Befehl bekommt seine ersten Tasten zurück.</translation>
-    </message>
-    <message>
         <source>Reset all</source>
         <translation>Alle zurücksetzen</translation>
     </message>
     <message>
-        <source>All actions get their first keys back.</source>
-        <translation>Alle Befehle bekommen ihre ersten Tasten zurück.</translation>
+        <source>Show only actions whose name, tooltip or shortcut contains this.</source>
+        <translation>Nur Befehle zeigen, deren Name, Hinweis oder Tastenkürzel dies enthält.</translation>
     </message>
     <message>
-        <source>“%1” has these keys now, and would have none.</source>
-        <translation>„%1“ hat diese Tasten jetzt und hätte dann keine.</translation>
+        <source>Actions and their shortcuts</source>
+        <translation>Befehle und ihre Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>New shortcut</source>
+        <translation>Neues Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Click here and press the new shortcut.</source>
+        <translation>Hier klicken und das neue Tastenkürzel drücken.</translation>
+    </message>
+    <message>
+        <source>Assign this shortcut to the selected action.</source>
+        <translation>Dieses Tastenkürzel dem gewählten Befehl zuweisen.</translation>
+    </message>
+    <message>
+        <source>Remove the shortcut of the selected action.</source>
+        <translation>Das Tastenkürzel des gewählten Befehls entfernen.</translation>
+    </message>
+    <message>
+        <source>Reset the shortcut of the selected action to its default.</source>
+        <translation>Das Tastenkürzel des gewählten Befehls auf die Vorgabe zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>Reset the shortcuts of all actions to their defaults.</source>
+        <translation>Die Tastenkürzel aller Befehle auf die Vorgabe zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>“%1” has this shortcut and would lose it.</source>
+        <translation>„%1“ hat dieses Tastenkürzel und würde es verlieren.</translation>
     </message>
 </context>
 <context>

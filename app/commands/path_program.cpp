@@ -24,9 +24,8 @@ std::string textOfLosses(const ProgramPasses& passes) {
     const auto add = [&text](std::size_t count, TextId one, TextId many) {
         if (count > 0) text += "\n" + worded(count, one, many, {});
     };
-    add(passes.arcs,
-        BURIN_TEXT("Command", "%1 arc became chords within 0.001 mm; fit-arcs makes an arc of them again."),
-        BURIN_TEXT("Command", "%1 arcs became chords within 0.001 mm; fit-arcs makes arcs of them again."));
+    add(passes.arcs, BURIN_TEXT("Command", "%1 arc was converted to lines within 0.001 mm; fit-arcs restores it."),
+        BURIN_TEXT("Command", "%1 arcs were converted to lines within 0.001 mm; fit-arcs restores them."));
     add(passes.dwells, BURIN_TEXT("Command", "%1 dwell was left out."),
         BURIN_TEXT("Command", "%1 dwells were left out."));
     add(passes.startless, BURIN_TEXT("Command", "%1 move was left out: the program does not state where it begins."),
@@ -108,8 +107,9 @@ int addProgramPaths(ProjectChange& project, const ProgramPathArguments& argument
         answer["paths"].push_back(jsonOf(path, *made));
         lines += textOf(path, *made) + "\n";
     }
-    context.answer(answer, lines + worded(BURIN_TEXT("Command", "%1 mm at feed"), {formatFixed(passes->length(), 1)}) +
-                               textOfLosses(*passes));
+    context.answer(answer,
+                   lines + worded(BURIN_TEXT("Command", "%1 mm of feed moves"), {formatFixed(passes->length(), 1)}) +
+                       textOfLosses(*passes));
     return 0;
 }
 

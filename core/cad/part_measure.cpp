@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/part_measure.h"
 
+#include "core/cad/part_face.h"
 #include "core/cad/worker_process.h"
 #include "core/geometry/pose.h"
 #include "core/geometry/triangle.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <new>
 #include <variant>
 
@@ -39,27 +39,6 @@ double fromPlane(const glm::dvec3& place, const MeasuredFace& plane) {
     return std::abs(glm::dot(place - plane.place, plane.normal));
 }
 
-/// The triangle that is nearest to a place.
-MeasuredFace measuredTriangle(const Model& model, const glm::dvec3& place) {
-    MeasuredFace face;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Body& body : model.bodies)
-        for (const auto& triangle : body.mesh.triangles) {
-            const Triangle corners{body.mesh.vertices[triangle[0]], body.mesh.vertices[triangle[1]],
-                                   body.mesh.vertices[triangle[2]]};
-            const glm::dvec3 normal = areaNormal(corners), foot = closestOnTriangle(corners, place).point;
-            const double distance = glm::distance(foot, place);
-            if (!(glm::length(normal) > 0.0) || distance >= nearest) continue;
-            nearest = distance;
-            face.kind = Kind::plane;
-            face.place = foot;
-            face.corner = *std::ranges::min_element(
-                corners, {}, [&place](const glm::dvec3& corner) { return glm::distance(corner, place); });
-            face.normal = glm::normalize(normal);
-        }
-    return face;
-}
-
 /// Straight in from the place to the first triangle that the ray leaves the material through.
 std::optional<double> thicknessAt(const Model& model, const MeasuredFace& face) {
     const Ray in{face.place, -face.normal};
@@ -75,15 +54,29 @@ std::optional<double> thicknessAt(const Model& model, const MeasuredFace& face) 
     return nearest;
 }
 
-PartMeasure ofMesh(const Model& model, const glm::dvec3& from, const std::optional<glm::dvec3>& to) {
-    const auto measured = [&](const glm::dvec3& place) {
-        MeasuredFace face = measuredTriangle(model, place);
-        face.thickness = thicknessAt(model, face);
-        return face;
-    };
-    PartMeasure measure{measured(from)};
+/// The triangle at a place.
+Result<MeasuredFace> measuredTriangle(const Model& model, const glm::dvec3& place, const ImportOptions& options,
+                                      Progress& progress) {
+    const Result<PartFace> triangle = partFaceAt(model, place, options, progress);
+    if (!triangle) return triangle.error();
+    MeasuredFace face;
+    face.kind = Kind::plane;
+    face.place = triangle->place;
+    face.corner = triangle->corner;
+    face.normal = triangle->direction;
+    face.thickness = thicknessAt(model, face);
+    return face;
+}
+
+Result<PartMeasure> ofMesh(const Model& model, const glm::dvec3& from, const std::optional<glm::dvec3>& to,
+                           const ImportOptions& options, Progress& progress) {
+    const Result<MeasuredFace> first = measuredTriangle(model, from, options, progress);
+    if (!first) return first.error();
+    PartMeasure measure{*first};
     if (!to) return measure;
-    measure.to = measured(*to);
+    const Result<MeasuredFace> second = measuredTriangle(model, *to, options, progress);
+    if (!second) return second.error();
+    measure.to = *second;
     measure.pair = pairOf(measure.from, *measure.to);
     return measure;
 }
@@ -123,7 +116,7 @@ Result<PartMeasure> measurePart(const Model& model, const glm::dvec3& from, cons
     if (!isFinite(from) || (to && !isFinite(*to)))
         return Error{ErrorCode::argumentInvalid, "place", {}, "a finite place"};
     if (model.bodies.empty()) return Error{ErrorCode::argumentInvalid, "place", {}, "a model with a body"};
-    if (model.brep.empty()) return ofMesh(model, from, to);
+    if (model.brep.empty()) return ofMesh(model, from, to, options, progress);
     const Placement inward = inverse(model.brepPlacement);
     MeasureRequest request{model.brep, model.brepSolids, {inward.point(from)}};
     if (to) request.places.push_back(inward.point(*to));

@@ -51,6 +51,17 @@ Error unknownNumber(const std::vector<Tool>& tools, int number) {
     return {ErrorCode::nameUnknown, "tool", "T" + std::to_string(number), known};
 }
 
+/// Whether all feed moves are made with one tool number.
+bool callsOneNumber(const ParsedProgram& program) {
+    std::optional<int> number;
+    for (const NcMotion& motion : program.motions) {
+        if (motion.rapid() || motion.kind == NcMotionKind::dwell) continue;
+        if (number.value_or(motion.tool) != motion.tool) return false;
+        number = motion.tool;
+    }
+    return true;
+}
+
 /// Makes passes of moves that come one behind the other.
 class PassWriter {
 public:
@@ -115,7 +126,8 @@ Result<ProgramPasses> passesOfProgram(std::string_view text, const std::string& 
     if (!program) return program.error();
     if (Result<void> checkable = checkLength(*program, file); !checkable) return std::move(checkable).error();
     if (Result<void> one = checkOffsets(*program, file); !one) return std::move(one).error();
-    PassWriter writer(file, tools);
+    const ToolChoice only{{tools.onlyTool.value_or(Tool{})}, true};
+    PassWriter writer(file, tools.onlyTool && callsOneNumber(*program) ? only : tools);
     for (const ToolMove& move : toolMoves(*program, milling.setup.workOffset, milling.machine)) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "program", {}, {}};
         if (Result<void> added = writer.add(move, program->motions[move.motion]); !added)
@@ -130,17 +142,6 @@ Result<ProgramPasses> passesOfProgram(std::string_view text, const std::string& 
     for (const ProgramPass& pass : made.passes)
         if (Result<void> valid = checkGenerated(pass.moves); !valid) return std::move(valid).error();
     return made;
-}
-
-Result<std::vector<int>> toolNumbersOf(std::string_view text, const std::string& file, const std::string& dialect) {
-    const Result<ParsedProgram> program = read(text, file, dialect);
-    if (!program) return program.error();
-    std::vector<int> numbers;
-    for (const NcMotion& motion : program->motions)
-        if (!motion.rapid() && motion.kind != NcMotionKind::dwell &&
-            std::ranges::find(numbers, motion.tool) == numbers.end())
-            numbers.push_back(motion.tool);
-    return numbers;
 }
 
 StoredPath withProgram(StoredPath path, const std::string& name, Coolant coolant, std::int64_t source) {

@@ -7,6 +7,7 @@
 #include "core/recording/generated_moves.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,7 +35,8 @@ struct ProgramPasses {
 /// What a program's tool numbers mean.
 struct ToolChoice {
     std::vector<Tool> tools;
-    bool anyNumber = false; ///< the first one, whatever number is called; else each by its own
+    bool anyNumber = false;         ///< the first one, whatever number is called; else each by its own
+    std::optional<Tool> onlyTool{}; ///< of a program that calls one number or none, whatever that is
 };
 
 /// Reads a program, G-code in a dialect or cutter locations, as moves of the setup frame. Any thread.
@@ -45,8 +47,6 @@ struct ToolChoice {
 /// beyond 1e6 mm), cancelled.
 Result<ProgramPasses> passesOfProgram(std::string_view text, const std::string& file, const std::string& dialect,
                                       const MillingContext& milling, const ToolChoice& tools, const Progress& progress);
-/// Tool numbers that a program mills with, each once, in order. Errors: those of the parsers.
-Result<std::vector<int>> toolNumbersOf(std::string_view text, const std::string& file, const std::string& dialect);
 
 /// A path with a pass of a program as its last source, fed as the program states; one without sources gets the edits of
 /// paths that are made of programs. @param name of a new one @param coolant of a new one's edits @param source its id

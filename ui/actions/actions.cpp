@@ -59,7 +59,7 @@ constexpr std::array rows{
     Row{ActionId::preferences, "preferencesAction", QT_TRANSLATE_NOOP("Actions", "&Preferences…"),
         QT_TRANSLATE_NOOP("Actions", "Unit, theme and language."), "Ctrl+,"},
     Row{ActionId::shortcuts, "shortcutsAction", QT_TRANSLATE_NOOP("Actions", "&Keyboard shortcuts…"),
-        QT_TRANSLATE_NOOP("Actions", "Give actions other keys."), "Ctrl+Shift+,"},
+        QT_TRANSLATE_NOOP("Actions", "Change the shortcuts of actions."), "Ctrl+Shift+,"},
     Row{ActionId::quit, "quitAction", QT_TRANSLATE_NOOP("Actions", "&Quit"),
         QT_TRANSLATE_NOOP("Actions", "Quit Burin."), "Ctrl+Q"},
     Row{ActionId::fit, "fitAction", QT_TRANSLATE_NOOP("Actions", "&Fit"),

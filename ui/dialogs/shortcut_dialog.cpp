@@ -45,13 +45,13 @@ ShortcutDialog::ShortcutDialog(const std::vector<ShortcutRow>& rows, QWidget* pa
     search_->setObjectName(QStringLiteral("shortcutSearch"));
     search_->setPlaceholderText(tr("Search"));
     search_->setAccessibleName(tr("Search"));
-    search_->setToolTip(tr("Show only actions whose name, tooltip or keys contain this."));
+    search_->setToolTip(tr("Show only actions whose name, tooltip or shortcut contains this."));
     search_->setClearButtonEnabled(true);
     layout->addWidget(search_);
     list_ = new QTreeWidget(this);
     list_->setObjectName(QStringLiteral("shortcutList"));
-    list_->setAccessibleName(tr("Actions and their keys"));
-    list_->setHeaderLabels({tr("Action"), tr("Keys")});
+    list_->setAccessibleName(tr("Actions and their shortcuts"));
+    list_->setHeaderLabels({tr("Action"), tr("Shortcut")});
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
     list_->header()->setStretchLastSection(false);
@@ -66,12 +66,14 @@ ShortcutDialog::ShortcutDialog(const std::vector<ShortcutRow>& rows, QWidget* pa
     auto* line = new QHBoxLayout;
     keys_ = new QKeySequenceEdit(this);
     keys_->setObjectName(QStringLiteral("shortcutKeys"));
-    keys_->setAccessibleName(tr("New keys"));
-    keys_->setToolTip(tr("Click here and press the new keys."));
+    keys_->setAccessibleName(tr("New shortcut"));
+    keys_->setToolTip(tr("Click here and press the new shortcut."));
     line->addWidget(keys_, 1);
-    assign_ = makeButton(tr("&Assign"), tr("The selected action gets these keys."), "assignShortcutButton", this);
-    clear_ = makeButton(tr("&Remove"), tr("The selected action has no keys."), "removeShortcutButton", this);
-    reset_ = makeButton(tr("Re&set"), tr("The selected action gets its first keys back."), "resetShortcutButton", this);
+    assign_ =
+        makeButton(tr("&Assign"), tr("Assign this shortcut to the selected action."), "assignShortcutButton", this);
+    clear_ = makeButton(tr("&Remove"), tr("Remove the shortcut of the selected action."), "removeShortcutButton", this);
+    reset_ = makeButton(tr("Re&set"), tr("Reset the shortcut of the selected action to its default."),
+                        "resetShortcutButton", this);
     for (QPushButton* button : {assign_, clear_, reset_}) line->addWidget(button);
     layout->addLayout(line);
     conflict_ = new QLabel(this);
@@ -79,8 +81,8 @@ ShortcutDialog::ShortcutDialog(const std::vector<ShortcutRow>& rows, QWidget* pa
     conflict_->setWordWrap(true);
     layout->addWidget(conflict_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-    QPushButton* all =
-        makeButton(tr("Reset all"), tr("All actions get their first keys back."), "resetShortcutsButton", this);
+    QPushButton* all = makeButton(tr("Reset all"), tr("Reset the shortcuts of all actions to their defaults."),
+                                  "resetShortcutsButton", this);
     buttons->addButton(all, QDialogButtonBox::ResetRole);
     layout->addWidget(buttons);
 
@@ -156,8 +158,8 @@ void ShortcutDialog::refresh() {
     clear_->setEnabled(row != nullptr && !row->action->shortcut().isEmpty());
     reset_->setEnabled(row != nullptr && row->action->shortcut() != row->first);
     const ShortcutRow* other = row != nullptr ? holderOf(keys, row->action) : nullptr;
-    conflict_->setText(
-        other != nullptr ? tr("“%1” has these keys now, and would have none.").arg(textOf(*other->action)) : QString());
+    conflict_->setText(other != nullptr ? tr("“%1” has this shortcut and would lose it.").arg(textOf(*other->action))
+                                        : QString());
 }
 
 } // namespace burin

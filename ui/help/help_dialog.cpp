@@ -3,14 +3,13 @@
 #include "ui/help/help_dialog.h"
 
 #include "core/base/file.h"
+#include "ui/panels/buttons.h"
 #include "ui/theme/theme.h"
 
-#include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QPushButton>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
@@ -81,11 +80,7 @@ HelpDialog::HelpDialog(std::vector<HelpPage> pages, QWidget* parent) : QDialog(p
     nothing_->setProperty("look", "quiet");
     nothing_->hide();
     layout->addWidget(nothing_);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-    buttons->button(QDialogButtonBox::Close)->setText(tr("Close"));
-    buttons->button(QDialogButtonBox::Close)->setToolTip(tr("Close this window."));
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    layout->addWidget(buttons);
+    layout->addWidget(makeCloseRow(*this));
     connect(search_, &QLineEdit::textChanged, this, &HelpDialog::showOnly);
     connect(topics_, &QListWidget::currentRowChanged, this, &HelpDialog::showPage);
     topics_->setCurrentRow(0);

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/help/key_list.h"
 
+#include "ui/panels/buttons.h"
 #include "ui/panels/panel_layout.h"
 
-#include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
-#include <QPushButton>
 #include <QScrollArea>
 
 #include <algorithm>
@@ -47,11 +46,7 @@ KeyList::KeyList(const std::vector<KeySection>& sections, QWidget* parent) : QDi
     nothing_->setProperty("look", "quiet");
     nothing_->hide();
     layout->addWidget(nothing_);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-    buttons->button(QDialogButtonBox::Close)->setText(tr("Close"));
-    buttons->button(QDialogButtonBox::Close)->setToolTip(tr("Close this window."));
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    layout->addWidget(buttons);
+    layout->addWidget(makeCloseRow(*this));
     resize(usualSize);
 }
 

@@ -5,6 +5,8 @@
 #include "ui/panels/focus_keeper.h"
 #include "ui/theme/icon.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 
 namespace burin {
@@ -49,6 +51,14 @@ QPushButton* makeChoiceButton(const QString& text, const QString& toolTip, const
     button->setCheckable(true);
     button->setToolTip(toolTip);
     return button;
+}
+
+QDialogButtonBox* makeCloseRow(QDialog& dialog) {
+    auto* row = new QDialogButtonBox(QDialogButtonBox::Close, &dialog);
+    row->button(QDialogButtonBox::Close)->setText(QCoreApplication::translate("Buttons", "Close"));
+    row->button(QDialogButtonBox::Close)->setToolTip(QCoreApplication::translate("Buttons", "Close this window."));
+    QObject::connect(row, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    return row;
 }
 
 void showIcon(QAbstractButton* button, const QString& name, ColourRole role) {

@@ -4,6 +4,8 @@
 
 #include "ui/theme/theme.h"
 
+#include <QDialog>
+#include <QDialogButtonBox>
 #include <QPushButton>
 #include <QToolButton>
 
@@ -16,6 +18,9 @@ QPushButton* makeButton(const QString& text, const QString& icon, const QString&
 QToolButton* makeIconButton(const QString& icon, const QString& toolTip, const QString& objectName, QWidget* parent);
 /// One of several beside each other of which one is on.
 QPushButton* makeChoiceButton(const QString& text, const QString& toolTip, const QString& objectName, QWidget* parent);
+
+/// The row below a dialog that stays beside the window: it closes it.
+QDialogButtonBox* makeCloseRow(QDialog& dialog);
 
 /// Changes a button's icon; nothing is done when it has it. On a filled button the role is `&Palette::field`:
 /// near-black on the dark theme's light colours, white on the light theme's dark ones.

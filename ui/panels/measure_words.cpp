@@ -50,7 +50,7 @@ QStringList faceSentences(const MeasuredFace& face, const glm::dvec3& zero, Leng
     QStringList sentences{shapeText(face, unit)};
     sentences << MeasureWords::tr("Position %1.").arg(positionText(face.place - zero, unit));
     if (face.thickness) sentences << MeasureWords::tr("Wall thickness %1.").arg(lengthText(*face.thickness, unit));
-    if (face.area > 0.0) sentences << MeasureWords::tr("Area of the face %1.").arg(areaText(face.area, unit));
+    if (face.area > 0.0) sentences << MeasureWords::tr("Face area %1.").arg(areaText(face.area, unit));
     return sentences;
 }
 
@@ -78,12 +78,12 @@ QString measureText(const PartMeasure& measure, const glm::dvec3& zero, LengthUn
         sentences << MeasureWords::tr("Parallel, %1 apart.").arg(lengthText(*pair.apart, unit));
     else if (pair.angle)
         sentences << MeasureWords::tr("Angle %1.").arg(angleText(*pair.angle));
-    sentences << MeasureWords::tr("Between the points: %1 (%2).")
+    sentences << MeasureWords::tr("Distance between the points: %1 (%2).")
                      .arg(lengthText(pair.places, unit), positionText(measure.to->place - measure.from.place, unit));
     if (pair.faces)
-        sentences << MeasureWords::tr("Between the faces at their nearest: %1.").arg(lengthText(*pair.faces, unit));
+        sentences << MeasureWords::tr("Smallest distance between the faces: %1.").arg(lengthText(*pair.faces, unit));
     if (pair.corners > 0.0) // else it is one corner
-        sentences << MeasureWords::tr("Between the nearest corners or circle centres: %1.")
+        sentences << MeasureWords::tr("Distance between the nearest corners or circle centres: %1.")
                          .arg(lengthText(pair.corners, unit));
     return sentences.join(QLatin1Char(' '));
 }

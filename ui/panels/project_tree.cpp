@@ -98,8 +98,8 @@ void ProjectTree::fill(QTreeWidgetItem& item, const ProjectRow& node) const {
     }
 }
 
-QTreeWidgetItem* ProjectTree::itemWith(ProjectRowKind kind, qint64 id) const {
-    for (QTreeWidgetItemIterator at(const_cast<ProjectTree*>(this)); *at != nullptr; ++at)
+QTreeWidgetItem* ProjectTree::itemWith(ProjectRowKind kind, qint64 id) {
+    for (QTreeWidgetItemIterator at(this); *at != nullptr; ++at)
         if (kindOf(**at) == kind && idOf(**at) == id) return *at;
     return nullptr;
 }

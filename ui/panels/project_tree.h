@@ -47,7 +47,7 @@ protected:
 private:
     QTreeWidgetItem* itemOf(const ProjectRow& node) const;
     void fill(QTreeWidgetItem& item, const ProjectRow& node) const;
-    QTreeWidgetItem* itemWith(ProjectRowKind kind, qint64 id) const;
+    QTreeWidgetItem* itemWith(ProjectRowKind kind, qint64 id);
 
     std::vector<ProjectRow> rows_;
     bool filling_ = false;

@@ -32,6 +32,23 @@ vtkSmartPointer<vtkImageData> imageData(const QImage& image) {
     return data;
 }
 
+QImage plateImage(const QSizeF& size, double ratio, const QColor& plate) {
+    constexpr double radius = 4.0;   // device-independent pixels
+    constexpr float opacity = 0.85F; // what lies below shines through a little
+    QImage image((size * ratio).toSize(), QImage::Format_RGBA8888);
+    image.setDevicePixelRatio(ratio);
+    QColor colour = plate;
+    colour.setAlpha(0);
+    image.fill(colour);
+    colour.setAlphaF(opacity);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawRoundedRect(QRectF(QPointF(0.0, 0.0), size), radius, radius);
+    return image;
+}
+
 ScreenImage::ScreenImage(vtkRenderer& renderer)
     : renderer_(renderer)
     , actor_(vtkSmartPointer<vtkTexturedActor2D>::New())

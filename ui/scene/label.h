@@ -11,12 +11,17 @@
 #include <QColor>
 #include <QImage>
 #include <QPointF>
+#include <QSizeF>
 #include <QString>
 
 namespace burin {
 
 /// Qt's picture as VTK takes it for a texture: RGBA, lowest row first.
 vtkSmartPointer<vtkImageData> imageData(const QImage& image);
+
+/// An empty plate with round corners, for letters and scales. @param size device-independent pixels @param ratio screen
+/// pixels a device-independent one
+QImage plateImage(const QSizeF& size, double ratio, const QColor& plate);
 
 /// A picture that stands upright on the screen, over everything of its renderer: labels in the window's own font.
 class ScreenImage {

@@ -18,8 +18,7 @@ namespace burin {
 namespace {
 
 constexpr double margin = 16.0, wanted = 1000.0; // device-independent pixels; a tenth of `wanted`, about
-constexpr double tick = 5.0, barWidth = 2.0, padding = 6.0, plateRadius = 4.0;
-constexpr float plateOpacity = 0.85F; // what lies below shines through a little
+constexpr double tick = 5.0, barWidth = 2.0, padding = 6.0;
 
 } // namespace
 
@@ -57,18 +56,8 @@ void ScaleBar::draw() {
     const QFontMetricsF metrics(QGuiApplication::font());
     const QSizeF inner(std::max(pixels_ + 1.0, metrics.horizontalAdvance(text)), metrics.height() + tick + 2.0);
     const QSizeF size = inner + QSizeF(2.0 * padding, 2.0 * padding);
-    QImage image((size * ratio_).toSize(), QImage::Format_RGBA8888);
-    image.setDevicePixelRatio(ratio_);
-    QColor plate = plate_;
-    plate.setAlpha(0);
-    image.fill(plate);
-    plate.setAlphaF(plateOpacity);
+    QImage image = plateImage(size, ratio_, plate_);
     QPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(plate);
-    painter.drawRoundedRect(QRectF(QPointF(0.0, 0.0), size), plateRadius, plateRadius);
-    painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(QPen(colour_, barWidth));
     const double base = size.height() - padding - 0.5 * barWidth, left = padding, right = left + pixels_;
     painter.drawLine(QPointF(left, base), QPointF(right, base));

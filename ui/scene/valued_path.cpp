@@ -25,8 +25,6 @@ namespace {
 constexpr double haloWidth = 2.0;                                                    // widths of the line
 constexpr double legendMargin = 16.0, legendTop = 120.0;                             // below the view cube
 constexpr double legendPadding = 8.0, barWide = 16.0, barHigh = 160.0, barGap = 6.0; // device-independent pixels
-constexpr double legendRadius = 4.0;
-constexpr float legendOpacity = 0.85F;
 constexpr int legendMarks = 5;
 
 /// viridis (S. van der Walt, N. Smith, 2015, matplotlib, CC0), nine of its colours.
@@ -120,6 +118,7 @@ void ValuedPath::setLineWidth(double screenPixels) {
 }
 
 void ValuedPath::setValues(std::shared_ptr<const PathValues> values) {
+    if (values == values_) return; // told again with each change of the path
     values_ = std::move(values);
     std::vector<LineEnds> lines;
     vtkNew<vtkUnsignedCharArray> colours;
@@ -170,21 +169,11 @@ void ValuedPath::drawScale() {
     for (const QString& number : numbers) widest = std::max(widest, metrics.horizontalAdvance(number));
     const QSizeF size(std::max(metrics.horizontalAdvance(heading), barWide + barGap + widest) + 2.0 * legendPadding,
                       2.5 * metrics.height() + barHigh + 2.0 * legendPadding);
-    QImage image((size * ratio_).toSize(), QImage::Format_RGBA8888);
-    image.setDevicePixelRatio(ratio_);
-    QColor plate = plate_;
-    plate.setAlpha(0);
-    image.fill(plate);
-    plate.setAlphaF(legendOpacity);
+    QImage image = plateImage(size, ratio_, plate_);
     QPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(plate);
-    painter.drawRoundedRect(QRectF(QPointF(0.0, 0.0), size), legendRadius, legendRadius);
     painter.setPen(text_);
     painter.drawText(QPointF(legendPadding, legendPadding + metrics.ascent()), heading);
     const double top = legendPadding + 2.0 * metrics.height(), bottom = top + barHigh;
-    painter.setRenderHint(QPainter::Antialiasing, false);
     for (int row = 0; row < static_cast<int>(barHigh); ++row)
         painter.fillRect(QRectF(legendPadding, bottom - row - 1.0, barWide, 1.0),
                          valueColour(marks == 1 ? 1.0 : (row + 0.5) / barHigh));

@@ -111,12 +111,13 @@ void MainWindow::connectActions() {
 /// What a part that was read again differs in.
 /// What became of a program that is edited as a path now.
 QString MainWindow::programPathText(const ProgramPasses& passes) const {
-    QStringList text{tr("%1 of the program at feed became a path, with its feeds and speeds. Links replace its rapids.")
-                         .arg(wayText(passes.length(), settings_.preferences().unit))};
+    QStringList text{
+        tr("A path was made of %1 of feed moves, with the feeds and speeds of the program. Links replace its rapids.")
+            .arg(wayText(passes.length(), settings_.preferences().unit))};
     const auto count = [](std::size_t number) { return static_cast<int>(number); };
     if (passes.arcs > 0)
-        text << (passes.arcs == 1 ? tr("1 arc became chords within 0.001 mm; “Fit arcs” makes an arc of them again.")
-                                  : tr("%n arcs became chords within 0.001 mm; “Fit arcs” makes arcs of them again.",
+        text << (passes.arcs == 1 ? tr("1 arc was converted to lines within 0.001 mm; “Fit arcs” restores it.")
+                                  : tr("%n arcs were converted to lines within 0.001 mm; “Fit arcs” restores them.",
                                        nullptr, count(passes.arcs)));
     if (passes.dwells > 0)
         text << (passes.dwells == 1 ? tr("1 dwell was left out.")

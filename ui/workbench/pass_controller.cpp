@@ -127,9 +127,7 @@ void PassController::readProgram(std::string text, const std::string& file, cons
         TaskKind::pass, tr("Reading the program"),
         [milling = workpiece_.milling(), tool = tools_.current(), tools, text = std::move(text), file,
          dialect](Progress& progress) -> Result<Read> {
-            const Result<std::vector<int>> numbers = toolNumbersOf(text, file, dialect);
-            if (!numbers) return numbers.error();
-            const ToolChoice meant = numbers->size() > 1 ? ToolChoice{tools, false} : ToolChoice{{tool}, true};
+            const ToolChoice meant{tools, false, tool};
             Result<ProgramPasses> passes = passesOfProgram(text, file, dialect, *milling, meant, progress);
             if (!passes) return std::move(passes).error();
             return std::make_shared<const ProgramPasses>(std::move(*passes));

@@ -224,7 +224,13 @@ private slots:
         QCOMPARE(passes->passes[0].moves.info.name, std::string("two.ngc"));
         QCOMPARE(static_cast<int>(passes->passes[0].coolant), static_cast<int>(Coolant::flood));
         QCOMPARE(static_cast<int>(passes->passes[1].coolant), static_cast<int>(Coolant::off));
-        QCOMPARE(*toolNumbersOf(text, "two.ngc", "linuxcnc"), (std::vector{3, 7}));
+        // With a tool for programs of one number this one has still its own; a program of one number has that tool.
+        const ToolChoice loaded{{first, other}, false, sessionTool()};
+        const auto own = passesOfProgram(text, "two.ngc", "linuxcnc", milling_, loaded, progress);
+        QVERIFY(own && own->passes.size() == 3 && own->passes[1].tool.id == "ball-6");
+        const auto only = passesOfProgram(job, "one.ngc", "linuxcnc", milling_, loaded, progress); // T4
+        QVERIFY(only && only->passes.size() == 1);
+        QCOMPARE(only->passes[0].tool.id, sessionTool().id);
         other.number = 8;
         const auto unknown =
             passesOfProgram(text, "two.ngc", "linuxcnc", milling_, ToolChoice{{first, other}, false}, progress);

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+// How passes and programs become sources of paths.
+#include "core/job/computed_pass.h"
+#include "ui/workbench/path_controller.h"
+#include "ui/workbench/value_command.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+bool sameEdits(const std::vector<Edit>& some, const std::vector<Edit>& others) {
+    return std::ranges::equal(
+        some, others, {}, [](const Edit& edit) { return toJson(edit); }, [](const Edit& edit) { return toJson(edit); });
+}
+
+} // namespace
+
+/// What the project has of them already.
+struct PathController::AddedSources {
+    std::vector<GeneratedInfo> sources;
+    std::map<std::string, ChangedPath> paths; ///< by tool
+};
+
+void PathController::addPass(const GeneratedMoves& moves, const Tool& tool, std::optional<std::int64_t> instead) {
+    addSources(tr("computed pass"),
+               {{moves, tool, [name = moves.info.name, instead](StoredPath path, std::int64_t source) {
+                     return withPass(std::move(path), name, source, instead);
+                 }}});
+}
+
+void PathController::addProgram(const std::vector<ProgramPass>& passes) {
+    std::vector<NewSource> added;
+    for (const ProgramPass& pass : passes)
+        added.push_back({pass.moves, pass.tool,
+                         [coolant = pass.coolant, name = pass.moves.info.name](StoredPath path, std::int64_t source) {
+                             return withProgram(std::move(path), name, coolant, source);
+                         }});
+    addSources(tr("path of a program"), std::move(added));
+}
+
+void PathController::addSources(const QString& text, std::vector<NewSource> added) {
+    std::map<std::string, ChangedPath> paths;
+    for (const NewSource& each : added) {
+        const auto own = std::ranges::find_if(
+            paths_, [&](const StoredPath& path) { return burin::toolOf(path, sources_) == each.tool.id; });
+        const StoredPath before = own != paths_.end() ? *own : StoredPath{};
+        paths.try_emplace(each.tool.id, ChangedPath{before, before});
+    }
+    desk_.project.post(
+        [added = std::move(added), paths = std::move(paths)](Project& project) mutable -> Result<AddedSources> {
+            AddedSources made{{}, std::move(paths)};
+            for (const NewSource& each : added) {
+                const Result<std::int64_t> source = project.addGenerated(each.moves);
+                if (!source) return source.error();
+                if (Result<void> kept = project.setTool(each.tool); !kept) return std::move(kept).error();
+                made.sources.push_back(each.moves.info);
+                made.sources.back().id = *source;
+                StoredPath& path = made.paths.at(each.tool.id).after;
+                path = each.into(std::move(path), *source);
+            }
+            for (auto& [tool, path] : made.paths) {
+                if (path.before.id != 0) {
+                    if (Result<void> stored = project.setPath(path.after); !stored) return std::move(stored).error();
+                    continue;
+                }
+                const Result<std::int64_t> id = project.addPath(path.after);
+                if (!id) return id.error();
+                path.after.id = *id;
+            }
+            return made;
+        },
+        [this, text, load = loads_](const Result<AddedSources>& made) {
+            if (load != loads_) return; // another project
+            if (made)
+                keepSources(text, *made);
+            else
+                emit failed(made.error());
+        });
+}
+
+/// The project has them already.
+void PathController::keepSources(const QString& text, const AddedSources& added) {
+    for (const GeneratedInfo& source : added.sources) {
+        generated_.push_back(source);
+        sources_.push_back(sourceOf(source));
+    }
+    std::vector<StoredPath> made;
+    std::vector<ChangedPath> changed;
+    for (const auto& [tool, path] : added.paths) {
+        if (path.before.id == 0)
+            made.push_back(path.after);
+        else
+            changed.push_back(path);
+    }
+    if (changed.empty()) {
+        keepNew(made);
+        return;
+    }
+    desk_.undo.beginMacro(text);
+    if (!made.empty()) keepNew(made);
+    for (const ChangedPath& path : changed) {
+        desk_.undo.push(new ValueCommand<std::vector<PathSource>>(
+            text, -1, path.before.sources, path.after.sources,
+            [this, id = path.after.id](const std::vector<PathSource>& sources) { applySources(id, sources); }));
+        if (!sameEdits(path.before.edits, path.after.edits))
+            desk_.undo.push(new ValueCommand<std::vector<Edit>>(
+                text, -1, path.before.edits, path.after.edits,
+                [this, id = path.after.id](const std::vector<Edit>& edits) { apply(id, edits); }));
+    }
+    desk_.undo.endMacro();
+}
+
+} // namespace burin
