@@ -811,6 +811,14 @@
         <source>Change the shortcuts of actions.</source>
         <translation>Die Tastenkürzel von Befehlen ändern.</translation>
     </message>
+    <message>
+        <source>E&amp;xcess stock</source>
+        <translation>&amp;Restmaterial</translation>
+    </message>
+    <message>
+        <source>Colour the workpiece by the stock that is left on the part, during milling, too. Rest the pointer on it to read how much.</source>
+        <translation>Färbt das Werkstück nach dem Aufmaß, das noch auf dem Teil steht, auch beim Fräsen. Der Zeiger zeigt dort, wo er ruht, wie viel es ist.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -3867,6 +3875,18 @@
         <source>Smooth in time (earlier version)</source>
         <translation>Über der Zeit glätten (frühere Fassung)</translation>
     </message>
+    <message>
+        <source>Feed of strokes</source>
+        <translation>Vorschub von Zügen</translation>
+    </message>
+    <message>
+        <source>Extend</source>
+        <translation>Verlängern</translation>
+    </message>
+    <message>
+        <source>Holding tabs</source>
+        <translation>Haltestege</translation>
+    </message>
 </context>
 <context>
     <name>EditParameterTexts</name>
@@ -4532,6 +4552,42 @@
     <message>
         <source>From the tables of tool and material, or as the program states them that the path is made of, within the limits of machine and tool; links are fed from the tables, but no faster than the moves that they join</source>
         <translation>Aus den Tabellen von Werkzeug und Werkstoff, oder wie sie das Programm angibt, aus dem die Bahn entstand, innerhalb der Grenzen von Maschine und Werkzeug; Verbindungen fahren mit Tabellenwerten, aber nicht schneller als die Bewegungen, die sie verbinden</translation>
+    </message>
+    <message>
+        <source>Feeds of these strokes are multiplied by this</source>
+        <translation>Vorschübe dieser Züge werden damit multipliziert</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>Am Anfang</translation>
+    </message>
+    <message>
+        <source>Added straight before the start of each stroke</source>
+        <translation>Gerade vor dem Anfang jedes Zuges angefügt</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Am Ende</translation>
+    </message>
+    <message>
+        <source>Added straight behind the end of each stroke</source>
+        <translation>Gerade hinter dem Ende jedes Zuges angefügt</translation>
+    </message>
+    <message>
+        <source>Points in plan at which the path leaves a tab. Draw them in the view</source>
+        <translation>Punkte im Grundriss, an denen die Bahn einen Steg stehen lässt. Zeichnen Sie sie in der Ansicht</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Width of the tab that the cutter leaves</source>
+        <translation>Breite des Stegs, den der Fräser stehen lässt</translation>
+    </message>
+    <message>
+        <source>Height of the tab above the lowest stroke there</source>
+        <translation>Höhe des Stegs über dem tiefsten Zug dort</translation>
     </message>
 </context>
 <context>
@@ -6252,6 +6308,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>The same of a second face: distances and angle</source>
         <translation>Dasselbe einer zweiten Fläche: Abstände und Winkel</translation>
+    </message>
+    <message>
+        <source>Colour the workpiece by the stock that is left on the part, with a scale</source>
+        <translation>Das Werkstück nach dem Restmaterial auf dem Teil färben, mit Skala</translation>
     </message>
 </context>
 <context>
@@ -9192,6 +9252,13 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>And %1 more, which “burin embed” lists.</source>
         <translation>Und %1 weitere, die „burin embed“ auflistet.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ExcessPresenter</name>
+    <message>
+        <source>%1 left on the part</source>
+        <translation>%1 Restmaterial auf dem Teil</translation>
     </message>
 </context>
 <context>
@@ -15130,6 +15197,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>%1 deep</source>
         <translation>%1 tief</translation>
+    </message>
+    <message>
+        <source>Excess stock, %1</source>
+        <translation>Restmaterial, %1</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,7 @@ namespace {
 struct ProjectPictureArguments {
     std::string project, output, colour;
     std::vector<std::int64_t> paths;
+    bool excess = false;
     PictureOptions options;
 };
 
@@ -80,9 +81,10 @@ Result<PictureContent> contentOf(const ProjectPictureArguments& arguments, Comma
     if (!project) return project.error();
     const Result<Tool> tool = anyTool(*project);
     if (!tool) return tool.error();
-    Result<MillingContext> milling =
+    Result<MillingContext> made =
         makeMillingContext(*project, *tool, machineFor(*project, {}, context), context.progress());
-    if (!milling) return std::move(milling).error();
+    if (!made) return std::move(made).error();
+    const auto milling = std::make_shared<MillingContext>(std::move(*made));
     context.stage(BURIN_TEXT("Command", "Replaying the takes"));
     if (const Result<void> replayed = replayTakes(*project, *milling, context.progress()); !replayed)
         return replayed.error();
@@ -94,6 +96,7 @@ Result<PictureContent> contentOf(const ProjectPictureArguments& arguments, Comma
     content.part = milling->partModel;
     content.obstacles = milling->surroundings();
     content.paths = std::move(*paths);
+    if (arguments.excess) content.left = ExcessColours{{milling, &milling->part}, {}};
     if (!arguments.colour.empty()) {
         auto values = valuesOf(*project, *milling, arguments, content.paths.front(), context.progress());
         if (!values) return std::move(values).error();
@@ -139,6 +142,8 @@ void registerPicture(CommandParser program, CommandContext& context, int& status
                 BURIN_TEXT("Help", "Colour the first path by this quantity, with a scale, instead of by its moves"))
         .choices(quantities)
         .needs(path);
+    command.flag("--excess", arguments->excess,
+                 BURIN_TEXT("Help", "Colour the workpiece by the stock that is left on the part, with a scale"));
     addPictureOptions(command, arguments->options);
     addSetupChoice(command, context);
     addJsonFlag(command, context);

@@ -30,7 +30,13 @@ Result<std::string> sheetOf(const SheetArguments& arguments, CommandContext& con
     const Result<SheetContent> content = sheetContent(std::move(*source), context.progress());
     if (!content) return content.error();
     context.stage(BURIN_TEXT("Command", "Drawing"));
-    return setupSheet(*content, units == NcUnits::inch ? LengthUnit::inch : LengthUnit::millimetre);
+    std::vector<std::string> pictures;
+    for (const PictureContent& picture : sheetPictures(*content)) {
+        Result<std::string> drawn = drawPicture(picture);
+        if (!drawn) return std::move(drawn).error();
+        pictures.push_back(std::move(*drawn));
+    }
+    return setupSheet(*content, units == NcUnits::inch ? LengthUnit::inch : LengthUnit::millimetre, pictures);
 }
 
 int runSheet(const SheetArguments& arguments, CommandContext& context) {

@@ -9,24 +9,31 @@ namespace burin {
 
 namespace {
 
-constexpr std::array<double, 5> toleranceMultiples{1.0, 2.0, 5.0, 10.0, 20.0};
+constexpr std::array toleranceMultiples{1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0};
+constexpr std::size_t resultBands = 5;
 constexpr DeviationColour nominalColour{247, 247, 247};
 constexpr std::array<DeviationColour, 5> gougeColours{
     {{253, 219, 199}, {244, 165, 130}, {224, 100, 77}, {192, 42, 53}, {142, 15, 44}}};
-constexpr std::array<DeviationColour, 5> excessColours{
-    {{209, 229, 240}, {146, 197, 222}, {67, 147, 195}, {42, 114, 181}, {23, 74, 140}}};
+constexpr std::array<DeviationColour, 7> excessColours{{{209, 229, 240},
+                                                        {146, 197, 222},
+                                                        {67, 147, 195},
+                                                        {42, 114, 181},
+                                                        {23, 74, 140},
+                                                        {44, 44, 108},
+                                                        {40, 20, 66}}}; // the last two are not of RdBu
 constexpr double leastTolerance = 1e-3; // mm: a tolerance of nothing would leave no room for its bands
 
 } // namespace
 
-DeviationScale::DeviationScale(const DeviationTolerance& tolerance) {
+DeviationScale::DeviationScale(const DeviationTolerance& tolerance, Reach reach) {
     const double gouge = std::max(tolerance.gouge, leastTolerance);
     const double excess = std::max(tolerance.excess, leastTolerance);
-    for (std::size_t i = toleranceMultiples.size(); i-- > 0;)
+    for (std::size_t i = gougeColours.size(); i-- > 0;)
         marks_.push_back({-gouge * toleranceMultiples[i], i == 0, gougeColours[i]});
     marks_.push_back({0.0, false, nominalColour});
     if (tolerance.allowance > 0.0) marks_.push_back({tolerance.allowance, false, nominalColour});
-    for (std::size_t i = 0; i < toleranceMultiples.size(); ++i)
+    const std::size_t bands = reach == Reach::result ? resultBands : excessColours.size();
+    for (std::size_t i = 0; i < bands; ++i)
         marks_.push_back(
             {std::max(tolerance.allowance, 0.0) + excess * toleranceMultiples[i], i == 0, excessColours[i]});
 }

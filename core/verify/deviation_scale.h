@@ -18,10 +18,12 @@ using DeviationColour = std::array<std::uint8_t, 3>; ///< red, green, blue, sRGB
 /// Brewer, M. Harrower, 2003).
 ///
 /// Both sides go in bands of 1, 2, 5, 10 and 20 times their tolerance, all of the same length on the scale: the first
-/// one is within tolerance. With an allowance everything between the part and the allowance is nominal.
+/// one is within tolerance. With an allowance everything between the part and the allowance is nominal. For stock that
+/// is still milled two darker bands lead on to 100 times the tolerance.
 class DeviationScale {
 public:
-    explicit DeviationScale(const DeviationTolerance& tolerance);
+    enum class Reach { result, milling };
+    explicit DeviationScale(const DeviationTolerance& tolerance, Reach reach = Reach::result);
 
     /// Where two bands meet.
     struct Mark {

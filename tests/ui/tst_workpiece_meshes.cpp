@@ -30,6 +30,8 @@
 #include <array>
 #include <cstring>
 #include <map>
+#include <memory>
+#include <optional>
 
 namespace burin::tst_workpiece_meshes {
 
@@ -43,10 +45,11 @@ constexpr int side = 900; // pixels
 /// Triangles that are allowed while things move, so that all details are drawn, down to the coarsest.
 constexpr std::array<std::size_t, 5> movingLimits{1'000'000, 4'000, 1'500, 500, 1};
 
-Surfaces surfaces(const VolumeSnapshot& workpiece, std::size_t movingLimit, SurfaceLayer layer,
-                  bool partDrawn = false) {
+Surfaces surfaces(const VolumeSnapshot& workpiece, std::size_t movingLimit, SurfaceLayer layer, bool partDrawn = false,
+                  const std::optional<ExcessColours>& left = {}) {
     WorkpieceMesher mesher({movingLimit, 10'000'000}, [] {});
     mesher.setPartDrawn(partDrawn);
+    mesher.setExcess(left);
     mesher.show(workpiece, std::nullopt);
     std::map<std::size_t, vtkSmartPointer<vtkPolyData>> byGroup;
     for (bool busy = true; busy;) {
@@ -178,6 +181,8 @@ private slots:
     void stockEndsOnBarePartInALine();
     void theLineLeadsOverTheLimitsOfTiles_data();
     void theLineLeadsOverTheLimitsOfTiles();
+    void coloursTellWhatIsLeft_data();
+    void coloursTellWhatIsLeft();
 };
 
 void WorkpieceMeshesTest::edgesOfTheStockAreSharp_data() {
@@ -395,6 +400,73 @@ void WorkpieceMeshesTest::theLineLeadsOverTheLimitsOfTiles() {
         QVERIFY(crossings > 0);
         QVERIFY2(atLimits < between + 0.12, qPrintable(QStringLiteral("%1 %2").arg(atLimits).arg(between)));
     }
+}
+
+void WorkpieceMeshesTest::coloursTellWhatIsLeft_data() {
+    QTest::addColumn<SurfaceLayer>("layer");
+    QTest::newRow("at rest") << SurfaceLayer::rest;
+    QTest::newRow("while things move") << SurfaceLayer::moving;
+}
+/// A flat face lies 0.6 mm over a ball: its triangles are large, and yet each of their points has the colour of its
+/// own distance to the ball. Dividing them moved nothing. A floor that the ball stands out of is white where it is
+/// bare.
+void WorkpieceMeshesTest::coloursTellWhatIsLeft() {
+    QFETCH(SurfaceLayer, layer);
+    constexpr int most = 36; // of a colour's 255 steps: less than half a band
+    constexpr double voxel = 0.25, radius = 8.0;
+    const glm::dvec3 centre(10.03, 10.11, 8.0);
+    RunVolume volume = milled({{0.0, 0.0, 0.0}, {20.0, 20.0, 16.6}}, voxel);
+    const auto ball = std::make_shared<const MeshDistance>(sphereMesh(centre, radius, 400));
+    const DeviationTolerance tolerance;
+    const DeviationScale scale = ExcessColours{ball, tolerance}.scale();
+    const Surfaces plain = surfaces(volume.snapshot(), 1'000'000, layer);
+    const Surfaces pieces = surfaces(volume.snapshot(), 1'000'000, layer, false, ExcessColours{ball, tolerance});
+    const MeshDistance surface(meshOf(plain));
+    constexpr int steps = 6;
+    int worst = 0;
+    std::size_t coloured = 0, all = 0;
+    for (const auto& piece : pieces) {
+        auto* colours = vtkUnsignedCharArray::SafeDownCast(piece->GetPointData()->GetScalars());
+        const TriangleMesh mesh = meshOf({piece});
+        for (const auto& corner : mesh.triangles) {
+            for (const std::uint32_t at : corner) QVERIFY(surface.closest(mesh.vertices[at]).distance < 1e-4);
+            for (int i = 0; i <= steps; ++i)
+                for (int j = 0; j <= steps - i; ++j) {
+                    const glm::dvec3 share(i / 6.0, j / 6.0, (steps - i - j) / 6.0);
+                    glm::dvec3 place(0.0), colour(0.0);
+                    for (int k = 0; k < 3; ++k) {
+                        place += share[k] * mesh.vertices[corner[static_cast<std::size_t>(k)]];
+                        for (int c = 0; c < 3; ++c)
+                            colour[c] += share[k] * colours->GetTypedComponent(corner[static_cast<std::size_t>(k)], c);
+                    }
+                    const double left = glm::distance(place, centre) - radius;
+                    const DeviationColour wanted = scale.colourOf(left);
+                    ++all;
+                    coloured += left < scale.marks().back().deviation ? 1U : 0U;
+                    for (int c = 0; c < 3; ++c)
+                        worst = std::max(worst, std::abs(static_cast<int>(std::lround(colour[c])) -
+                                                         wanted[static_cast<std::size_t>(c)]));
+                }
+        }
+    }
+    QVERIFY2(coloured > 1000, qPrintable(QStringLiteral("%1 of %2").arg(coloured).arg(all)));
+    QVERIFY2(worst <= most, qPrintable(QString::number(worst)));
+
+    RunVolume bare = milled({{0.0, 0.0, 0.0}, {20.0, 20.0, 17.0}}, voxel);
+    clear(bare, {{0.0, 0.0, 14.0}, {20.0, 20.0, 17.0}});
+    Progress progress;
+    QVERIFY(voxelise(sphereMesh(centre, radius, 400), part, bare, progress));
+    std::size_t white = 0;
+    for (const auto& piece : surfaces(bare.snapshot(), 1'000'000, layer, false, ExcessColours{ball, tolerance}))
+        for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i) {
+            const glm::dvec3 place(piece->GetPoint(i)[0], piece->GetPoint(i)[1], piece->GetPoint(i)[2]);
+            if (place.z < 15.0) continue;
+            const double* colour = piece->GetPointData()->GetScalars()->GetTuple(i);
+            const DeviationColour nominal = scale.colourOf(0.0);
+            QVERIFY(std::equal(nominal.begin(), nominal.end(), colour));
+            ++white;
+        }
+    QVERIFY(white > 4);
 }
 
 BURIN_TEST(WorkpieceMeshesTest, QCoreApplication)

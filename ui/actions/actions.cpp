@@ -106,6 +106,10 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Colour the path by its feed, spindle speed, height, removal rate, force or "
                                      "deviation from the recording, in turn."),
         "Ctrl+7"},
+    Row{ActionId::excess, "excessAction", QT_TRANSLATE_NOOP("Actions", "E&xcess stock"),
+        QT_TRANSLATE_NOOP("Actions", "Colour the workpiece by the stock that is left on the part, during milling, too. "
+                                     "Rest the pointer on it to read how much."),
+        "Ctrl+8", true},
     Row{ActionId::nextStep, "nextStepAction", QT_TRANSLATE_NOOP("Actions", "&Next step"),
         QT_TRANSLATE_NOOP("Actions", "Open the next step of the job."), "Alt+Right"},
     Row{ActionId::previousStep, "previousStepAction", QT_TRANSLATE_NOOP("Actions", "Pre&vious step"),
@@ -268,6 +272,11 @@ constexpr std::array rows{
 };
 static_assert(rows.size() == static_cast<std::size_t>(ActionId::count));
 
+/// Of those that can be switched.
+constexpr ActionId onAtFirst[] = {ActionId::showWorkpiece, ActionId::showTool,       ActionId::showPath,
+                                  ActionId::showGuides,    ActionId::showOtherPaths, ActionId::guides,
+                                  ActionId::showTimeline};
+
 } // namespace
 
 QKeySequence Actions::firstShortcut(ActionId id) {
@@ -284,20 +293,9 @@ Actions::Actions(QObject* parent) : QObject(parent) {
         action->setStatusTip(tip);
         action->setShortcut(firstShortcut(row.id));
         action->setCheckable(row.checkable);
-        if (row.checkable) action->setChecked(row.id != ActionId::showPart);
+        if (row.checkable) action->setChecked(std::ranges::find(onAtFirst, row.id) != std::end(onAtFirst));
         actions_[static_cast<std::size_t>(row.id)] = action;
     }
-    (*this)[ActionId::parallelView]->setChecked(false);
-    (*this)[ActionId::seeThrough]->setChecked(false);
-    (*this)[ActionId::sectionPlane]->setChecked(false);
-    (*this)[ActionId::measure]->setChecked(false);
-    (*this)[ActionId::showHistory]->setChecked(false);
-    (*this)[ActionId::showTree]->setChecked(false);
-    (*this)[ActionId::programDock]->setChecked(false);
-    (*this)[ActionId::millMode]->setChecked(false);
-    (*this)[ActionId::raster]->setChecked(false);
-    (*this)[ActionId::clutch]->setChecked(false);
-    (*this)[ActionId::rateControl]->setChecked(false);
     (*this)[ActionId::quit]->setMenuRole(QAction::QuitRole);
     (*this)[ActionId::preferences]->setMenuRole(QAction::PreferencesRole);
     (*this)[ActionId::about]->setMenuRole(QAction::AboutRole);

@@ -50,6 +50,7 @@ enum class ActionId : std::size_t {
     showGuides,
     showOtherPaths,
     pathColours,
+    excess,
     nextStep,
     previousStep,
     addSetup,

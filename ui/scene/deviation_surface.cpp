@@ -3,78 +3,17 @@
 #include "ui/scene/deviation_surface.h"
 
 #include "core/base/parallel.h"
+#include "ui/scene/edge_halving.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <unordered_map>
 
 namespace burin {
 namespace {
 
 constexpr double mostTriangles = 200'000.0;
 constexpr double trianglesInSquare = 4.7; // that halving leaves in the square of the longest edge
-
-/// One round of halving: every edge that is too long gets a point in its middle.
-class EdgeHalving {
-public:
-    EdgeHalving(ShadedMesh& mesh, double edge) : mesh_(mesh), square_(static_cast<float>(edge * edge)) {}
-
-    /// @return whether there was an edge to be halved
-    bool run() {
-        std::vector<std::uint32_t> whole;
-        whole.swap(mesh_.triangles);
-        mesh_.triangles.reserve(2 * whole.size());
-        for (std::size_t i = 0; i + 2 < whole.size(); i += 3) divide({whole[i], whole[i + 1], whole[i + 2]});
-        return !middles_.empty();
-    }
-
-private:
-    using Corners = std::array<std::uint32_t, 3>;
-
-    std::optional<std::uint32_t> middleOf(std::uint32_t a, std::uint32_t b) {
-        const glm::vec3 along = mesh_.points[b] - mesh_.points[a];
-        if (!(glm::dot(along, along) > square_)) return std::nullopt;
-        const std::uint64_t key = static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
-        const auto [place, isNew] = middles_.try_emplace(key, static_cast<std::uint32_t>(mesh_.points.size()));
-        if (isNew) {
-            const glm::vec3 normal = mesh_.normals[a] + mesh_.normals[b];
-            const float length = glm::length(normal);
-            mesh_.points.push_back(0.5F * (mesh_.points[a] + mesh_.points[b]));
-            mesh_.normals.push_back(length > 0.0F ? normal / length : mesh_.normals[a]);
-        }
-        return place->second;
-    }
-
-    void add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        mesh_.triangles.insert(mesh_.triangles.end(), {a, b, c});
-    }
-
-    void divide(const Corners& corner) {
-        std::array<std::optional<std::uint32_t>, 3> middle; // of the edge from each corner to the next
-        for (std::size_t i = 0; i < 3; ++i) middle[i] = middleOf(corner[i], corner[(i + 1) % 3]);
-        const auto halved = std::ranges::count_if(middle, [](const auto& m) { return m.has_value(); });
-        if (halved == 0) return add(corner[0], corner[1], corner[2]);
-        if (halved == 3) {
-            for (std::size_t i = 0; i < 3; ++i) add(corner[i], *middle[i], *middle[(i + 2) % 3]);
-            return add(*middle[0], *middle[1], *middle[2]);
-        }
-        // Turned so that the first edge is halved, and where there are two, the second one, too.
-        std::size_t first = 0;
-        while (!middle[first] || (halved == 2 && !middle[(first + 1) % 3])) ++first;
-        const std::uint32_t a = corner[first], b = corner[(first + 1) % 3], c = corner[(first + 2) % 3];
-        const std::uint32_t ab = *middle[first];
-        add(a, ab, c);
-        if (halved == 1) return add(ab, b, c);
-        const std::uint32_t bc = *middle[(first + 1) % 3];
-        add(ab, b, bc);
-        add(ab, bc, c);
-    }
-
-    ShadedMesh& mesh_;
-    float square_; ///< mm², of the longest edge that stays
-    std::unordered_map<std::uint64_t, std::uint32_t> middles_;
-};
 
 /// All bodies in one mesh.
 ShadedMesh shadedPart(const Model& part) {
@@ -138,7 +77,17 @@ void partUnmeasured(DeviationSurface& surface, const std::vector<std::uint8_t>& 
 } // namespace
 
 ShadedMesh divided(ShadedMesh mesh, double edge) {
-    while (EdgeHalving(mesh, edge).run()) {
+    const auto tooLong = [&mesh, square = static_cast<float>(edge * edge)](std::uint32_t a, std::uint32_t b) {
+        const glm::vec3 along = mesh.points[b] - mesh.points[a];
+        return glm::dot(along, along) > square;
+    };
+    const auto addMiddle = [&mesh](std::uint32_t a, std::uint32_t b) {
+        const glm::vec3 normal = middleNormal(mesh.normals[a], mesh.normals[b]);
+        mesh.points.push_back(0.5F * (mesh.points[a] + mesh.points[b]));
+        mesh.normals.push_back(normal);
+        return static_cast<std::uint32_t>(mesh.points.size() - 1);
+    };
+    while (EdgeHalving(mesh.points, mesh.triangles, tooLong, addMiddle).run()) {
     }
     return mesh;
 }

@@ -28,6 +28,12 @@ struct OffscreenContext::Handles {
 
 OffscreenContext::OffscreenContext(std::unique_ptr<Handles> handles) : handles_(std::move(handles)) {}
 OffscreenContext::~OffscreenContext() = default;
+void OffscreenContext::makeCurrent() {
+    eglMakeCurrent(handles_->display, handles_->surface, handles_->surface, handles_->context);
+}
+void OffscreenContext::release() {
+    eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+}
 OffscreenContext::OffscreenContext(OffscreenContext&&) noexcept = default;
 OffscreenContext& OffscreenContext::operator=(OffscreenContext&&) noexcept = default;
 

@@ -8,12 +8,15 @@
 
 namespace burin {
 
-/// An OpenGL context of this thread that draws without a display. Current from `make` until it is destroyed.
+/// An OpenGL context of this thread that draws without a display. Current from `make` on, until it is let go of or
+/// destroyed.
 class OffscreenContext {
 public:
     /// Errors: notSupported with what EGL lacks.
     static Result<OffscreenContext> make(int width, int height);
     ~OffscreenContext();
+    void makeCurrent();
+    void release(); ///< none is current then: others may be made so
     OffscreenContext(OffscreenContext&&) noexcept;
     OffscreenContext& operator=(OffscreenContext&&) noexcept;
 

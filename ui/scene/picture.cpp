@@ -15,7 +15,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <thread>
+#include <utility>
 
 namespace burin {
 
@@ -72,6 +74,7 @@ void fill(Scene& scene, const PictureContent& content) {
     if (content.part) scene.setPart(shadedBodies(*content.part), content.part->box());
     scene.setWorkpiece(content.workpiece, {});
     scene.setWorkpieceOpacity(content.opacity);
+    scene.setExcess(content.left);
     scene.setObstacles(marksOf(content.obstacles));
     scene.setZero(content.zero);
     scene.setTool(content.tool);
@@ -88,12 +91,6 @@ void fill(Scene& scene, const PictureContent& content) {
 void cutOpen(Scene& scene, const PictureSection& section, const CameraView& view) {
     scene.setSection(SectionPlane{section.axis, section.position, keepsLowBefore(-axesOf(view).back, section.axis)});
     scene.section().setHandle(false);
-}
-
-/// The workpiece is meshed on a thread of its own; this one has nothing else to do.
-void finish(Scene& scene, const CameraView& view, const QSizeF& size) {
-    while ((void)scene.prepare(view, size, 1.0, false), !scene.workpiece().fullDetail())
-        std::this_thread::sleep_for(5ms);
 }
 
 std::string png(vtkRenderWindow& window) {
@@ -113,29 +110,89 @@ std::string png(vtkRenderWindow& window) {
 
 } // namespace
 
-Result<std::string> drawPicture(const PictureContent& content) {
+class PictureDrawing::Stage {
+public:
+    Stage(OffscreenContext context, const PictureContent& content, const Palette& palette)
+        : context_(std::move(context)), size_(content.width, content.height) {
+        const QuietVtk quiet;
+        makeReady(*window_, content);
+        scene_.emplace(
+            *window_, [] {}, [](const GuideMarks&, double, const GuideActors::Shaped&) {}, // no guides are drawn
+            [](const std::shared_ptr<const Obstacle>& obstacle, const ObstacleActors::Made& then) {
+                then(std::make_shared<const ObstacleSurface>(surfaceOf(*obstacle)));
+            });
+        scene_->setPalette(palette);
+        fill(*scene_, content);
+        view_ = viewOf(content, scene_->contentBox());
+        if (content.section) cutOpen(*scene_, *content.section, view_);
+        context_.release();
+    }
+    ~Stage() {
+        const Current current(context_);
+        scene_.reset();
+        window_->Finalize();
+    }
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+    bool ready() {
+        const Current current(context_);
+        static_cast<void>(scene_->prepare(view_, size_, 1.0, false));
+        return scene_->workpiece().fullDetail();
+    }
+    std::string finish() {
+        const Current current(context_);
+        window_->Render();
+        return png(*window_);
+    }
+
+private:
+    /// Has the context for itself, quietly.
+    class Current {
+    public:
+        explicit Current(OffscreenContext& context) : context_(context) { context.makeCurrent(); }
+        ~Current() { context_.release(); }
+        Current(const Current&) = delete;
+        Current& operator=(const Current&) = delete;
+
+    private:
+        OffscreenContext& context_;
+        QuietVtk quiet_;
+    };
+
+    OffscreenContext context_;
+    QSizeF size_;
+    vtkNew<vtkGenericOpenGLRenderWindow> window_;
+    std::optional<Scene> scene_;
+    CameraView view_;
+};
+
+PictureDrawing::PictureDrawing(std::unique_ptr<Stage> stage) : stage_(std::move(stage)) {}
+PictureDrawing::~PictureDrawing() = default;
+PictureDrawing::PictureDrawing(PictureDrawing&&) noexcept = default;
+PictureDrawing& PictureDrawing::operator=(PictureDrawing&&) noexcept = default;
+
+Result<PictureDrawing> PictureDrawing::begin(const PictureContent& content) {
     const Result<Palette> palette = loadPalette(content.theme);
     if (!palette) return palette.error();
-    const Result<OffscreenContext> context = OffscreenContext::make(content.width, content.height);
+    Result<OffscreenContext> context = OffscreenContext::make(content.width, content.height);
     if (!context) return context.error();
+    return PictureDrawing(std::make_unique<Stage>(std::move(*context), content, *palette));
+}
 
-    const QuietVtk quiet;
-    vtkNew<vtkGenericOpenGLRenderWindow> window;
-    makeReady(*window, content);
-    Scene scene(
-        *window, [] {}, [](const GuideMarks&, double, const GuideActors::Shaped&) {}, // no guides are drawn
-        [](const std::shared_ptr<const Obstacle>& obstacle, const ObstacleActors::Made& then) {
-            then(std::make_shared<const ObstacleSurface>(surfaceOf(*obstacle)));
-        });
-    scene.setPalette(*palette);
-    fill(scene, content);
-    const CameraView view = viewOf(content, scene.contentBox());
-    if (content.section) cutOpen(scene, *content.section, view);
-    finish(scene, view, QSizeF(content.width, content.height));
-    window->Render();
-    std::string picture = png(*window);
-    window->Finalize();
-    return picture;
+bool PictureDrawing::ready() {
+    return stage_->ready();
+}
+
+std::string PictureDrawing::finish() {
+    return stage_->finish();
+}
+
+Result<std::string> drawPicture(const PictureContent& content) {
+    Result<PictureDrawing> drawing = PictureDrawing::begin(content);
+    if (!drawing) return drawing.error();
+    while (!drawing->ready()) std::this_thread::sleep_for(5ms);
+    return drawing->finish();
 }
 
 } // namespace burin

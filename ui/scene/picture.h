@@ -35,6 +35,7 @@ struct PictureContent {
     ToolPose pose;
     std::vector<std::shared_ptr<const EvaluatedPath>> paths; ///< none is null; the first in the colours of its moves
     std::shared_ptr<const PathValues> values; ///< of the first path, for its colours; null: by kinds of moves
+    std::optional<ExcessColours> left;        ///< what the workpiece is coloured by; nothing: by its materials
     StandardView view = StandardView::isometric;
     double opacity = 1.0; ///< of the workpiece, 0 … 1
     std::optional<PictureSection> section;
@@ -43,10 +44,29 @@ struct PictureContent {
     int width = 1600, height = 1000; ///< pixels
 };
 
-/// Draws what the window shows of it in full detail. Needs no display, but a
-/// QGuiApplication for its letters (on the "offscreen" platform): an EGL context without a surface (Mesa) is made for
-/// it. The thread of that application; some seconds.
-/// @return PNG. Errors: notSupported (no EGL with OpenGL 3.2), those of loadPalette.
+/// Draws what the window shows of it in full detail. Needs no display, but a QGuiApplication for its letters (on the
+/// "offscreen" platform), and is used on its thread alone: an EGL context without a surface (Mesa) is made for it. The
+/// workpiece is meshed on a thread of its own, which nothing waits for; between the calls no context is current.
+class PictureDrawing {
+public:
+    /// Some tenths of a second for a large part. Errors: notSupported (no EGL with OpenGL 3.2), those of loadPalette.
+    static Result<PictureDrawing> begin(const PictureContent& content);
+    ~PictureDrawing();
+    PictureDrawing(PictureDrawing&&) noexcept;
+    PictureDrawing& operator=(PictureDrawing&&) noexcept;
+
+    /// Takes over what is meshed. Some milliseconds. @return whether all is there
+    bool ready();
+    /// PNG, once it is ready. Some tenths of a second.
+    std::string finish();
+
+private:
+    class Stage;
+    explicit PictureDrawing(std::unique_ptr<Stage> stage);
+    std::unique_ptr<Stage> stage_;
+};
+
+/// The whole of it at once, waiting for the mesher: some seconds. @return PNG. Errors: those of PictureDrawing::begin.
 Result<std::string> drawPicture(const PictureContent& content);
 
 } // namespace burin

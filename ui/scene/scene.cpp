@@ -5,6 +5,7 @@
 #include "core/volume/operations/ray_cast.h"
 #include "ui/scene/actors.h"
 #include "ui/scene/aim_camera.h"
+#include "ui/scene/excess_scale.h"
 #include "ui/scene/view_lights.h"
 
 #include <array>
@@ -55,7 +56,8 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , passPreview_(*marks_)
     , measure_(*marks_)
     , force_(*marks_)
-    , cube_(window, 3) {
+    , cube_(window, 3)
+    , excessScale_(*solids_) {
     window.SetNumberOfLayers(4);
     addViewLights(*solids_);
     addViewLights(*marks_);
@@ -73,8 +75,11 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
 void Scene::setPalette(const Palette& palette) {
     setBackdrop(*solids_, palette.sceneTop, palette.sceneBottom);
     preview_.setPalette(palette);
-    part_.setColours(palette.part, palette.pathHalo);
+    partColour_ = palette.part;
+    edgeColour_ = palette.pathHalo;
+    colourPart();
     workpiece_.setPartColour(bytes(palette.part));
+    excessScale_.setPalette(palette);
     tool_.setPalette(palette);
     livePath_.setColours(palette.livePath, palette.pathHalo);
     editedPath_.setPalette(palette);
@@ -163,6 +168,25 @@ void Scene::setWorkpieceOpacity(double opacity) {
     seenThrough_ = opacity < 1.0;
     workpiece_.setOpacity(opacity);
     refresh();
+}
+
+void Scene::setExcess(std::optional<ExcessColours> left) {
+    left_ = left;
+    workpiece_.setExcess(std::move(left));
+    excessScale_.setVisible(left_.has_value());
+    colourPart();
+    fillExcessScale();
+}
+
+/// Bare part has nothing left on it.
+void Scene::colourPart() {
+    if (!left_) return part_.setColours(partColour_, edgeColour_);
+    const DeviationColour bare = left_->scale().colourOf(0.0);
+    part_.setColours(QColor(bare[0], bare[1], bare[2]), edgeColour_);
+}
+
+void Scene::fillExcessScale() {
+    if (left_) excessScale_.set(excessScale(left_->scale(), unit_));
 }
 
 void Scene::setSection(const std::optional<SectionPlane>& plane) {
@@ -290,7 +314,7 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     tool_.place(view);
     obstacles_.place(cuts(), view);
     scaleBar_.place(view, size, ratio);
-    valuedPath_.place(size, ratio);
+    excessScale_.place(size, ratio, valuedPath_.scale().place(size, ratio, 0.0));
     force_.place(view, size, ratio);
     guides_.place(view, size, ratio);
     touch_.place(view, size, ratio);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/scene/camera_view.h"
+#include "ui/scene/colour_scale.h"
 #include "ui/scene/deviation_actors.h"
 #include "ui/scene/edited_path.h"
 #include "ui/scene/force_arrow.h"
@@ -52,6 +53,8 @@ public:
         preview_.setLengthUnit(unit);
         touch_.setUnit(unit);
         valuedPath_.setUnit(unit);
+        unit_ = unit;
+        fillExcessScale();
     }
     void setPart(std::vector<ShadedBody> bodies, const Box& box);
     void setCoarsePart(const CoarseBodies& coarse) { part_.setCoarse(coarse); }
@@ -66,6 +69,8 @@ public:
     void setWorkpiece(const VolumeSnapshot& workpiece, std::optional<std::chrono::steady_clock::time_point> oldestCut);
     void setWorkpieceVisible(bool visible);
     void setWorkpieceOpacity(double opacity); ///< less than 1: the part is seen in it. 0 … 1
+    /// The workpiece by what is left on the part, with the scale of the colours; nothing: by material.
+    void setExcess(std::optional<ExcessColours> left);
     void setSection(const std::optional<SectionPlane>& plane);
     SectionActors& section() noexcept { return section_; }
     void setTool(const std::optional<Tool>& tool);
@@ -113,6 +118,8 @@ public:
 private:
     bool workpieceSeen() const noexcept { return workpieceVisible_ && !shown_.empty(); }
     void refresh();
+    void colourPart();
+    void fillExcessScale();
     void setLineWidths(double ratio);
     void aimCamera(vtkRenderer& renderer, const Box& bounds, const CameraView& view);
     Box drawnBounds();
@@ -144,7 +151,11 @@ private:
     MeasureMarks measure_;
     ForceArrow force_;
     ViewCube cube_;
+    ColourScale excessScale_;
 
+    std::optional<ExcessColours> left_;
+    QColor partColour_, edgeColour_;
+    LengthUnit unit_{}; ///< millimetre
     Box partBox_;
     std::optional<bool> partWish_;
     VolumeSnapshot shown_;

@@ -10,9 +10,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <QCoreApplication>
-#include <QFontMetricsF>
-#include <QGuiApplication>
-#include <QPainter>
 
 #include <algorithm>
 #include <array>
@@ -22,9 +19,7 @@ namespace burin {
 
 namespace {
 
-constexpr double haloWidth = 2.0;                                                    // widths of the line
-constexpr double legendMargin = 16.0, legendTop = 120.0;                             // below the view cube
-constexpr double legendPadding = 8.0, barWide = 16.0, barHigh = 160.0, barGap = 6.0; // device-independent pixels
+constexpr double haloWidth = 2.0; // widths of the line
 constexpr int legendMarks = 5;
 
 /// viridis (S. van der Walt, N. Smith, 2015, matplotlib, CC0), nine of its colours.
@@ -102,14 +97,12 @@ ValuedPath::~ValuedPath() {
 
 void ValuedPath::setPalette(const Palette& palette) {
     setColour(*halo_, palette.pathHalo);
-    text_ = palette.text;
-    plate_ = palette.panel;
-    ratio_ = 0.0;
+    scale_.setPalette(palette);
 }
 
 void ValuedPath::setUnit(LengthUnit unit) {
     unit_ = unit;
-    ratio_ = 0.0;
+    fillScale();
 }
 
 void ValuedPath::setLineWidth(double screenPixels) {
@@ -133,7 +126,7 @@ void ValuedPath::setValues(std::shared_ptr<const PathValues> values) {
     data->GetCellData()->SetScalars(colours);
     for (vtkActor* actor : {halo_.Get(), line_.Get()})
         vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(data);
-    ratio_ = 0.0;
+    fillScale();
     setVisible(visible_);
 }
 
@@ -144,46 +137,17 @@ void ValuedPath::setVisible(bool visible) {
     scale_.setVisible(shown());
 }
 
-void ValuedPath::place(const QSizeF& size, double ratio) {
-    if (!shown()) return;
-    if (ratio != ratio_) {
-        ratio_ = ratio;
-        drawScale();
-    }
-    scale_.setPosition(QPointF(size.width() - scale_.size().width() / ratio - legendMargin, legendTop) * ratio,
-                       static_cast<int>(std::lround(size.height() * ratio)));
-}
-
-void ValuedPath::drawScale() {
+void ValuedPath::fillScale() {
+    if (!values_) return;
     const ShownUnit unit = shownUnit(values_->quantity, unit_);
     const TextId title = titleOf(values_->quantity);
-    const QString heading =
-        QStringLiteral("%1, %2").arg(QCoreApplication::translate(title.context, title.text), unit.text);
     const double low = unit.factor * values_->low, high = unit.factor * values_->high;
     const int marks = high > low ? legendMarks : 1;
     QStringList numbers;
     for (int i = 0; i < marks; ++i)
         numbers << fixedNumber(marks == 1 ? low : std::lerp(low, high, i / (marks - 1.0)), decimalsFor(high - low));
-    const QFontMetricsF metrics(QGuiApplication::font());
-    double widest = 0.0;
-    for (const QString& number : numbers) widest = std::max(widest, metrics.horizontalAdvance(number));
-    const QSizeF size(std::max(metrics.horizontalAdvance(heading), barWide + barGap + widest) + 2.0 * legendPadding,
-                      2.5 * metrics.height() + barHigh + 2.0 * legendPadding);
-    QImage image = plateImage(size, ratio_, plate_);
-    QPainter painter(&image);
-    painter.setPen(text_);
-    painter.drawText(QPointF(legendPadding, legendPadding + metrics.ascent()), heading);
-    const double top = legendPadding + 2.0 * metrics.height(), bottom = top + barHigh;
-    for (int row = 0; row < static_cast<int>(barHigh); ++row)
-        painter.fillRect(QRectF(legendPadding, bottom - row - 1.0, barWide, 1.0),
-                         valueColour(marks == 1 ? 1.0 : (row + 0.5) / barHigh));
-    for (int i = 0; i < marks; ++i) {
-        const double y = marks == 1 ? 0.5 * (top + bottom) : std::lerp(bottom, top, i / (marks - 1.0));
-        painter.drawText(QPointF(legendPadding + barWide + barGap, y + 0.5 * (metrics.ascent() - metrics.descent())),
-                         numbers[i]);
-    }
-    painter.end();
-    scale_.setImage(image);
+    scale_.set({QStringLiteral("%1, %2").arg(QCoreApplication::translate(title.context, title.text), unit.text),
+                valueColour, std::move(numbers)});
 }
 
 } // namespace burin

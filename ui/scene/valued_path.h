@@ -4,7 +4,7 @@
 
 #include "core/job/path_values.h"
 #include "ui/scene/actors.h"
-#include "ui/scene/label.h"
+#include "ui/scene/colour_scale.h"
 #include "ui/theme/length_unit.h"
 #include "ui/theme/theme.h"
 
@@ -31,19 +31,16 @@ public:
     void setValues(std::shared_ptr<const PathValues> values);
     void setVisible(bool visible);
     bool shown() const noexcept { return visible_ && values_ != nullptr; }
-    /// Before each paint. @param ratio screen pixels a device-independent one
-    void place(const QSizeF& size, double ratio);
+    ColourScale& scale() noexcept { return scale_; }
 
 private:
-    void drawScale();
+    void fillScale();
 
     vtkRenderer& renderer_;
     vtkSmartPointer<vtkActor> halo_, line_;
-    ScreenImage scale_;
+    ColourScale scale_;
     std::shared_ptr<const PathValues> values_;
-    QColor text_, plate_;
     LengthUnit unit_{}; ///< millimetre
-    double ratio_ = 0.0;
     bool visible_ = true;
 };
 

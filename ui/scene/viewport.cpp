@@ -240,6 +240,11 @@ void Viewport::setPathValues(std::shared_ptr<const PathValues> values) {
     impl_->refresh();
 }
 
+void Viewport::setExcess(std::optional<ExcessColours> left) {
+    impl_->scene.setExcess(std::move(left));
+    impl_->refresh();
+}
+
 void Viewport::setHiddenBodies(std::vector<bool> hidden) {
     impl_->scene.setHiddenBodies(std::move(hidden));
     impl_->refresh();

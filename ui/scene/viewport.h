@@ -12,6 +12,7 @@
 #include "core/volume/runs/run_volume.h"
 #include "ui/scene/camera_push.h"
 #include "ui/scene/deviation_surface.h"
+#include "ui/scene/excess_colours.h"
 #include "ui/scene/guide_marks.h"
 #include "ui/scene/interactive_tool.h"
 #include "ui/scene/measure_mark.h"
@@ -98,6 +99,8 @@ public:
     void setWorkpieceVisible(bool visible);
     /// Less than 1: the part is seen in the workpiece. 0 … 1
     void setWorkpieceOpacity(double opacity);
+    /// The workpiece in the colours of what is left on the part, with their scale; nothing: by material.
+    void setExcess(std::optional<ExcessColours> left);
     /// Cuts part and workpiece open in the picture alone. A handle moves the plane: see `sectionDragged`.
     void setSection(const std::optional<SectionPlane>& plane);
     /// Part, stock and workpiece, and what stands around them, mm, setup frame.

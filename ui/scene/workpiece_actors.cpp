@@ -280,6 +280,9 @@ void WorkpieceActors::setPartDrawn(bool drawn) {
 void WorkpieceActors::setPartColour(const std::array<std::uint8_t, 3>& colour) {
     impl_->mesher().setPartColour(colour);
 }
+void WorkpieceActors::setExcess(std::optional<ExcessColours> left) {
+    impl_->mesher().setExcess(std::move(left));
+}
 void WorkpieceActors::update(bool moving, const glm::dvec3& focus) {
     impl_->update(moving, focus);
 }

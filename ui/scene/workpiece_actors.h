@@ -4,6 +4,7 @@
 
 #include "core/volume/surface/surface.h"
 #include "ui/scene/bare_bricks.h"
+#include "ui/scene/excess_colours.h"
 #include "ui/scene/view_lights.h"
 
 #include <vtkPlane.h>
@@ -43,6 +44,8 @@ public:
     void setPartDrawn(bool drawn);
     /// sRGB of bare part; materials bring their own colours.
     void setPartColour(const std::array<std::uint8_t, 3>& colour);
+    /// Colours by what is left on the part, instead of by material; nothing: by material.
+    void setExcess(std::optional<ExcessColours> left);
     /// To be called before each paint: takes over what the worker has ready, as much as one paint can hand to OpenGL.
     /// @param moving whether view or tool move: no more than `movingTriangles` are drawn, coarser far from the focus
     /// @param focus where detail matters most, mm (the tool's tip)

@@ -107,6 +107,17 @@ void WorkpieceMesher::setPartColour(const RgbColour& colour) {
     wake_.notify_one();
 }
 
+void WorkpieceMesher::setExcess(std::optional<ExcessColours> left) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (wantedExcess_ == left) return;
+        std::swap(wantedExcess_, left); // what it held is let go outside the lock
+        recolour_ = true;
+        busy_.store(true, std::memory_order_release);
+    }
+    wake_.notify_one();
+}
+
 void WorkpieceMesher::setPartDrawn(bool drawn) {
     {
         const std::lock_guard lock(mutex_);
@@ -174,6 +185,7 @@ void WorkpieceMesher::takeNewest() {
         if (std::exchange(remesh_, false))
             for (Layer& one : layers_) one.markAll();
         colour_ = partColour_;
+        left_ = wantedExcess_;
         withoutPart_ = partDrawn_;
         if (!std::exchange(newestWaits_, false)) return;
         before = std::exchange(shown_, std::exchange(newest_, {}));
@@ -311,11 +323,18 @@ SurfaceUpdate WorkpieceMesher::makeGroup(SurfaceLayer which, std::size_t group, 
     std::vector<std::uint32_t> rim = simplifier_.rim(joined_, rimTolerance * edge);
     if (withoutPart_) leaveOutBarePart(joined_, rim, shown_.properties());
     const std::vector<float> skirt = skirtDepths(shown_, joined_, rim, static_cast<float>(deepest));
+    const std::vector<RgbColour> colours = coloursOf(joined_, cell);
     SurfaceUpdate update{group, which, {}, joined_.triangles.size() / 3 + rim.size(), std::move(bare)};
-    update.data = surfacePolyData(joined_, shown_.properties(), colour_, rim, skirt);
+    update.data = surfacePolyData(joined_, colours, rim, skirt);
     layer(which).triangles[group] = update.triangles;
     layer(which).staleGroups[group] = 0;
     return update;
+}
+
+/// @param mesh points may be added to it @param cell mm
+std::vector<RgbColour> WorkpieceMesher::coloursOf(SurfaceMesh& mesh, double cell) const {
+    return left_ ? colourByExcess(mesh, shown_.properties(), *left_, cell)
+                 : colourByMaterial(mesh, shown_.properties(), colour_);
 }
 
 /// Whether the tiles that a cut has changed can be made at full detail at once.

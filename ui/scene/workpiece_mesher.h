@@ -5,6 +5,7 @@
 #include "core/volume/surface/surface_simplification.h"
 #include "ui/scene/bare_bricks.h"
 #include "ui/scene/bare_part.h"
+#include "ui/scene/excess_colours.h"
 #include "ui/scene/stock_sharpening.h"
 #include "ui/scene/workpiece_groups.h"
 #include "ui/scene/workpiece_polydata.h"
@@ -66,6 +67,8 @@ public:
     /// @param workpiece empty: nothing is to be shown
     void show(const VolumeSnapshot& workpiece, std::optional<CutTime> oldestCut);
     void setPartColour(const RgbColour& colour);
+    /// By what is left on the part, instead of by material; nothing: by material.
+    void setExcess(std::optional<ExcessColours> left);
     /// Whether the part's own mesh is drawn as well: bare part is left out then.
     void setPartDrawn(bool drawn);
     /// Groups near this place come first, mm.
@@ -103,6 +106,7 @@ private:
     void refreshRest();
     bool refreshTiles(SurfaceLayer which, std::size_t group);
     void makeTile(SurfaceLayer which, SurfaceTile tile);
+    std::vector<RgbColour> coloursOf(SurfaceMesh& mesh, double cell) const;
     SurfaceUpdate makeGroup(SurfaceLayer which, std::size_t group, bool mixed);
     bool fullFitsInTime();
     bool roomForFull();
@@ -118,12 +122,13 @@ private:
     const Limits limits_;
     const std::function<void()> ready_;
 
-    std::mutex mutex_; ///< guards the next ten
+    std::mutex mutex_; ///< guards the next eleven
     std::condition_variable_any wake_;
     bool newestWaits_ = false, recolour_ = false, remesh_ = false;
     VolumeSnapshot newest_;
     std::optional<CutTime> newestCut_;
     RgbColour partColour_ = barePartColour;
+    std::optional<ExcessColours> wantedExcess_;
     bool partDrawn_ = false;
     glm::dvec3 focus_{0.0};
     SurfaceDelivery delivery_;
@@ -134,6 +139,7 @@ private:
     VolumeSnapshot shown_;
     std::optional<CutTime> cut_; ///< in what is shown, not delivered yet
     RgbColour colour_ = barePartColour;
+    std::optional<ExcessColours> left_;
     bool withoutPart_ = false; ///< bare part is left out
     WorkpieceGroups groups_;
     std::array<Layer, 2> layers_;

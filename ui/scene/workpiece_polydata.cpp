@@ -20,8 +20,7 @@ namespace {
 /// The vertices of a mesh and its skirt, one after the other.
 class PointWriter {
 public:
-    PointWriter(std::size_t count, const PropertyList& properties, const RgbColour& partColour)
-        : properties_(properties), partColour_(partColour) {
+    explicit PointWriter(std::size_t count) {
         const auto tuples = static_cast<vtkIdType>(count);
         for (vtkFloatArray* array : {places_.Get(), normals_.Get()}) {
             array->SetNumberOfComponents(3);
@@ -32,11 +31,10 @@ public:
         colours_->SetNumberOfComponents(3);
         colours_->SetNumberOfTuples(tuples);
     }
-    void add(const glm::vec3& place, const glm::vec3& normal, PropertyIndex property) {
+    void add(const glm::vec3& place, const glm::vec3& normal, const RgbColour& colour) {
         places_->SetTypedTuple(next_, &place.x);
         normals_->SetTypedTuple(next_, &normal.x);
-        const bool bare = properties_.isProtected(property);
-        colours_->SetTypedTuple(next_, bare ? partColour_.data() : properties_[property].colour.data());
+        colours_->SetTypedTuple(next_, colour.data());
         ++next_;
     }
     void giveTo(vtkPolyData& data) {
@@ -48,8 +46,6 @@ public:
     }
 
 private:
-    const PropertyList& properties_;
-    RgbColour partColour_;
     vtkNew<vtkFloatArray> places_, normals_;
     vtkNew<vtkUnsignedCharArray> colours_;
     vtkIdType next_ = 0;
@@ -95,14 +91,21 @@ std::vector<glm::vec3> skirtEnds(const SurfaceMesh& mesh, std::span<const std::u
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> surfacePolyData(const SurfaceMesh& mesh, const PropertyList& properties,
-                                             const RgbColour& partColour, std::span<const std::uint32_t> rim,
-                                             std::span<const float> skirt) {
-    PointWriter writer(mesh.points.size() + rim.size(), properties, partColour);
-    for (std::size_t i = 0; i < mesh.points.size(); ++i)
-        writer.add(mesh.points[i], mesh.normals[i], mesh.properties[i]);
+std::vector<RgbColour> colourByMaterial(const SurfaceMesh& mesh, const PropertyList& properties,
+                                        const RgbColour& partColour) {
+    std::vector<RgbColour> colours;
+    colours.reserve(mesh.properties.size());
+    for (const PropertyIndex property : mesh.properties)
+        colours.push_back(properties.isProtected(property) ? partColour : properties[property].colour);
+    return colours;
+}
+
+vtkSmartPointer<vtkPolyData> surfacePolyData(const SurfaceMesh& mesh, std::span<const RgbColour> colours,
+                                             std::span<const std::uint32_t> rim, std::span<const float> skirt) {
+    PointWriter writer(mesh.points.size() + rim.size());
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) writer.add(mesh.points[i], mesh.normals[i], colours[i]);
     const std::vector<glm::vec3> ends = skirtEnds(mesh, rim, skirt);
-    for (std::size_t i = 0; i < rim.size(); ++i) writer.add(ends[i], mesh.normals[rim[i]], mesh.properties[rim[i]]);
+    for (std::size_t i = 0; i < rim.size(); ++i) writer.add(ends[i], mesh.normals[rim[i]], colours[rim[i]]);
     auto data = vtkSmartPointer<vtkPolyData>::New();
     writer.giveTo(*data);
     data->SetPolys(triangleCells(mesh.triangles, mesh.points.size(), rim));

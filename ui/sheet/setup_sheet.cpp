@@ -7,7 +7,6 @@
 #include "ui/panels/placement_words.h"
 #include "ui/panels/texts.h"
 #include "ui/panels/zero_words.h"
-#include "ui/scene/picture.h"
 #include "ui/sheet/sheet_page.h"
 #include "ui/sheet/sheet_text.h"
 #include "ui/sheet/sheet_tools.h"
@@ -17,6 +16,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -39,16 +39,17 @@ public:
         if (source_.program) use_ = useOf(source_.program->parsed, source_.tools, source_.machine);
     }
 
-    Result<std::string> write() {
+    /// @param shown PNG, as sheetPictures lists them
+    QString write(std::span<const std::string> shown) {
         page_.sentence(SheetText::tr("Project %1, %2").arg(text(source_.project), today()));
         warn();
-        if (Result<void> drawn = pictures(); !drawn) return std::move(drawn).error();
+        pictures(shown);
         machine();
         stock();
         fixtures();
         tools();
         program();
-        return page_.html().toStdString();
+        return page_.html();
     }
 
 private:
@@ -83,29 +84,11 @@ private:
             page_.sentence(SheetText::tr("The program failed its check. Do not run it."), true);
     }
 
-    Result<void> picture(StandardView view, const QString& caption) {
-        PictureContent content;
-        content.workpiece = content_.stock;
-        content.part = source_.model;
-        content.obstacles = source_.obstacles;
-        content.zero = ZeroPlace{source_.setup.workOffset, text(workOffsetName(source_.setup.zero.workOffset))};
-        content.view = view;
-        content.opacity = 0.45;
-        content.theme = Theme::light;
-        content.width = 1120;
-        content.height = 760;
-        const Result<std::string> png = drawPicture(content);
-        if (!png) return png.error();
-        page_.picture(QByteArray::fromStdString(*png), caption);
-        return {};
-    }
-
-    Result<void> pictures() {
-        if (Result<void> drawn = picture(StandardView::isometric, SheetText::tr("Stock with the part, as clamped"));
-            !drawn)
-            return drawn;
-        if (Result<void> drawn = picture(StandardView::top, SheetText::tr("From above")); !drawn) return drawn;
-        return picture(StandardView::front, SheetText::tr("From the front"));
+    void pictures(std::span<const std::string> shown) {
+        const std::array captions{SheetText::tr("Stock with the part, as clamped"), SheetText::tr("From above"),
+                                  SheetText::tr("From the front")};
+        for (std::size_t i = 0; i < std::min(shown.size(), captions.size()); ++i)
+            page_.picture(QByteArray::fromStdString(shown[i]), captions[i]);
     }
 
     void machine() {
@@ -258,8 +241,28 @@ private:
 
 } // namespace
 
-Result<std::string> setupSheet(const SheetContent& content, LengthUnit unit) {
-    return Sheet(content, unit).write();
+std::vector<PictureContent> sheetPictures(const SheetContent& content) {
+    const SheetSource& source = content.source;
+    PictureContent picture;
+    picture.workpiece = content.stock;
+    picture.part = source.model;
+    picture.obstacles = source.obstacles;
+    picture.zero =
+        ZeroPlace{source.setup.workOffset, QString::fromStdString(workOffsetName(source.setup.zero.workOffset))};
+    picture.opacity = 0.45;
+    picture.theme = Theme::light;
+    picture.width = 1120;
+    picture.height = 760;
+    std::vector<PictureContent> pictures;
+    for (const StandardView view : {StandardView::isometric, StandardView::top, StandardView::front}) {
+        picture.view = view;
+        pictures.push_back(picture);
+    }
+    return pictures;
+}
+
+std::string setupSheet(const SheetContent& content, LengthUnit unit, std::span<const std::string> pictures) {
+    return Sheet(content, unit).write(pictures).toStdString();
 }
 
 } // namespace burin

@@ -3,9 +3,12 @@
 #pragma once
 
 #include "core/job/sheet_content.h"
+#include "ui/scene/picture.h"
 #include "ui/theme/length_unit.h"
 
+#include <span>
 #include <string>
+#include <vector>
 
 namespace burin {
 
@@ -13,7 +16,9 @@ namespace burin {
 /// and zero, stock and materials, fixtures, tools with stick-out, feeds and times, the program and what its check
 /// found. In the language of the program, lengths in `unit`, coordinates from program zero. Without a link to any
 /// other file.
-/// Some seconds; the thread of drawPicture, which the pictures need. Errors: those of drawPicture.
-Result<std::string> setupSheet(const SheetContent& content, LengthUnit unit);
+/// @param pictures PNG, drawn as sheetPictures lists them
+std::string setupSheet(const SheetContent& content, LengthUnit unit, std::span<const std::string> pictures);
+/// What its pictures show, in the page's order.
+std::vector<PictureContent> sheetPictures(const SheetContent& content);
 
 } // namespace burin

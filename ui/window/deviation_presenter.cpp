@@ -3,6 +3,7 @@
 #include "ui/window/deviation_presenter.h"
 
 #include "core/base/background.h"
+#include "ui/window/deviation_tolerance.h"
 
 #include <QCoreApplication>
 #include <QPointer>
@@ -15,13 +16,6 @@ namespace burin {
 namespace {
 
 constexpr double reachInVoxels = 3.0; // samples are about a voxel apart
-
-DeviationTolerance toleranceOf(const Workbench& workbench) {
-    DeviationTolerance tolerance;
-    tolerance.gouge = workbench.program.gougeTolerance();
-    tolerance.allowance = workbench.mill.allowance();
-    return tolerance;
-}
 
 } // namespace
 
@@ -74,7 +68,7 @@ bool DeviationPresenter::take(std::shared_ptr<const CheckedProgram> program) {
             card_.showUnderPointer({});
         }
     }
-    const DeviationTolerance tolerance = toleranceOf(workbench_);
+    const DeviationTolerance tolerance = deviationTolerance(workbench_);
     if (tolerance == tolerance_) return false;
     tolerance_ = tolerance;
     if (mapped_) card_.setShares(mapped_->map.shares(tolerance_), tolerance_);

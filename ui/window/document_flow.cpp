@@ -10,7 +10,7 @@
 #include "ui/dialogs/file_dialogs.h"
 #include "ui/dialogs/questions.h"
 #include "ui/messages/messages.h"
-#include "ui/sheet/setup_sheet.h"
+#include "ui/sheet/sheet_drawing.h"
 #include "ui/window/path_presenters.h"
 #include "ui/window/restart_dialog.h"
 #include "ui/window/tool_shape_dialog.h"
@@ -338,7 +338,6 @@ void DocumentFlow::exportSheet() {
     workbench_.sheet.gather(workbench_.document.title(), file);
 }
 
-/// The pictures are drawn on this thread, as VTK and Qt's letters want it: some seconds.
 void DocumentFlow::exportPicture(const QImage& picture) {
     const QString file = askPictureToExport(&window_, folder(), jobName(workbench_));
     if (file.isEmpty()) return;
@@ -354,14 +353,15 @@ void DocumentFlow::exportPicture(const QImage& picture) {
 }
 
 void DocumentFlow::writeSheet(const std::shared_ptr<const SheetContent>& content, const QString& file) {
-    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-    const Result<std::string> page = setupSheet(*content, settings_.preferences().unit);
-    const Result<void> written = page ? writeFileAtomically(pathOf(file), *page) : Result<void>(page.error());
-    QGuiApplication::restoreOverrideCursor();
-    if (written)
-        emit sheetExported(file);
-    else
-        emit workbench_.failed(written.error());
+    auto* drawing = new SheetDrawing(content, settings_.preferences().unit, this);
+    connect(drawing, &SheetDrawing::drawn, this, [this, drawing, file](const Result<std::string>& page) {
+        drawing->deleteLater();
+        const Result<void> written = page ? writeFileAtomically(pathOf(file), *page) : Result<void>(page.error());
+        if (written)
+            emit sheetExported(file);
+        else
+            emit workbench_.failed(written.error());
+    });
 }
 
 void DocumentFlow::exportWorkpiece() {

@@ -39,7 +39,8 @@ constexpr std::chrono::milliseconds warmUpAfter(300); // when the welcome page s
 
 /// What the view shows.
 constexpr ActionId shownByAction[] = {ActionId::showPart, ActionId::showWorkpiece, ActionId::showTool,
-                                      ActionId::showPath, ActionId::showGuides,    ActionId::showOtherPaths};
+                                      ActionId::showPath, ActionId::showGuides,    ActionId::showOtherPaths,
+                                      ActionId::excess};
 
 /// The one file that is dragged; empty for anything else.
 QString draggedFile(const QMimeData& data) {

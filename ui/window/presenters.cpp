@@ -34,7 +34,8 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , deviation(workbench, stage.viewport, stage.panels.program->deviation(), scene, this)
     , time(workbench, stage.timeline, scene, this)
     , measure(workbench, stage.viewport, this)
-    , tree(workbench, stage.tree, scene, this) {
+    , tree(workbench, stage.tree, scene, this)
+    , excess(workbench, stage.viewport, this) {
     connect(&scene, &ScenePresenter::hiddenBodiesChanged, this, [this](const std::set<std::size_t>& bodies) {
         part.setHiddenBodies(bodies);
         setups.setHiddenBodies(bodies);
@@ -61,13 +62,14 @@ void Presenters::connectActions(const Actions& actions, const Viewport& viewport
     program.connectActions(actions);
     time.connectActions(actions);
     measure.connectActions(actions);
+    excess.connectActions(actions);
 }
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{
              &part,         &setups,     &stock,        &zero,      &material, &layers,  &tool,    &allowance, &mill,
              &surroundings, &guides,     &hand,         &pathScene, &path,     &program, &meters,  &status,    &job,
-             &scene,        &guideScene, &programScene, &deviation, &area,     &time,    &measure, &tree})
+             &scene,        &guideScene, &programScene, &deviation, &area,     &time,    &measure, &tree,      &excess})
         presenter->setUnit(unit);
 }
 

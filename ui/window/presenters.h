@@ -4,6 +4,7 @@
 
 #include "ui/window/area_presenter.h"
 #include "ui/window/deviation_presenter.h"
+#include "ui/window/excess_presenter.h"
 #include "ui/window/guide_presenter.h"
 #include "ui/window/guide_scene_presenter.h"
 #include "ui/window/hand_presenter.h"
@@ -71,6 +72,7 @@ public:
     TimePresenter time;
     MeasurePresenter measure;
     TreePresenter tree;
+    ExcessPresenter excess;
 };
 
 } // namespace burin

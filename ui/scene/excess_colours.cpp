@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/excess_colours.h"
+
+#include "ui/scene/edge_halving.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+constexpr double longestCells = 16.0, shortestCells = 2.0;
+constexpr double bandShare = 0.2; // by which the colour of a middle may differ from what is drawn there
+
+/// Knows how far each point of a surface stands from the part, and adds points where that is too little.
+class ExcessDivision {
+public:
+    ExcessDivision(SurfaceMesh& mesh, const PropertyList& properties, const ExcessColours& left, double cell)
+        : mesh_(mesh)
+        , properties_(properties)
+        , part_(*left.part)
+        , scale_(left.scale())
+        , reach_(std::max(scale_.marks().back().deviation, -scale_.marks().front().deviation))
+        , cell_(cell)
+        , longest_(longestCells * cell)
+        , shortest_(shortestCells * cell)
+        , unlike_(bandShare / static_cast<double>(scale_.marks().size() - 1)) {
+        left_.reserve(mesh.points.size());
+        for (std::size_t i = 0; i < mesh.points.size(); ++i)
+            left_.push_back(leftAt(mesh.points[i], mesh.properties[i]));
+    }
+
+    void divide() {
+        const auto wants = [this](std::uint32_t a, std::uint32_t b) { return hides(a, b); };
+        const auto addMiddle = [this](std::uint32_t a, std::uint32_t b) { return this->addMiddle(a, b); };
+        while (EdgeHalving(mesh_.points, mesh_.triangles, wants, addMiddle).run()) {
+        }
+    }
+
+    std::vector<DeviationColour> colours() const {
+        std::vector<DeviationColour> colours;
+        colours.reserve(left_.size());
+        for (const double left : left_) colours.push_back(scale_.colourOf(left));
+        return colours;
+    }
+
+private:
+    double leftAt(const glm::vec3& point, PropertyIndex property) const {
+        if (properties_.isProtected(property)) return 0.0;
+        const double left = part_.closest(point, reach_).signedDistance;
+        // Stock is not within the part: so little is how exactly voxels show where it ends.
+        return left < 0.0 && left >= -cell_ ? 0.0 : left;
+    }
+
+    glm::vec3 middle(std::uint32_t a, std::uint32_t b) const { return 0.5F * (mesh_.points[a] + mesh_.points[b]); }
+
+    /// An edge along which the excess is another one than what would be drawn.
+    bool hides(std::uint32_t a, std::uint32_t b) const {
+        const double length = glm::distance(mesh_.points[a], mesh_.points[b]);
+        // The distance changes no faster than the point moves: all of the edge may lie beyond the scale.
+        if (length <= shortest_ || 0.5 * (left_[a] + left_[b] - length) >= reach_) return false;
+        if (length > longest_) return true;
+        const double drawn = 0.5 * (scale_.positionOf(left_[a]) + scale_.positionOf(left_[b]));
+        return std::abs(scale_.positionOf(leftAt(middle(a, b), mesh_.properties[a])) - drawn) > unlike_;
+    }
+
+    std::uint32_t addMiddle(std::uint32_t a, std::uint32_t b) {
+        const glm::vec3 point = middle(a, b), normal = middleNormal(mesh_.normals[a], mesh_.normals[b]);
+        const PropertyIndex property = mesh_.properties[a];
+        mesh_.points.push_back(point);
+        mesh_.normals.push_back(normal);
+        mesh_.properties.push_back(property);
+        left_.push_back(leftAt(point, property));
+        return static_cast<std::uint32_t>(mesh_.points.size() - 1);
+    }
+
+    SurfaceMesh& mesh_;
+    const PropertyList& properties_;
+    const MeshDistance& part_;
+    DeviationScale scale_;
+    double reach_, cell_, longest_, shortest_; ///< mm
+    double unlike_;                            ///< of the scale's length
+    std::vector<double> left_;                 ///< mm, a point each
+};
+
+} // namespace
+
+std::vector<DeviationColour> colourByExcess(SurfaceMesh& mesh, const PropertyList& properties,
+                                            const ExcessColours& left, double cell) {
+    ExcessDivision division(mesh, properties, left, cell);
+    division.divide();
+    return division.colours();
+}
+
+} // namespace burin

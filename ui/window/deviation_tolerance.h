@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/verify/deviation_map.h"
+#include "ui/workbench/workbench.h"
+
+namespace burin {
+
+/// What the user lets a program miss the part by, and what is meant to stay on it.
+inline DeviationTolerance deviationTolerance(const Workbench& workbench) {
+    DeviationTolerance tolerance;
+    tolerance.gouge = workbench.program.gougeTolerance();
+    // 0: what is left is not judged; it is shown on the usual scale.
+    if (workbench.program.excessTolerance() > 0.0) tolerance.excess = workbench.program.excessTolerance();
+    tolerance.allowance = workbench.mill.allowance();
+    return tolerance;
+}
+
+} // namespace burin
