@@ -145,5 +145,17 @@ struct EditRow<AreaFeed> {
                           {BURIN_TEXT("EditParameterTexts", "Factor"),
                            BURIN_TEXT("EditParameterTexts", "Feeds inside the area are multiplied by this")})});
 };
+template <>
+struct EditRow<ScaleFeed> {
+    static constexpr EditTraits traits{.id = "stroke-feed",
+                                       .title = BURIN_TEXT("Edit", "Feed of strokes"),
+                                       .group = EditGroup::feeds,
+                                       .step = EditStep::tuning};
+    static constexpr std::tuple fields{
+        stretch("stretch", &ScaleFeed::stretch, strokesToEdit),
+        number("factor", &ScaleFeed::factor, 0.05, 5.0,
+               {BURIN_TEXT("EditParameterTexts", "Factor"),
+                BURIN_TEXT("EditParameterTexts", "Feeds of these strokes are multiplied by this")})};
+};
 
 } // namespace burin

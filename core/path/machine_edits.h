@@ -83,7 +83,15 @@ struct AreaFeed : Area {
 };
 EditResult apply(const AreaFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
+/// Feeds of strokes, or of a part of them, are multiplied by a factor; the machine's limit holds. A move counts where
+/// the moment at which it ends does; what links strokes has none.
+struct ScaleFeed {
+    SourceStretch stretch;
+    double factor = 0.5;
+};
+EditResult apply(const ScaleFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+
 /// In the order in which they may follow each other.
-using MachineEdits = EditKinds<Link, SetFeed, LevelFeed, AreaFeed>;
+using MachineEdits = EditKinds<Link, SetFeed, LevelFeed, AreaFeed, ScaleFeed>;
 
 } // namespace burin

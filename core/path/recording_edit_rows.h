@@ -84,6 +84,18 @@ struct EditRow<Trim> {
                                                BURIN_TEXT("EditParameterTexts", "Cut off where each stroke ends")})};
 };
 template <>
+struct EditRow<Extend> {
+    static constexpr EditTraits traits{.id = "extend", .title = BURIN_TEXT("Edit", "Extend"), .mayEnter = true};
+    static constexpr std::tuple fields{
+        stretch("stretch", &Extend::stretch, strokesToEdit),
+        number("at_start_mm", &Extend::atStart, 0.0, 1000.0,
+               {BURIN_TEXT("EditParameterTexts", "At the start"),
+                BURIN_TEXT("EditParameterTexts", "Added straight before the start of each stroke")}),
+        number("at_end_mm", &Extend::atEnd, 0.0, 1000.0,
+               {BURIN_TEXT("EditParameterTexts", "At the end"),
+                BURIN_TEXT("EditParameterTexts", "Added straight behind the end of each stroke")})};
+};
+template <>
 struct EditRow<Split> {
     static constexpr EditTraits traits{.id = "split", .title = BURIN_TEXT("Edit", "Split")};
     static constexpr std::tuple fields{moment(
@@ -214,6 +226,22 @@ struct EditRow<LiftArea> {
         areaFields, std::tuple{number("lift_mm", &LiftArea::lift, 0.0, 1000.0,
                                       {BURIN_TEXT("EditParameterTexts", "Retract"),
                                        BURIN_TEXT("EditParameterTexts", "Height of the retraction inside the area")})});
+};
+template <>
+struct EditRow<KeepTabs> {
+    static constexpr EditTraits traits{
+        .id = "tabs", .title = BURIN_TEXT("Edit", "Holding tabs"), .group = EditGroup::places, .mayEnter = true};
+    static constexpr std::tuple fields{
+        places(
+            "places_mm", &KeepTabs::places, 1.0,
+            {BURIN_TEXT("EditParameterTexts", "Points"),
+             BURIN_TEXT("EditParameterTexts", "Points in plan at which the path leaves a tab. Draw them in the view")}),
+        number("width_mm", &KeepTabs::width, 0.1, 100.0,
+               {BURIN_TEXT("EditParameterTexts", "Width"),
+                BURIN_TEXT("EditParameterTexts", "Width of the tab that the cutter leaves")}),
+        number("height_mm", &KeepTabs::height, 0.05, 100.0,
+               {BURIN_TEXT("EditParameterTexts", "Height"),
+                BURIN_TEXT("EditParameterTexts", "Height of the tab above the lowest stroke there")})};
 };
 
 } // namespace burin

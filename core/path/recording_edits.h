@@ -71,6 +71,14 @@ struct Trim {
 };
 EditResult apply(const Trim& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
+/// Makes strokes longer, straight on as they begin and end (over their first and last millimetre). The new points are
+/// as far apart as those beside them; they cut nothing that is known, and a later edit keeps them off the part.
+struct Extend {
+    SourceStretch stretch;
+    double atStart = 0.0, atEnd = 2.0; ///< mm
+};
+EditResult apply(const Extend& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+
 /// Makes two strokes of one; both have the point.
 struct Split {
     Moment at;
@@ -158,9 +166,19 @@ struct LiftArea : Area {
 };
 EditResult apply(const LiftArea& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
+/// Leaves tabs between part and stock: where the tip passes a place in plan it goes over a tab that is `width` wide in
+/// every direction and `height` high above the lowest point of any stroke there, up and down at 30°. All strokes that
+/// pass do so, whatever their level, so that none cuts a tab that another one has left.
+struct KeepTabs {
+    std::vector<glm::dvec3> places; ///< mm, setup frame; heights have no meaning. None: no tabs
+    double width = 5.0;             ///< mm, of what is left between the cutter's sides
+    double height = 1.0;            ///< mm
+};
+EditResult apply(const KeepTabs& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+
 /// In the order in which they may follow each other.
 using RecordingEdits =
-    EditKinds<DropAirCuts, DropDwells, CutOut, Trim, Split, Join, Reorder, Reverse, Mirror, Rotate, Array, MovePoints,
-              ReplaceStretch, RemoveArea, LiftArea, SmoothShape, Smooth, SmoothSpline>;
+    EditKinds<DropAirCuts, DropDwells, CutOut, Trim, Extend, Split, Join, Reorder, Reverse, Mirror, Rotate, Array,
+              MovePoints, ReplaceStretch, RemoveArea, LiftArea, KeepTabs, SmoothShape, Smooth, SmoothSpline>;
 
 } // namespace burin

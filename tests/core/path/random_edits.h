@@ -34,6 +34,8 @@ inline std::vector<Edit> randomEdits(bool surface) {
         remove.outline = {{0, -9, 0}, {9, by.x, 0}, {0, 9, 0}};
         const std::vector<Edit> recording{{CutOut{stretch}},
                                           {Trim{stretch, std::abs(by.x), 1.0}},
+                                          {Extend{stretch, std::abs(by.y), std::abs(by.z)}},
+                                          {KeepTabs{{by, -by}, 1.0 + std::abs(by.x), 1.5}},
                                           {Split{{1, stretch.last}}},
                                           {Join{{}, 100.0}},
                                           {Reverse{stretch}},

@@ -80,6 +80,61 @@ private slots:
         QCOMPARE(strokesAfter({{Trim{second, 6.0, 5.0}}}).size(), std::size_t{2}); // nothing is left of it
     }
 
+    void extendingGoesStraightOn() {
+        const auto strokes = strokesAfter({{Extend{second, 1.5, 2.25}}});
+        QCOMPARE(strokes.size(), std::size_t{3});
+        QVERIFY(isAt(strokes[1].front(), {-1.5, 4, -1}) && isAt(strokes[1].back(), {12.25, 4, -1}));
+        for (std::size_t i = 1; i < strokes[1].size(); ++i) {
+            const glm::dvec3 step = strokes[1][i].pose.tip - strokes[1][i - 1].pose.tip;
+            QVERIFY(step.x > 0.0 && step.x < 0.0201 && step.y == 0.0 && step.z == 0.0); // filters in time find no jump
+        }
+        QVERIFY(isAt(strokes[0].front(), {0, 0, -1}) && isAt(strokes[2].back(), {10, 8, -1}));
+        // Trimming takes it off again.
+        const auto back = strokesAfter({{Extend{second, 1.5, 2.25}}, {Trim{second, 1.5, 2.25}}});
+        QVERIFY(isAt(back[1].front(), {0, 4, -1}) && isAt(back[1].back(), {10, 4, -1}));
+    }
+
+    /// A stroke a little higher passes the same tab: both go over it as its closed form has it, and nowhere else.
+    void tabsStandInEveryStrokeThatPasses() {
+        std::vector<Tick> ticks;
+        for (int i = 0; i <= 1000; ++i) ticks.push_back({{0.02 * i, 4.0, -2.0}});
+        for (int i = 1; i < 100; ++i) ticks.push_back({{20.0, 4.0, 0.0}, false, sampleSpindleOff});
+        for (int i = 0; i <= 1000; ++i) ticks.push_back({{20.0 - 0.02 * i, 4.5, -1.8}});
+        for (int i = 1; i < 100; ++i) ticks.push_back({{0.0, 4.5, 0.0}, false, sampleSpindleOff});
+        for (int i = 0; i <= 1000; ++i) ticks.push_back({{0.02 * i, 30.0, -2.0}});
+        KeepTabs edit;
+        edit.places = {{10.0, 4.0, 99.0}};
+        edit.width = 2.0;
+        edit.height = 1.0;
+        const auto strokes = strokesAfter({{edit}}, {takeOf(ticks)});
+        QCOMPARE(strokes.size(), std::size_t{3});
+        const double half = 0.5 * (2.0 + ballTool().cutter.diameter), flank = std::tan(pi / 6.0);
+        for (const auto& stroke : strokes)
+            for (const PathPoint& point : stroke) {
+                const glm::dvec3& tip = point.pose.tip;
+                const double level = tip.y == 4.5 ? -1.8 : -2.0;
+                const double beyond = std::max(0.0, std::hypot(tip.x - 10.0, tip.y - 4.0) - half);
+                QVERIFY(std::abs(tip.z - std::max(level, -1.0 - flank * beyond)) < 1e-9);
+            }
+        edit.places.clear();
+        for (const auto& stroke : strokesAfter({{edit}}, {takeOf(ticks)}))
+            for (const PathPoint& point : stroke) QVERIFY(point.pose.tip.z <= -1.8);
+    }
+
+    void feedsOfAStrokeChange() {
+        const auto path =
+            run({threeStrokes()}, {{Simplify{}}, {Link{}}, {SetFeed{}}, {ScaleFeed{second, 0.5}}}, freeContext());
+        QVERIFY(path);
+        int slow = 0, usual = 0;
+        for (const PathPoint& point : path->path.points) {
+            if (point.kind != MoveKind::cut) continue;
+            const bool chosen = point.pose.tip.y == 4.0;
+            QCOMPARE(point.feed, chosen ? 450.0 : 900.0);
+            ++(chosen ? slow : usual);
+        }
+        QVERIFY(slow > 0 && usual > 0);
+    }
+
     void splitAndJoinUndoEachOther() {
         const auto split = strokesAfter({{Split{{1, 850}}}});
         QCOMPARE(split.size(), std::size_t{4});

@@ -47,7 +47,9 @@ struct Strange {
     Values operator()(const glm::dvec3&) const { return {glm::dvec3(0, 0, std::numeric_limits<double>::infinity())}; }
     Values operator()(const std::vector<glm::dvec3>&) const {
         const glm::dvec3 nowhere(0, std::numeric_limits<double>::quiet_NaN(), 0);
-        return {std::vector<glm::dvec3>{{0, 0, 0}}, std::vector<glm::dvec3>(5, nowhere)};
+        Values values{std::vector<glm::dvec3>(5, nowhere)};
+        if (field.low > 1.0) values.emplace_back(std::vector<glm::dvec3>{{0, 0, 0}}); // too few
+        return values;
     }
     Values operator()(const Moment&) const { return {Moment{1, -1}, Moment{-1, -1}}; }
     Values operator()(const SourceStretch&) const { return {SourceStretch{1, 5, 4}, SourceStretch{-1, -2, 4}}; }
