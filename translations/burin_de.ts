@@ -819,6 +819,14 @@
         <source>Colour the workpiece by the stock that is left on the part, during milling, too. Rest the pointer on it to read how much.</source>
         <translation>Färbt das Werkstück nach dem Aufmaß, das noch auf dem Teil steht, auch beim Fräsen. Der Zeiger zeigt dort, wo er ruht, wie viel es ist.</translation>
     </message>
+    <message>
+        <source>&amp;Breakpoint</source>
+        <translation>&amp;Haltepunkt</translation>
+    </message>
+    <message>
+        <source>Stop a play of the program before the line of the cursor, or no longer. A click on the line&apos;s number does the same.</source>
+        <translation>Das Abspielen des Programms vor der Zeile des Cursors anhalten, oder nicht mehr. Ein Klick auf die Nummer der Zeile tut dasselbe.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -12882,6 +12890,13 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The text can&apos;t be changed yet: press this button to edit it</source>
         <translation>Der Text ist noch gesperrt: Diese Schaltfläche macht ihn bearbeitbar</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ProgramView</name>
+    <message>
+        <source>Click a line&apos;s number to stop a play there</source>
+        <translation>Ein Klick auf die Nummer einer Zeile hält das Abspielen dort an</translation>
     </message>
 </context>
 <context>

@@ -30,12 +30,11 @@ Result<std::string> sheetOf(const SheetArguments& arguments, CommandContext& con
     const Result<SheetContent> content = sheetContent(std::move(*source), context.progress());
     if (!content) return content.error();
     context.stage(BURIN_TEXT("Command", "Drawing"));
+    Result<PictureDrawing> drawing = PictureDrawing::begin(sheetPicture(*content));
+    if (!drawing) return drawing.error();
+    drawing->wait();
     std::vector<std::string> pictures;
-    for (const PictureContent& picture : sheetPictures(*content)) {
-        Result<std::string> drawn = drawPicture(picture);
-        if (!drawn) return std::move(drawn).error();
-        pictures.push_back(std::move(*drawn));
-    }
+    for (const StandardView view : sheetViews) pictures.push_back(drawing->draw(view));
     return setupSheet(*content, units == NcUnits::inch ? LengthUnit::inch : LengthUnit::millimetre, pictures);
 }
 

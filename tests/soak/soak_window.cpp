@@ -5,25 +5,10 @@
 #include "tests/soak/window_monkey.h"
 #include "ui/scene/surface_format.h"
 
-#include <QFile>
-
 #include <cstdlib>
 #include <iostream>
 
 using namespace burin::testing;
-
-namespace {
-
-/// MB that the process holds in memory.
-double residentMegabytes() {
-    QFile file(QStringLiteral("/proc/self/status"));
-    if (!file.open(QIODevice::ReadOnly)) return 0.0;
-    for (const QByteArray& line : file.readAll().split('\n'))
-        if (line.startsWith("VmRSS:")) return line.mid(6).trimmed().split(' ').front().toDouble() / 1e3;
-    return 0.0;
-}
-
-} // namespace
 
 int main(int argc, char** argv) {
     if (argc != 4) {

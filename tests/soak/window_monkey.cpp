@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace burin::testing {
 
@@ -62,6 +63,14 @@ QString nameOf(const QObject& object) {
 }
 
 } // namespace
+
+double residentMegabytes() {
+    QFile file(QStringLiteral("/proc/self/status"));
+    if (!file.open(QIODevice::ReadOnly)) return 0.0;
+    for (const QByteArray& line : file.readAll().split('\n'))
+        if (line.startsWith("VmRSS:")) return line.mid(6).trimmed().split(' ').front().toDouble() / 1e3;
+    return 0.0;
+}
 
 WindowMonkey::WindowMonkey(WindowDriver& driver, StallWatch& watch, unsigned seed, const QString& log)
     : driver_(driver), watch_(watch), random_(seed), log_(log) {
@@ -110,6 +119,15 @@ void WindowMonkey::noteStall() {
     if (report_.worstStalls.size() > keptStalls) report_.worstStalls.erase(std::prev(report_.worstStalls.end()));
 }
 
+/// Where much comes or goes.
+void WindowMonkey::noteMemory() {
+    constexpr double worthNoting = 200.0; // MB
+    const double now = residentMegabytes();
+    if (std::abs(now - memoryNoted_) < worthNoting) return;
+    log_.write(QStringLiteral("memory %1 MB\n").arg(now, 0, 'f', 0).toUtf8());
+    memoryNoted_ = now;
+}
+
 /// A timer of its own for each step: one that is still handled does not come again in a dialog's event loop.
 void WindowMonkey::actSoon() {
     QTimer::singleShot(pause, &context_, [this] {
@@ -121,6 +139,7 @@ void WindowMonkey::actSoon() {
 
 void WindowMonkey::act() {
     noteStall();
+    noteMemory();
     ++depth_;
     if (QWidget* popup = QApplication::activePopupWidget())
         actInPopup(*popup);

@@ -16,6 +16,9 @@ class QFileDialog;
 
 namespace burin::testing {
 
+/// MB that this process holds in memory now.
+double residentMegabytes();
+
 /// Clicks, types, drags and drops in a window without sense, by a seed, and looks whether the project still holds what
 /// the window says. Dialogs are part of it: it acts in their event loops as well.
 class WindowMonkey {
@@ -50,6 +53,7 @@ private:
     void closeAndOpen();
     void note(const QString& kind, const QString& what);
     void noteStall();
+    void noteMemory();
     QString someFile();
     int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
     bool chance(int percent) { return below(100) < percent; }
@@ -65,6 +69,7 @@ private:
     QObject context_; ///< of its timers
     Report report_;
     QString last_;
+    double memoryNoted_ = 0.0; ///< MB
     std::size_t stallsSeen_ = 0;
     int depth_ = 0;       ///< event loops of dialogs that it acts in
     bool ending_ = false; ///< nothing new is begun

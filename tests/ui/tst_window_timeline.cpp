@@ -189,6 +189,19 @@ private slots:
         QVERIFY(driver_->clickOn("timeStartButton"));
         QVERIFY(driver_->waitFor([&] { return time().shown() && !time().arriving(); }));
         time().setSpeed(8.0);
+        // A breakpoint comes before the finding: by a click on the number, and taken away by the key.
+        auto* text = driver_->visible<ProgramView>("programText");
+        text->showLine(6);
+        const QRect line = text->cursorRect();
+        QTest::mouseClick(text->findChild<QWidget*>("programNumbers"), Qt::LeftButton, Qt::NoModifier,
+                          QPoint(8, line.center().y()));
+        QCOMPARE(time().breakpoints(), std::set<int>{6});
+        driver_->shoot("timeline-breakpoint");
+        QVERIFY(driver_->clickOn("playButton"));
+        QVERIFY(driver_->waitFor([&] { return !time().playing() && !time().arriving(); }));
+        QCOMPARE(time().line(), 6);
+        driver_->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
+        QCOMPARE(time().breakpoints(), std::set<int>{});
         QVERIFY(driver_->clickOn("playButton"));
         QVERIFY(driver_->waitFor([&] { return !time().playing() && !time().arriving(); }));
         QCOMPARE(time().line(), 7);

@@ -73,6 +73,7 @@ void ActionStates::update() {
     enable(ActionId::drawEdit, workbench.path.evaluated() && workbench.path.stored() != nullptr &&
                                    lastDrawn(workbench.path.stored()->edits));
     enable(ActionId::post, workbench.program.postable());
+    enable(ActionId::breakpoint, !workbench.program.storedText().isEmpty());
     enable(ActionId::findInProgram, !workbench.program.storedText().isEmpty());
     enable(ActionId::overrideCheck, workbench.program.refused() && !workbench.program.busy());
     enable(ActionId::restart, workbench.program.restartable());

@@ -236,6 +236,11 @@ constexpr std::array rows{
     Row{ActionId::playTime, "playAction", QT_TRANSLATE_NOOP("Actions", "&Play or pause"),
         QT_TRANSLATE_NOOP("Actions", "Play the takes, or the program, from the time shown; the workpiece follows."),
         "Ctrl+F9"},
+    Row{ActionId::breakpoint, "breakpointAction", QT_TRANSLATE_NOOP("Actions", "&Breakpoint"),
+        QT_TRANSLATE_NOOP("Actions",
+                          "Stop a play of the program before the line of the cursor, or no longer. A click on "
+                          "the line's number does the same."),
+        "Ctrl+Alt+B"},
     Row{ActionId::presentTime, "presentAction", QT_TRANSLATE_NOOP("Actions", "Back to the &current state"),
         QT_TRANSLATE_NOOP("Actions", "Show the workpiece as it is now."), "Shift+F9"},
     Row{ActionId::punchIn, "punchInAction", QT_TRANSLATE_NOOP("Actions", "P&unch in"),

@@ -102,6 +102,7 @@ enum class ActionId : std::size_t {
     showTree,
     resetLayout,
     playTime,
+    breakpoint,
     presentTime,
     punchIn,
     addMarker,

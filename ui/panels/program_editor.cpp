@@ -47,6 +47,7 @@ ProgramEditor::ProgramEditor(QWidget* parent)
     connect(checkText_, &QPushButton::clicked, this, &ProgramEditor::textCheckRequested);
     connect(text_, &ProgramText::textEdited, this, &ProgramEditor::textEdited);
     connect(text_, &ProgramText::lineChosen, this, &ProgramEditor::lineChosen);
+    connect(text_, &ProgramText::breakpointToggled, this, &ProgramEditor::breakpointToggled);
     connect(findings_, &RowList::rowChosen, this, [this](int row) {
         if (static_cast<std::size_t>(row) >= marks_.size()) return;
         const int line = marks_[static_cast<std::size_t>(row)].line;
@@ -157,6 +158,10 @@ std::vector<ListRow> ProgramEditor::rows() const {
 
 int ProgramEditor::line() const {
     return text_->line();
+}
+
+void ProgramEditor::setBreakpoints(const std::set<int>& lines) {
+    text_->setBreakpoints(lines);
 }
 
 void ProgramEditor::showLine(int line) {

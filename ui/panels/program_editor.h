@@ -8,6 +8,8 @@
 
 #include <QWidget>
 
+#include <set>
+
 class QAction;
 class QBoxLayout;
 class QPushButton;
@@ -29,10 +31,11 @@ public:
     void offer(QAction& move);
     void setDocked(bool docked);
     void setUnit(LengthUnit unit);
-    void setState(const ProgramState& state); ///< never emits
-    std::size_t errors() const;               ///< findings that keep the program from passing
-    int line() const;                         ///< from 1: where the cursor stands in the text
-    void showLine(int line);                  ///< from 1; without a signal
+    void setState(const ProgramState& state);        ///< never emits
+    std::size_t errors() const;                      ///< findings that keep the program from passing
+    int line() const;                                ///< from 1: where the cursor stands in the text
+    void showLine(int line);                         ///< from 1; without a signal
+    void setBreakpoints(const std::set<int>& lines); ///< from 1, at which a play stops
     /// @param state of the machine when the chosen line is done; empty: no line is chosen
     void showMachineState(const QString& state);
     void startSearch();
@@ -45,6 +48,7 @@ signals:
     void textEdited(const QString& text); ///< by the user
     void textCheckRequested();            ///< of the text as it was edited
     void lineChosen(int line);            ///< from 1; by a click on a finding as well
+    void breakpointToggled(int line);     ///< from 1
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

@@ -151,6 +151,7 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     connect(editor, &ProgramEditor::textEdited, panel, &ProgramPanel::textEdited);
     connect(override_, &QPushButton::clicked, panel, &ProgramPanel::overrideRequested);
     connect(editor, &ProgramEditor::lineChosen, panel, &ProgramPanel::lineChosen);
+    connect(editor, &ProgramEditor::breakpointToggled, panel, &ProgramPanel::breakpointToggled);
     connect(load, &LoadChart::lineChosen, panel, [panel, this](int line) {
         editor->showLine(line);
         emit panel->lineChosen(line);
@@ -428,6 +429,10 @@ void ProgramPanel::setState(const ProgramState& state) {
 
 int ProgramPanel::line() const {
     return fields_->editor->line();
+}
+
+void ProgramPanel::setBreakpoints(const std::set<int>& lines) {
+    fields_->editor->setBreakpoints(lines);
 }
 
 void ProgramPanel::showLine(int line) {

@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include <optional>
+#include <set>
 
 namespace burin {
 
@@ -20,9 +21,10 @@ class ProgramPanel : public QWidget {
 public:
     explicit ProgramPanel(QWidget* parent = nullptr);
     void setUnit(LengthUnit unit);
-    void setState(const ProgramState& state); ///< never emits
-    int line() const;                         ///< from 1: where the cursor stands in the text
-    void showLine(int line);                  ///< from 1, without a signal
+    void setState(const ProgramState& state);        ///< never emits
+    int line() const;                                ///< from 1: where the cursor stands in the text
+    void showLine(int line);                         ///< from 1, without a signal
+    void setBreakpoints(const std::set<int>& lines); ///< from 1, at which a play stops
     /// When the chosen line is done: the machine's state, and the time; nothing: no line is looked at.
     void showMachineState(const QString& state, std::optional<double> seconds);
     /// Text and findings. The panel's own child, unless somebody shows it elsewhere.
@@ -45,6 +47,7 @@ signals:
     void unitsChosen(burin::NcUnits units);
     void pathIncluded(std::int64_t path, bool wanted); ///< @param path id of one of the setup's
     void lineChosen(int line);                         ///< from 1
+    void breakpointToggled(int line);                  ///< from 1
 
 private:
     class Fields;

@@ -65,6 +65,7 @@ ProgramText::ProgramText(QWidget* parent)
     connect(next_, &QToolButton::clicked, this, [this] { search(false); });
     connect(previous_, &QToolButton::clicked, this, [this] { search(true); });
     connect(view_, &ProgramView::lineChosen, this, &ProgramText::lineChosen);
+    connect(view_, &ProgramView::breakpointToggled, this, &ProgramText::breakpointToggled);
     connect(view_, &ProgramView::typedWhileLocked, this, &ProgramText::hintAtEditing);
     settled_.setSingleShot(true);
     settled_.setInterval(std::chrono::milliseconds(400));
@@ -137,6 +138,10 @@ void ProgramText::tell() {
 
 int ProgramText::line() const {
     return view_->line();
+}
+
+void ProgramText::setBreakpoints(const std::set<int>& lines) {
+    view_->setBreakpoints(lines);
 }
 
 void ProgramText::showLine(int line) {

@@ -7,6 +7,8 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <set>
+
 class QAction;
 class QHBoxLayout;
 class QLabel;
@@ -21,10 +23,11 @@ class ProgramText : public QWidget {
 public:
     explicit ProgramText(QWidget* parent = nullptr);
 
-    void offer(QAction& action);           ///< by a button on the right of the search
-    void showProgram(const QString& text); ///< nothing is done when it shows it
-    int line() const;                      ///< from 1: where the cursor stands
-    void showLine(int line);               ///< from 1; brings it into view, without a signal
+    void offer(QAction& action);                     ///< by a button on the right of the search
+    void showProgram(const QString& text);           ///< nothing is done when it shows it
+    int line() const;                                ///< from 1: where the cursor stands
+    void showLine(int line);                         ///< from 1; brings it into view, without a signal
+    void setBreakpoints(const std::set<int>& lines); ///< from 1, at which a play stops
     void setMarks(std::vector<LineMark> marks);
     /// @param state of the machine when the chosen line is done; empty: there is nothing to tell
     void showState(const QString& state);
@@ -39,6 +42,7 @@ protected:
 signals:
     void textEdited(const QString& text); ///< by the user, some time after the last key
     void lineChosen(int line);            ///< from 1; the user put the cursor there, or a search led there
+    void breakpointToggled(int line);     ///< from 1
 
 private:
     void search(bool backward);

@@ -45,7 +45,7 @@ QList<QTextLayout::FormatRange> colours(const QString& line) {
 /// The strip with the line numbers.
 class ProgramView::Margin : public QWidget {
 public:
-    explicit Margin(ProgramView* view) : QWidget(view), view_(view) {}
+    explicit Margin(ProgramView* view) : QWidget(view), view_(view) { setObjectName(QStringLiteral("programNumbers")); }
     QSize sizeHint() const override { return {view_->marginWidth(), 0}; }
 
 protected:
@@ -53,12 +53,18 @@ protected:
     bool event(QEvent* event) override {
         if (event->type() != QEvent::ToolTip) return QWidget::event(event);
         const auto* help = static_cast<QHelpEvent*>(event);
-        const QTextCursor at = view_->cursorForPosition(QPoint(0, help->pos().y()));
-        QToolTip::showText(help->globalPos(), view_->marksText(at.blockNumber() + 1), this);
+        const QString marks = view_->marksText(lineAt(help->pos()));
+        QToolTip::showText(help->globalPos(),
+                           marks.isEmpty() ? tr("Click a line's number to stop a play there") : marks, this);
         return true;
+    }
+    void mousePressEvent(QMouseEvent* event) override {
+        if (event->button() == Qt::LeftButton) emit view_->breakpointToggled(lineAt(event->pos()));
     }
 
 private:
+    int lineAt(const QPoint& place) const { return view_->cursorForPosition(QPoint(0, place.y())).blockNumber() + 1; }
+
     ProgramView* view_;
 };
 
@@ -147,6 +153,11 @@ void ProgramView::showLine(int line) {
     chosen_ = line;
     setTextCursor(QTextCursor(block));
     centerCursor();
+}
+
+void ProgramView::setBreakpoints(std::set<int> lines) {
+    breakpoints_ = std::move(lines);
+    margin_->update();
 }
 
 void ProgramView::setMarks(std::vector<LineMark> marks) {
@@ -281,7 +292,11 @@ void ProgramView::paintNumbers(QPaintEvent* event) {
     double top = blockBoundingGeometry(block).translated(contentOffset()).top();
     for (; block.isValid() && top <= event->rect().bottom(); block = block.next()) {
         const double height = blockBoundingRect(block).height();
-        painter.setPen(block.blockNumber() == current ? palette.accent : palette.quietText);
+        const bool stops = breakpoints_.contains(block.blockNumber() + 1);
+        if (stops)
+            painter.fillRect(QRectF(lintMarkWidth + 2.0, top, margin_->width() - lintMarkWidth - 2.0, height),
+                             palette.accent);
+        painter.setPen(stops ? palette.field : block.blockNumber() == current ? palette.accent : palette.quietText);
         painter.drawText(QRectF(0.0, top, margin_->width() - numberPadding, height), Qt::AlignRight | Qt::AlignVCenter,
                          QString::number(block.blockNumber() + 1));
         if (const LineMark* mark = markOf(block.blockNumber() + 1)) paintMark(painter, *mark, top, height);

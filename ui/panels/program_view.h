@@ -5,6 +5,7 @@
 #include <QPlainTextEdit>
 #include <QTimer>
 
+#include <set>
 #include <vector>
 
 namespace burin {
@@ -31,6 +32,7 @@ public:
     const QString& program() const noexcept { return text_; } ///< as it is now
     /// In any order; a line with several is shown in the colour of the worst.
     void setMarks(std::vector<LineMark> marks);
+    void setBreakpoints(std::set<int> lines); ///< from 1; their numbers stand on a bar
     /// Goes to the next place behind the cursor (or the one before it) where a text stands, whatever its case, and on
     /// from the other end where there is none; tells the line. @return false: it stands nowhere
     bool find(const QString& wanted, bool backward);
@@ -38,9 +40,10 @@ public:
     bool complete() const noexcept { return filled_ == text_.size(); } ///< all of the program has come in
 
 signals:
-    void edited();             ///< the user changed the text
-    void lineChosen(int line); ///< from 1; the user put the cursor there
-    void typedWhileLocked();   ///< a key that would have written something, while the text can't be edited
+    void edited();                    ///< the user changed the text
+    void lineChosen(int line);        ///< from 1; the user put the cursor there
+    void breakpointToggled(int line); ///< from 1; by a click on its number
+    void typedWhileLocked();          ///< a key that would have written something, while the text can't be edited
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -64,7 +67,8 @@ private:
     Margin* margin_ = nullptr;
     QString text_;
     std::vector<LineMark> marks_; ///< by line, the worst of each first
-    qsizetype filled_ = 0;        ///< characters of it that have come in
+    std::set<int> breakpoints_;
+    qsizetype filled_ = 0; ///< characters of it that have come in
     QTimer filling_;
     int chosen_ = 1;
     bool quiet_ = false;

@@ -58,9 +58,9 @@ std::vector<ObstacleMark> marksOf(const std::vector<Obstacle>& obstacles) {
 }
 
 /// Far enough away for the content, and as much of the tool as does not dwarf it.
-CameraView viewOf(const PictureContent& content, const Box& shown) {
-    CameraView view = turnedTo({}, content.view);
-    view.convergence = content.view == StandardView::isometric ? 1.0 : 0.0;
+CameraView viewOf(const PictureContent& content, StandardView from, const Box& shown) {
+    CameraView view = turnedTo({}, from);
+    view.convergence = from == StandardView::isometric ? 1.0 : 0.0;
     Box box = shown;
     if (content.tool) {
         const double height =
@@ -113,7 +113,7 @@ std::string png(vtkRenderWindow& window) {
 class PictureDrawing::Stage {
 public:
     Stage(OffscreenContext context, const PictureContent& content, const Palette& palette)
-        : context_(std::move(context)), size_(content.width, content.height) {
+        : context_(std::move(context)), content_(content), size_(content.width, content.height) {
         const QuietVtk quiet;
         makeReady(*window_, content);
         scene_.emplace(
@@ -123,8 +123,7 @@ public:
             });
         scene_->setPalette(palette);
         fill(*scene_, content);
-        view_ = viewOf(content, scene_->contentBox());
-        if (content.section) cutOpen(*scene_, *content.section, view_);
+        if (content.section) cutOpen(*scene_, *content.section, from(content.view));
         context_.release();
     }
     ~Stage() {
@@ -137,11 +136,12 @@ public:
 
     bool ready() {
         const Current current(context_);
-        static_cast<void>(scene_->prepare(view_, size_, 1.0, false));
+        static_cast<void>(scene_->prepare(from(content_.view), size_, 1.0, false));
         return scene_->workpiece().fullDetail();
     }
-    std::string finish() {
+    std::string draw(StandardView view) {
         const Current current(context_);
+        static_cast<void>(scene_->prepare(from(view), size_, 1.0, false));
         window_->Render();
         return png(*window_);
     }
@@ -160,11 +160,13 @@ private:
         QuietVtk quiet_;
     };
 
+    CameraView from(StandardView view) const { return viewOf(content_, view, scene_->contentBox()); }
+
     OffscreenContext context_;
+    PictureContent content_;
     QSizeF size_;
     vtkNew<vtkGenericOpenGLRenderWindow> window_;
     std::optional<Scene> scene_;
-    CameraView view_;
 };
 
 PictureDrawing::PictureDrawing(std::unique_ptr<Stage> stage) : stage_(std::move(stage)) {}
@@ -184,15 +186,19 @@ bool PictureDrawing::ready() {
     return stage_->ready();
 }
 
-std::string PictureDrawing::finish() {
-    return stage_->finish();
+void PictureDrawing::wait() {
+    while (!ready()) std::this_thread::sleep_for(5ms);
+}
+
+std::string PictureDrawing::draw(StandardView view) {
+    return stage_->draw(view);
 }
 
 Result<std::string> drawPicture(const PictureContent& content) {
     Result<PictureDrawing> drawing = PictureDrawing::begin(content);
     if (!drawing) return drawing.error();
-    while (!drawing->ready()) std::this_thread::sleep_for(5ms);
-    return drawing->finish();
+    drawing->wait();
+    return drawing->draw(content.view);
 }
 
 } // namespace burin

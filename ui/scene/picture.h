@@ -57,8 +57,9 @@ public:
 
     /// Takes over what is meshed. Some milliseconds. @return whether all is there
     bool ready();
-    /// PNG, once it is ready. Some tenths of a second.
-    std::string finish();
+    void wait(); ///< until all is there
+    /// PNG, once it is ready; may be asked for several views. A tenth of a second or two.
+    std::string draw(StandardView view);
 
 private:
     class Stage;

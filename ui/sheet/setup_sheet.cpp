@@ -39,7 +39,7 @@ public:
         if (source_.program) use_ = useOf(source_.program->parsed, source_.tools, source_.machine);
     }
 
-    /// @param shown PNG, as sheetPictures lists them
+    /// @param shown PNG, one for each of sheetViews
     QString write(std::span<const std::string> shown) {
         page_.sentence(SheetText::tr("Project %1, %2").arg(text(source_.project), today()));
         warn();
@@ -241,7 +241,7 @@ private:
 
 } // namespace
 
-std::vector<PictureContent> sheetPictures(const SheetContent& content) {
+PictureContent sheetPicture(const SheetContent& content) {
     const SheetSource& source = content.source;
     PictureContent picture;
     picture.workpiece = content.stock;
@@ -253,12 +253,7 @@ std::vector<PictureContent> sheetPictures(const SheetContent& content) {
     picture.theme = Theme::light;
     picture.width = 1120;
     picture.height = 760;
-    std::vector<PictureContent> pictures;
-    for (const StandardView view : {StandardView::isometric, StandardView::top, StandardView::front}) {
-        picture.view = view;
-        pictures.push_back(picture);
-    }
-    return pictures;
+    return picture;
 }
 
 std::string setupSheet(const SheetContent& content, LengthUnit unit, std::span<const std::string> pictures) {

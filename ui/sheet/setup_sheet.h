@@ -6,9 +6,9 @@
 #include "ui/scene/picture.h"
 #include "ui/theme/length_unit.h"
 
+#include <array>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace burin {
 
@@ -16,9 +16,10 @@ namespace burin {
 /// and zero, stock and materials, fixtures, tools with stick-out, feeds and times, the program and what its check
 /// found. In the language of the program, lengths in `unit`, coordinates from program zero. Without a link to any
 /// other file.
-/// @param pictures PNG, drawn as sheetPictures lists them
+/// @param pictures PNG of `sheetPicture`, one for each of `sheetViews`
 std::string setupSheet(const SheetContent& content, LengthUnit unit, std::span<const std::string> pictures);
-/// What its pictures show, in the page's order.
-std::vector<PictureContent> sheetPictures(const SheetContent& content);
+/// What its pictures show.
+PictureContent sheetPicture(const SheetContent& content);
+inline constexpr std::array sheetViews{StandardView::isometric, StandardView::top, StandardView::front};
 
 } // namespace burin

@@ -14,18 +14,18 @@ constexpr std::chrono::milliseconds betweenTurns(20); // the mesher's time, and 
 } // namespace
 
 SheetDrawing::SheetDrawing(std::shared_ptr<const SheetContent> content, LengthUnit unit, QObject* parent)
-    : QObject(parent), content_(std::move(content)), unit_(unit), wanted_(sheetPictures(*content_)) {
+    : QObject(parent), content_(std::move(content)), unit_(unit) {
     connect(&turn_, &QTimer::timeout, this, &SheetDrawing::goOn);
     turn_.start(betweenTurns);
 }
 
 /// One thing a turn: none holds the thread up for long.
 void SheetDrawing::goOn() {
-    if (pictures_.size() == wanted_.size()) {
+    if (pictures_.size() == sheetViews.size()) {
         turn_.stop();
         emit drawn(setupSheet(*content_, unit_, pictures_));
     } else if (!drawing_) {
-        Result<PictureDrawing> begun = PictureDrawing::begin(wanted_[pictures_.size()]);
+        Result<PictureDrawing> begun = PictureDrawing::begin(sheetPicture(*content_));
         if (!begun) {
             turn_.stop();
             emit drawn(begun.error());
@@ -33,8 +33,7 @@ void SheetDrawing::goOn() {
         }
         drawing_ = std::move(*begun);
     } else if (drawing_->ready()) {
-        pictures_.push_back(drawing_->finish());
-        drawing_.reset();
+        pictures_.push_back(drawing_->draw(sheetViews[pictures_.size()]));
     }
 }
 

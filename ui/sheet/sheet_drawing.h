@@ -30,7 +30,6 @@ private:
 
     std::shared_ptr<const SheetContent> content_;
     LengthUnit unit_;
-    std::vector<PictureContent> wanted_;
     std::vector<std::string> pictures_; ///< PNG, those that are drawn
     std::optional<PictureDrawing> drawing_;
     QTimer turn_;

@@ -45,6 +45,11 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     connect(&pathScene, &PathScenePresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(&area, &AreaPresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(stage.panels.program, &ProgramPanel::lineChosen, &workbench.time, &TimeController::followLine);
+    connect(&time, &TimePresenter::breakpointAsked, this,
+            [&workbench, panel = stage.panels.program] { workbench.time.toggleBreakpoint(panel->line()); });
+    connect(stage.panels.program, &ProgramPanel::breakpointToggled, &workbench.time, &TimeController::toggleBreakpoint);
+    connect(&workbench.time, &TimeController::breakpointsChanged, stage.panels.program,
+            [&time = workbench.time, panel = stage.panels.program] { panel->setBreakpoints(time.breakpoints()); });
     connect(&time, &TimePresenter::lineReached, &programScene, &ProgramScenePresenter::followLine);
     connect(&programScene, &ProgramScenePresenter::hovered, &deviation, &DeviationPresenter::pointAt);
 }

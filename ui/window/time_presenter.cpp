@@ -45,6 +45,7 @@ void TimePresenter::connectActions(const Actions& actions) {
             time.play();
     });
     connect(actions[ActionId::addMarker], &QAction::triggered, this, [this] { addMarker(workbench_, &panel_); });
+    connect(actions[ActionId::breakpoint], &QAction::triggered, this, &TimePresenter::breakpointAsked);
     connect(actions[ActionId::presentTime], &QAction::triggered, &time, &TimeController::backToPresent);
 }
 

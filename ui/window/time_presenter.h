@@ -22,6 +22,7 @@ public:
 
 signals:
     void lineReached(int line); ///< of the program, from 1
+    void breakpointAsked();     ///< where the cursor stands in the text
 
 private:
     void present() override;

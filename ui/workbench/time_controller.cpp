@@ -18,6 +18,24 @@ constexpr std::chrono::milliseconds frame = 33ms; // of the play
 constexpr std::chrono::milliseconds longWay = 400ms;
 constexpr std::chrono::milliseconds settling = 100ms; // what changes recordings often changes them twice
 
+/// The first motion of a line, from 1, or of those behind it; nothing: there is none.
+std::optional<std::size_t> motionOf(const ParsedProgram& program, int line) {
+    const auto motion =
+        std::ranges::lower_bound(program.motions, static_cast<std::uint32_t>(line), {}, &NcMotion::line);
+    if (motion == program.motions.end()) return std::nullopt;
+    return static_cast<std::size_t>(motion - program.motions.begin());
+}
+
+std::vector<std::string_view> programLines(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.push_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
 } // namespace
 
 /// Made when somebody goes somewhere first: what it takes to go to any moment.
@@ -325,22 +343,44 @@ void TimeController::tick() {
     clock_.start();
     const double end = recorded() ? recorded()->seconds() : 0.0;
     double next = std::min(seconds_ + passed * speed_, end);
-    if (const std::optional<double> finding = findingWithin(seconds_, next)) {
-        next = *finding;
+    if (const std::optional<double> stop = stopWithin(seconds_, next)) {
+        next = *stop;
         pause();
     }
     if (next >= end) pause();
     goTo(next);
 }
 
-/// The first finding behind `from`, no later than `to`.
-std::optional<double> TimeController::findingWithin(double from, double to) const {
+/// The first finding or breakpoint behind `from`, no later than `to`.
+std::optional<double> TimeController::stopWithin(double from, double to) const {
     if (!programTime_) return std::nullopt;
-    for (const ProgramTime::FindingMoment& finding : programTime_->findings) {
-        const double at = spread_->secondsAt(finding.at);
-        if (at > from + 0.5 * programTime_->tick && at <= to) return at;
-    }
-    return std::nullopt;
+    std::optional<double> first;
+    const auto look = [&](const TakeMoment& moment) {
+        const double at = spread_->secondsAt(moment);
+        if (at > from + 0.5 * programTime_->tick && at <= to) first = std::min(first.value_or(at), at);
+    };
+    for (const ProgramTime::FindingMoment& finding : programTime_->findings) look(finding.at);
+    for (const int line : breakpoints_)
+        if (const std::optional<std::size_t> motion = motionOf(program_->parsed, line))
+            look(programTime_->beginOf(*motion));
+    return first;
+}
+
+void TimeController::toggleBreakpoint(int line) {
+    if (!program_ || line < 1) return;
+    if (breakpoints_.erase(line) == 0) breakpoints_.insert(line);
+    emit breakpointsChanged();
+}
+
+/// @param before text of the program that they were set in
+void TimeController::keepBreakpoints(const std::string& before) {
+    const std::vector<std::string_view> then = programLines(before);
+    const std::vector<std::string_view> now = programLines(program_ ? std::string_view(program_->text) : before);
+    const auto changed = [&](int line) {
+        const auto place = static_cast<std::size_t>(line) - 1;
+        return place >= then.size() || place >= now.size() || then[place] != now[place];
+    };
+    if (std::erase_if(breakpoints_, changed) > 0) emit breakpointsChanged();
 }
 
 void TimeController::showProgram(std::shared_ptr<const CheckedProgram> program) {
@@ -348,7 +388,8 @@ void TimeController::showProgram(std::shared_ptr<const CheckedProgram> program) 
     backToPresent();
     desk_.tasks.abandon(TaskKind::time);
     desk_.tasks.abandon(TaskKind::programTime);
-    program_ = std::move(program);
+    if (const auto before = std::exchange(program_, std::move(program))) lastText_ = before->text;
+    if (!breakpoints_.empty()) keepBreakpoints(lastText_);
     programTime_.reset();
     spread_.reset();
     programSource_.reset();
@@ -386,11 +427,10 @@ void TimeController::spread() {
 
 void TimeController::followLine(int line) {
     if (!program_ || !programTime_ || !away_ || line < 1) return;
-    const std::vector<NcMotion>& motions = program_->parsed.motions;
-    const auto motion = std::ranges::lower_bound(motions, static_cast<std::uint32_t>(line), {}, &NcMotion::line);
-    if (motion == motions.end()) return;
+    const std::optional<std::size_t> motion = motionOf(program_->parsed, line);
+    if (!motion) return;
     pause();
-    goTo(programTime_->beginOf(static_cast<std::size_t>(motion - motions.begin())));
+    goTo(programTime_->beginOf(*motion));
 }
 
 int TimeController::line() const {

@@ -10,6 +10,9 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
+#include <set>
+#include <string>
+
 namespace burin {
 
 /// What stood there at a moment of the recordings.
@@ -65,8 +68,13 @@ public:
 
     /// Of the recordings, in order.
     const std::vector<TimeMarker>& markers() const noexcept { return markers_; }
-    /// The program that is gone through, as it lies in time; null: none, or not read yet. A play stops at its findings.
+    /// The program that is gone through, as it lies in time; null: none, or not read yet. A play stops at its findings
+    /// and at breakpoints.
     const std::shared_ptr<const ProgramTime>& programTime() const noexcept { return programTime_; }
+    /// Lines of the program that is gone through, from 1, before which a play stops. Those whose text stays the same
+    /// outlast another program.
+    const std::set<int>& breakpoints() const noexcept { return breakpoints_; }
+    void toggleBreakpoint(int line);
     /// Marks the moment that is wanted; one that is marked already gets the name. An entry of the undo stack.
     void addMarker(const QString& name);
     /// @param marker its place in `markers` @param name empty: it goes. An entry of the undo stack.
@@ -84,6 +92,7 @@ public:
 signals:
     void momentChanged();   ///< `shown` is another one
     void recordedChanged(); ///< `recorded` is another one
+    void breakpointsChanged();
 
 private:
     /// What recordings did, on whichever thread goes to a moment; one at a time.
@@ -97,7 +106,8 @@ private:
     void keepWorthKeeping();
     void keepInProject(KeptWorkpiece kept, const RecordedState& state);
     void spread();
-    std::optional<double> findingWithin(double from, double to) const;
+    std::optional<double> stopWithin(double from, double to) const;
+    void keepBreakpoints(const std::string& before);
     const std::shared_ptr<Source>& source() const noexcept { return program_ ? programSource_ : source_; }
     void tick();
     std::map<std::int64_t, std::size_t> strokesBefore(const TakeMoment& moment) const;
@@ -120,6 +130,8 @@ private:
     std::optional<TakeMoment> wanted_; ///< that is not on its way yet
     std::optional<MomentView> shown_;
     std::vector<TimeMarker> markers_;
+    std::set<int> breakpoints_;
+    std::string lastText_; ///< of the program that was shown last
     double speed_ = 1.0;
     QTimer play_, readSoon_;
     QElapsedTimer clock_, onItsWay_;
