@@ -19,8 +19,8 @@ constexpr std::array<DeviationColour, 7> excessColours{{{209, 229, 240},
                                                         {67, 147, 195},
                                                         {42, 114, 181},
                                                         {23, 74, 140},
-                                                        {44, 44, 108},
-                                                        {40, 20, 66}}}; // the last two are not of RdBu
+                                                        {52, 48, 124},
+                                                        {74, 34, 104}}}; // the last two are not of RdBu
 constexpr double leastTolerance = 1e-3; // mm: a tolerance of nothing would leave no room for its bands
 
 } // namespace

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // How the window keeps up while the sample part is milled with the mouse and the view orbits: one JSON list of figures
-// on standard output, in plain words on standard error. A benchmark is no test: the exit status is 0.
+// on standard output, in plain words on standard error. With --excess the workpiece is coloured by its excess stock
+// meanwhile. A benchmark is no test: the exit status is 0.
 #include "tests/benchmarks/event_loop.h"
 #include "tests/benchmarks/stall_watch.h"
 #include "tests/benchmarks/window_phases.h"
@@ -226,6 +227,7 @@ int run(StallWatch& watch) {
         std::cerr << "Mill mode did not begin: " << qPrintable(driver.message()) << '\n';
         return 0;
     }
+    if (QCoreApplication::arguments().contains(QStringLiteral("--excess"))) driver.key(Qt::Key_8, Qt::ControlModifier);
     runFor(500ms);
     watch.beginPhase();
     viewport.resetStatistics();

@@ -404,15 +404,16 @@ void WorkpieceMeshesTest::theLineLeadsOverTheLimitsOfTiles() {
 
 void WorkpieceMeshesTest::coloursTellWhatIsLeft_data() {
     QTest::addColumn<SurfaceLayer>("layer");
-    QTest::newRow("at rest") << SurfaceLayer::rest;
-    QTest::newRow("while things move") << SurfaceLayer::moving;
+    QTest::addColumn<int>("most"); // of a colour's 255 steps, of which a band has up to 80
+    QTest::newRow("at rest") << SurfaceLayer::rest << 36;
+    QTest::newRow("while things move") << SurfaceLayer::moving << 60;
 }
 /// A flat face lies 0.6 mm over a ball: its triangles are large, and yet each of their points has the colour of its
 /// own distance to the ball. Dividing them moved nothing. A floor that the ball stands out of is white where it is
 /// bare.
 void WorkpieceMeshesTest::coloursTellWhatIsLeft() {
     QFETCH(SurfaceLayer, layer);
-    constexpr int most = 36; // of a colour's 255 steps: less than half a band
+    QFETCH(int, most);
     constexpr double voxel = 0.25, radius = 8.0;
     const glm::dvec3 centre(10.03, 10.11, 8.0);
     RunVolume volume = milled({{0.0, 0.0, 0.0}, {20.0, 20.0, 16.6}}, voxel);

@@ -11,22 +11,20 @@ namespace burin {
 
 namespace {
 
-constexpr double longestCells = 16.0, shortestCells = 2.0;
-constexpr double bandShare = 0.2; // by which the colour of a middle may differ from what is drawn there
-
 /// Knows how far each point of a surface stands from the part, and adds points where that is too little.
 class ExcessDivision {
 public:
-    ExcessDivision(SurfaceMesh& mesh, const PropertyList& properties, const ExcessColours& left, double cell)
+    ExcessDivision(SurfaceMesh& mesh, const PropertyList& properties, const ExcessColours& left,
+                   const ExcessDetail& detail)
         : mesh_(mesh)
         , properties_(properties)
         , part_(*left.part)
         , scale_(left.scale())
         , reach_(std::max(scale_.marks().back().deviation, -scale_.marks().front().deviation))
-        , cell_(cell)
-        , longest_(longestCells * cell)
-        , shortest_(shortestCells * cell)
-        , unlike_(bandShare / static_cast<double>(scale_.marks().size() - 1)) {
+        , cell_(detail.cell)
+        , longest_(detail.longest)
+        , shortest_(detail.shortest)
+        , unlike_(detail.unlike / static_cast<double>(scale_.marks().size() - 1)) {
         left_.reserve(mesh.points.size());
         for (std::size_t i = 0; i < mesh.points.size(); ++i)
             left_.push_back(leftAt(mesh.points[i], mesh.properties[i]));
@@ -88,8 +86,8 @@ private:
 } // namespace
 
 std::vector<DeviationColour> colourByExcess(SurfaceMesh& mesh, const PropertyList& properties,
-                                            const ExcessColours& left, double cell) {
-    ExcessDivision division(mesh, properties, left, cell);
+                                            const ExcessColours& left, const ExcessDetail& detail) {
+    ExcessDivision division(mesh, properties, left, detail);
     division.divide();
     return division.colours();
 }

@@ -323,7 +323,7 @@ SurfaceUpdate WorkpieceMesher::makeGroup(SurfaceLayer which, std::size_t group, 
     std::vector<std::uint32_t> rim = simplifier_.rim(joined_, rimTolerance * edge);
     if (withoutPart_) leaveOutBarePart(joined_, rim, shown_.properties());
     const std::vector<float> skirt = skirtDepths(shown_, joined_, rim, static_cast<float>(deepest));
-    const std::vector<RgbColour> colours = coloursOf(joined_, cell);
+    const std::vector<RgbColour> colours = coloursOf(joined_, ExcessDetail::of(cell, which == SurfaceLayer::moving));
     SurfaceUpdate update{group, which, {}, joined_.triangles.size() / 3 + rim.size(), std::move(bare)};
     update.data = surfacePolyData(joined_, colours, rim, skirt);
     layer(which).triangles[group] = update.triangles;
@@ -331,9 +331,9 @@ SurfaceUpdate WorkpieceMesher::makeGroup(SurfaceLayer which, std::size_t group, 
     return update;
 }
 
-/// @param mesh points may be added to it @param cell mm
-std::vector<RgbColour> WorkpieceMesher::coloursOf(SurfaceMesh& mesh, double cell) const {
-    return left_ ? colourByExcess(mesh, shown_.properties(), *left_, cell)
+/// @param mesh points may be added to it
+std::vector<RgbColour> WorkpieceMesher::coloursOf(SurfaceMesh& mesh, const ExcessDetail& detail) const {
+    return left_ ? colourByExcess(mesh, shown_.properties(), *left_, detail)
                  : colourByMaterial(mesh, shown_.properties(), colour_);
 }
 

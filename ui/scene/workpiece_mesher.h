@@ -106,7 +106,7 @@ private:
     void refreshRest();
     bool refreshTiles(SurfaceLayer which, std::size_t group);
     void makeTile(SurfaceLayer which, SurfaceTile tile);
-    std::vector<RgbColour> coloursOf(SurfaceMesh& mesh, double cell) const;
+    std::vector<RgbColour> coloursOf(SurfaceMesh& mesh, const ExcessDetail& detail) const;
     SurfaceUpdate makeGroup(SurfaceLayer which, std::size_t group, bool mixed);
     bool fullFitsInTime();
     bool roomForFull();
