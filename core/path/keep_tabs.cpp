@@ -75,7 +75,7 @@ Result<Deviation> apply(const KeepTabs& edit, PathUnderEdit& state, const PathCo
     // The cutter takes half of its width from both sides.
     const double half = 0.5 * (edit.width + context.tool.cutter.diameter);
     for (const glm::dvec3& place : edit.places) tabs.emplace_back(place, half, edit.height);
-    // Long moves pass over a place without a point there: all are divided by a floor that is not known yet.
+    // What a tab stands on is asked of whole moves: a long one may pass its place without a point near it.
     for (Tab& tab : tabs)
         for (const PathStroke& stroke : state.strokes)
             for (std::size_t i = 0; i < stroke.points.size(); ++i) {

@@ -103,13 +103,11 @@ void WindowMonkey::note(const QString& kind, const QString& what) {
 
 /// Of the step before: the event loop was looked at since.
 void WindowMonkey::noteStall() {
-    const std::size_t now = watch_.longerThan(longStall);
-    if (now == stallsSeen_) return;
-    report_.stalls += now - stallsSeen_;
-    stallsSeen_ = now;
+    const std::size_t stalls = watch_.longerThan(longStall);
+    if (stalls == 0) return;
+    report_.stalls += stalls;
     const StallWatch::Stall longest = watch_.longest();
     watch_.beginPhase();
-    stallsSeen_ = 0;
     const QString text = QStringLiteral("%1 ms (%2 of them computing): %3: %4")
                              .arg(longest.milliseconds, 0, 'f', 0)
                              .arg(longest.processor, 0, 'f', 0)
@@ -352,7 +350,6 @@ void WindowMonkey::closeAndOpen() {
     static_cast<void>(driver_.restart(chance(50)));
     --depth_;
     watch_.beginPhase(); // a window is made: that is the program's start, not a stall
-    stallsSeen_ = 0;
 }
 
 } // namespace burin::testing

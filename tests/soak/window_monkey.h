@@ -70,9 +70,8 @@ private:
     Report report_;
     QString last_;
     double memoryNoted_ = 0.0; ///< MB
-    std::size_t stallsSeen_ = 0;
-    int depth_ = 0;       ///< event loops of dialogs that it acts in
-    bool ending_ = false; ///< nothing new is begun
+    int depth_ = 0;            ///< event loops of dialogs that it acts in
+    bool ending_ = false;      ///< nothing new is begun
     bool over_ = false;
 };
 

@@ -111,6 +111,7 @@ void TimeController::forget() {
     showProgram(nullptr);
     recorded_.reset();
     markers_.clear();
+    breakpoints_.clear();
     source_.reset();
     shown_.reset();
     wanted_.reset();
@@ -119,6 +120,7 @@ void TimeController::forget() {
     seconds_ = 0.0;
     emit recordedChanged();
     emit momentChanged();
+    emit breakpointsChanged();
     emit changed();
     if (followed_) readSoon_.start();
 }
