@@ -57,11 +57,17 @@ private:
     /// An edge along which the excess is another one than what would be drawn.
     bool hides(std::uint32_t a, std::uint32_t b) const {
         const double length = glm::distance(mesh_.points[a], mesh_.points[b]);
-        // The distance changes no faster than the point moves: all of the edge may lie beyond the scale.
-        if (length <= shortest_ || 0.5 * (left_[a] + left_[b] - length) >= reach_) return false;
+        if (length <= shortest_ || isBeyond(a, b, length)) return false;
         if (length > longest_) return true;
         const double drawn = 0.5 * (scale_.positionOf(left_[a]) + scale_.positionOf(left_[b]));
         return std::abs(scale_.positionOf(leftAt(middle(a, b), mesh_.properties[a])) - drawn) > unlike_;
+    }
+
+    /// All of an edge lies beyond the scale: the distance to the part changes no faster than a point moves.
+    bool isBeyond(std::uint32_t a, std::uint32_t b, double length) const {
+        if (std::min(left_[a], left_[b]) < reach_) return false; // farther than that was not measured
+        const double enough = reach_ + 0.5 * length;
+        return part_.closest(middle(a, b), enough).distance >= enough;
     }
 
     std::uint32_t addMiddle(std::uint32_t a, std::uint32_t b) {
