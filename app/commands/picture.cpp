@@ -96,6 +96,8 @@ Result<PictureContent> contentOf(const ProjectPictureArguments& arguments, Comma
     content.part = milling->partModel;
     content.obstacles = milling->surroundings();
     content.paths = std::move(*paths);
+    if (arguments.excess && milling->partModel->bodies.empty()) // free carving
+        return Error{ErrorCode::argumentInvalid, "--excess", arguments.project, "a model with at least one body"};
     if (arguments.excess) content.left = ExcessColours{{milling, &milling->part}, {}};
     if (!arguments.colour.empty()) {
         auto values = valuesOf(*project, *milling, arguments, content.paths.front(), context.progress());
