@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
 #include "core/path/apply.h"
+#include "core/path/divided_move.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace burin {
@@ -52,18 +52,10 @@ std::vector<StrokePoint> divided(const std::vector<StrokePoint>& points, const s
         const bool meets = !result.empty() && std::ranges::any_of(tabs, [&](const Tab& tab) {
             return tab.meets(result.back().pose.tip, point.pose.tip);
         });
-        if (meets) {
-            const StrokePoint before = result.back();
-            const double length = glm::distance(before.pose.tip, point.pose.tip);
-            const int parts = static_cast<int>(std::ceil(length / finest));
-            for (int i = 1; i < parts; ++i) {
-                StrokePoint between = point;
-                between.sample = before.sample;
-                between.pose.tip = glm::mix(before.pose.tip, point.pose.tip, static_cast<double>(i) / parts);
-                result.push_back(between);
-            }
-        }
-        result.push_back(point);
+        if (meets)
+            addDivided(result, point, finest);
+        else
+            result.push_back(point);
     }
     return result;
 }

@@ -4,6 +4,7 @@
 
 #include "core/base/parallel.h"
 #include "core/geometry/lowest_clear.h"
+#include "core/path/divided_move.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,20 +35,7 @@ std::optional<glm::dvec3> Lowering::alongNormal(glm::dvec3 tip) const {
 std::vector<PathStroke> lowered(const PathStroke& stroke, const Lowering& lowering, double sampling,
                                 const Progress& progress) {
     std::vector<StrokePoint> places;
-    for (const StrokePoint& point : stroke.points) {
-        if (!places.empty()) {
-            const StrokePoint before = places.back();
-            const double length = glm::distance(before.pose.tip, point.pose.tip);
-            const auto steps = static_cast<int>(std::max(1.0, std::ceil(length / sampling)));
-            for (int k = 1; k < steps; ++k) {
-                StrokePoint between = point;
-                between.sample = before.sample;
-                between.pose.tip = glm::mix(before.pose.tip, point.pose.tip, static_cast<double>(k) / steps);
-                places.push_back(between);
-            }
-        }
-        places.push_back(point);
-    }
+    for (const StrokePoint& point : stroke.points) addDivided(places, point, sampling);
     std::vector<std::optional<glm::dvec3>> tips(places.size());
     parallelFor(std::size_t{0}, places.size(), [&](std::size_t i) {
         if (!progress.cancelled()) tips[i] = lowering.bring(places[i].pose.tip);
