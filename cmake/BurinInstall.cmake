@@ -16,7 +16,9 @@ foreach(plugin IN LISTS plugins)
 endforeach()
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/ DESTINATION share/burin/resources
     PATTERN CMakeLists.txt EXCLUDE PATTERN *.cpp EXCLUDE PATTERN udev EXCLUDE PATTERN desktop EXCLUDE)
-install(FILES ${CMAKE_BINARY_DIR}/translations/burin_de.qm DESTINATION share/burin/translations)
+foreach(language IN LISTS BURIN_LANGUAGES)
+    install(FILES ${CMAKE_BINARY_DIR}/translations/burin_${language}.qm DESTINATION share/burin/translations)
+endforeach()
 
 install(FILES ${desktop}/${burin_id}.desktop DESTINATION share/applications)
 install(FILES ${desktop}/${burin_id}.svg DESTINATION share/icons/hicolor/scalable/apps)

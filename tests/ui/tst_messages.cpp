@@ -29,14 +29,16 @@ Error errorOf(int code) {
 }
 
 /// Does what `install` does, and takes it back at its end.
-class InGerman {
+class InLanguage {
 public:
-    InGerman() : loaded_(translator_.load(QStringLiteral("burin_de"), QStringLiteral(BURIN_TRANSLATIONS))) {
+    explicit InLanguage(const char* language)
+        : loaded_(translator_.load(QStringLiteral("burin_") + QLatin1String(language),
+                                   QStringLiteral(BURIN_TRANSLATIONS))) {
         QCoreApplication::installTranslator(&translator_);
     }
-    ~InGerman() { QCoreApplication::removeTranslator(&translator_); }
-    InGerman(const InGerman&) = delete;
-    InGerman& operator=(const InGerman&) = delete;
+    ~InLanguage() { QCoreApplication::removeTranslator(&translator_); }
+    InLanguage(const InLanguage&) = delete;
+    InLanguage& operator=(const InLanguage&) = delete;
     bool loaded() const { return loaded_; }
 
 private:
@@ -101,8 +103,8 @@ private slots:
     void everyErrorIsASentence() {
         QFETCH(bool, german);
         QFETCH(bool, bare);
-        std::optional<InGerman> language;
-        if (german) QVERIFY(language.emplace().loaded());
+        std::optional<InLanguage> language;
+        if (german) QVERIFY(language.emplace("de").loaded());
         QSet<QString> sentences;
         for (int code = 0; code < codeCount; ++code) {
             Error error = errorOf(code);
@@ -134,9 +136,34 @@ private slots:
     void germanIsNotEnglish() {
         QStringList english;
         for (int code = 0; code < codeCount; ++code) english.append(Messages::sentence(errorOf(code)));
-        const InGerman german;
+        const InLanguage german("de");
         QVERIFY(german.loaded());
         for (int code = 0; code < codeCount; ++code) QVERIFY(Messages::sentence(errorOf(code)) != english[code]);
+    }
+
+    /// With the punctuation of Chinese: one full stop, brackets only around something.
+    void everyErrorIsASentenceInChinese() {
+        QStringList english;
+        for (int code = 0; code < codeCount; ++code) english.append(Messages::sentence(errorOf(code)));
+        const InLanguage chinese("zh_CN");
+        QVERIFY(chinese.loaded());
+        const QChar stop(0x3002);
+        QSet<QString> sentences;
+        for (int code = 0; code < codeCount; ++code) {
+            for (const bool bare : {false, true}) {
+                Error error = errorOf(code);
+                if (bare) error.place = error.detail = {};
+                const QString sentence = Messages::sentence(error);
+                QVERIFY2(sentence.contains(QStringLiteral("SUBJECT")), qPrintable(sentence));
+                QVERIFY2(sentence.endsWith(stop) && sentence.count(stop) == 1, qPrintable(sentence));
+                QVERIFY2(!sentence.contains(QLatin1Char('%')) && !sentence.contains(QString::fromUtf8("（）")) &&
+                             !sentence.contains(QString::fromUtf8("“”")),
+                         qPrintable(sentence));
+                if (!bare) sentences.insert(sentence);
+            }
+            QVERIFY(Messages::sentence(errorOf(code)) != english[code]);
+        }
+        QCOMPARE(sentences.size(), qsizetype{codeCount});
     }
 
     void aPercentSignInANameStaysOne() {
@@ -150,7 +177,7 @@ private slots:
         const Error error{ErrorCode::projectIncomplete, "recording", "burin mill", {}};
         QCOMPARE(Messages::text(smooth), QStringLiteral("Smooth"));
         QVERIFY(Messages::sentence(error).contains(QStringLiteral("recording")));
-        const InGerman german;
+        const InLanguage german("de");
         QCOMPARE(Messages::text(smooth), QStringLiteral("Glätten"));
         QVERIFY(Messages::sentence(error).contains(QStringLiteral("Aufzeichnung")));
     }
@@ -160,7 +187,7 @@ private slots:
             const Error error = errorOf(static_cast<DeviceFault>(i), "Mine");
             const QString english = Messages::sentence(error);
             QVERIFY2(english.contains(QString::fromStdString(error.detail)), qPrintable(english));
-            const InGerman german;
+            const InLanguage german("de");
             QVERIFY(german.loaded());
             const QString translated = Messages::sentence(error);
             QVERIFY2(error.detail.empty() || !translated.contains(QString::fromStdString(error.detail)),
@@ -182,7 +209,7 @@ private slots:
         };
         QVERIFY(says(program, "line 3, column 7 (word is repeated: X1; its start is set by line 2)"));
         QVERIFY(says(file, "(has to be a number from -1 to 1e+06)"));
-        const InGerman german;
+        const InLanguage german("de");
         QVERIFY(says(program, "Zeile 3, Spalte 7"));
         QVERIFY(says(program, "das Wort kommt zweimal vor: X1; seinen Anfang setzt Zeile 2"));
         QVERIFY(says(file, "„home_mm[2]“") && says(file, "muss eine Zahl von -1 bis 1e+06 sein"));

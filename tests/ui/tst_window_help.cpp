@@ -91,15 +91,21 @@ private slots:
         QVERIFY2(checked >= 10, qPrintable(QString::number(checked)));
     }
 
-    /// German says the same: as many pages and paragraphs, and the same keys.
-    void germanIsComplete() {
-        const std::vector<HelpPage> english = helpPages("en"), german = helpPages("de_AT");
-        QCOMPARE(german.size(), english.size());
+    void translationsAreComplete_data() {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("German") << "de_AT";
+        QTest::newRow("Chinese") << "zh_CN";
+    }
+    /// A translation says the same: as many pages and paragraphs, and the same keys.
+    void translationsAreComplete() {
+        QFETCH(QString, language);
+        const std::vector<HelpPage> english = helpPages("en"), translated = helpPages(language);
+        QCOMPARE(translated.size(), english.size());
         for (std::size_t i = 0; i < english.size(); ++i) {
-            QVERIFY(german[i].text != english[i].text);
-            QCOMPARE(german[i].text.count('\n'), english[i].text.count('\n'));
-            QCOMPARE(german[i].text.count("**"), english[i].text.count("**"));
-            QVERIFY2(keysIn(german[i].text) == keysIn(english[i].text), qPrintable(english[i].topic));
+            QVERIFY(translated[i].text != english[i].text);
+            QCOMPARE(translated[i].text.count('\n'), english[i].text.count('\n'));
+            QCOMPARE(translated[i].text.count("**"), english[i].text.count("**"));
+            QVERIFY2(keysIn(translated[i].text) == keysIn(english[i].text), qPrintable(english[i].topic));
         }
         QCOMPARE(helpPages("xx").size(), english.size()); // a language without help has English
     }

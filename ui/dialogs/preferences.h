@@ -20,7 +20,7 @@ namespace burin {
 struct Preferences {
     Theme theme = Theme::dark;
     LengthUnit unit = LengthUnit::millimetre;
-    QString language; ///< "en", "de"; empty: the system's
+    QString language; ///< "en", "de", "zh_CN"; empty: the system's
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 

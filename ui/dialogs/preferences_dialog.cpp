@@ -40,6 +40,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
     language_->addItem(tr("Same as the system"), QString());
     language_->addItem(QStringLiteral("English"), QStringLiteral("en"));
     language_->addItem(QStringLiteral("Deutsch"), QStringLiteral("de"));
+    language_->addItem(QString::fromUtf8("简体中文"), QStringLiteral("zh_CN"));
 
     unit_->setCurrentIndex(unit_->findData(static_cast<int>(preferences.unit)));
     theme_->setCurrentIndex(theme_->findData(static_cast<int>(preferences.theme)));

@@ -42,7 +42,8 @@ bool holds(const HelpPage& page, const QString& text) {
 std::vector<HelpPage> helpPages(const QString& language) {
     std::vector<HelpPage> pages;
     for (const char* topic : topics) {
-        QString text = pageText(language.left(2), topic);
+        QString text = pageText(language, topic);
+        if (text.isEmpty()) text = pageText(language.section(QLatin1Char('_'), 0, 0), topic);
         if (text.isEmpty()) text = pageText(QStringLiteral("en"), topic);
         if (text.isEmpty()) continue; // an installation without its help
         pages.push_back({QString::fromLatin1(topic), text.section(QLatin1Char('\n'), 0, 0).remove(0, 2), text});

@@ -21,7 +21,7 @@ struct HelpPage {
 };
 
 /// The pages in a language, in their order (resources/help); those of a language that has none, or lacks one, are
-/// English. @param language "de", "de_AT"
+/// English. @param language "de", "de_AT", "zh_CN"
 std::vector<HelpPage> helpPages(const QString& language);
 
 /// The help, beside the window: topics on the left, a page on the right. What is typed is looked for in all pages.

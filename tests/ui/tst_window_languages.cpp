@@ -18,7 +18,7 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 
-namespace burin::tst_window_german {
+namespace burin::tst_window_languages {
 
 using namespace burin::testing;
 
@@ -37,10 +37,10 @@ QSet<QString> wordsOf(QString text) {
     return words;
 }
 
-/// Words of the English sources that no German translation has.
-QSet<QString> onlyEnglish() {
-    QSet<QString> english, german;
-    QFile file(QStringLiteral(BURIN_SOURCE_DIRECTORY "/translations/burin_de.ts"));
+/// Words of the English sources that no translation of a language has.
+QSet<QString> onlyEnglish(const QString& language) {
+    QSet<QString> english, translated;
+    QFile file(QStringLiteral(BURIN_SOURCE_DIRECTORY "/translations/burin_%1.ts").arg(language));
     if (!file.open(QIODevice::ReadOnly)) return {};
     QXmlStreamReader reader(&file);
     while (!reader.atEnd()) {
@@ -48,9 +48,9 @@ QSet<QString> onlyEnglish() {
         if (reader.name() == QLatin1String("source"))
             english += wordsOf(reader.readElementText());
         else if (reader.name() == QLatin1String("translation") || reader.name() == QLatin1String("numerusform"))
-            german += wordsOf(reader.readElementText(QXmlStreamReader::IncludeChildElements));
+            translated += wordsOf(reader.readElementText(QXmlStreamReader::IncludeChildElements));
     }
-    english -= german;
+    english -= translated;
     // In texts that were never marked for translation as well.
     for (const char* common : {"the", "of", "and", "with", "is", "are", "not", "from", "were", "states", "taken"})
         english.insert(QLatin1String(common));
@@ -84,11 +84,12 @@ constexpr QSize usualSize(1280, 800);
 
 } // namespace
 
-/// The window of somebody whose language is German.
-class TestWindowGerman : public QObject {
+/// The window of somebody whose language is not English.
+class TestWindowLanguages : public QObject {
     Q_OBJECT
 private slots:
     void initTestCase();
+    void noTextOfAJobIsEnglish_data();
     void noTextOfAJobIsEnglish();
     void numbersHaveTheDecimalComma();
 
@@ -100,16 +101,18 @@ private:
     QStringList sources_;
 };
 
-void TestWindowGerman::initTestCase() {
-    english_ = onlyEnglish();
-    QVERIFY(english_.size() > 500);
-    english_.remove(QStringLiteral("block")); // the test's part is called so
+void TestWindowLanguages::initTestCase() {
     sources_ = sourcesOfFigures();
     QVERIFY(sources_.size() > 30);
-    QVERIFY(Messages::install(QLocale(QStringLiteral("de"))));
 }
 
-QStringList TestWindowGerman::englishTexts(WindowDriver& driver) const {
+void TestWindowLanguages::noTextOfAJobIsEnglish_data() {
+    QTest::addColumn<QString>("language");
+    for (const char* language : {"zh_CN", "de"}) // the last one that is installed stays
+        QTest::newRow(language) << QString::fromLatin1(language);
+}
+
+QStringList TestWindowLanguages::englishTexts(WindowDriver& driver) const {
     QStringList found;
     for (const VisibleText& shown : visibleTexts(driver.window())) {
         QString own = shown.text;
@@ -121,13 +124,18 @@ QStringList TestWindowGerman::englishTexts(WindowDriver& driver) const {
     return found;
 }
 
-void TestWindowGerman::noTextOfAJobIsEnglish() {
-    WindowDriver driver(usualSize, QLocale(QStringLiteral("de_DE")));
+void TestWindowLanguages::noTextOfAJobIsEnglish() {
+    QFETCH(QString, language);
+    english_ = onlyEnglish(language);
+    QVERIFY(english_.size() > 500);
+    english_.remove(QStringLiteral("block")); // the test's part is called so
+    QVERIFY(Messages::install(QLocale(language)));
+    WindowDriver driver(usualSize, QLocale(language));
     Workbench& workbench = driver.window().workbench();
     QStringList english = englishTexts(driver);
     const auto look = [&](JobStep step, const char* name) {
         if (!driver.step(step)) return;
-        driver.shoot(QStringLiteral("german-%1").arg(QLatin1String(name)));
+        driver.shoot(language + QLatin1Char('-') + QLatin1String(name));
         english += englishTexts(driver);
     };
     drop(driver.window(), writeBlock(driver, false)); // open: its notes and findings are told as well
@@ -150,7 +158,7 @@ void TestWindowGerman::noTextOfAJobIsEnglish() {
 }
 
 /// In every field; a typed dot is understood as well, and what a machine reads has dots.
-void TestWindowGerman::numbersHaveTheDecimalComma() {
+void TestWindowLanguages::numbersHaveTheDecimalComma() {
     WindowDriver driver(usualSize, QLocale(QStringLiteral("de_DE")));
     Workbench& workbench = driver.window().workbench();
     QVERIFY(makeReady(driver));
@@ -187,8 +195,8 @@ void TestWindowGerman::numbersHaveTheDecimalComma() {
     QVERIFY(fields > 10);
 }
 
-BURIN_TEST(TestWindowGerman, QApplication)
+BURIN_TEST(TestWindowLanguages, QApplication)
 
-} // namespace burin::tst_window_german
+} // namespace burin::tst_window_languages
 
-#include "tst_window_german.moc"
+#include "tst_window_languages.moc"
