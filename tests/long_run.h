@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QtGlobal>
+#include <QtTest>
 
 namespace burin::testing {
 
@@ -19,3 +20,8 @@ T inLongRun(T all, T share) {
 }
 
 } // namespace burin::testing
+
+/// First in a test function that the usual run leaves out: it takes long, and others show what it has in common with
+/// them.
+#define BURIN_ONLY_IN_LONG_RUNS                                                                                        \
+    if (!burin::testing::longRun()) QSKIP("in tests/run --long")

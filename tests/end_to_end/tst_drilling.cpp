@@ -33,7 +33,7 @@ private slots:
                             {40.0, 40.0, 10.0, 7.0, 13.0}, // a counterbore …
                             {40.0, 40.0, 6.0, -1.0, 8.0}}, // … and the hole in it
                            {{55.0, 25.0, 6.0, 11.0, 14.0}}));
-        QCOMPARE(run({"embed", in("plate.brep"), "-o", in("p.burin"), "--voxel", "0.4", "--margin", "1"}).status, 0);
+        QCOMPARE(run({"embed", in("plate.brep"), "-o", in("p.burin"), "--voxel", "0.8", "--margin", "1"}).status, 0);
     }
 
     void holesAreFound() {
@@ -81,7 +81,7 @@ private slots:
 
     /// Pecks all begin above, go deeper each time, and return by rapids in the hole that they have made.
     void pecksComeUpForChips() {
-        QCOMPARE(run({"embed", in("plate.brep"), "-o", in("q.burin"), "--voxel", "0.4", "--margin", "1"}).status, 0);
+        QCOMPARE(run({"embed", in("plate.brep"), "-o", in("q.burin"), "--voxel", "0.8", "--margin", "1"}).status, 0);
         const ProgramRun made = run({"path", in("q.burin"), "new", "--pass", "drill", "--tool", "drill-5",
                                      "--level-depth", "4", "--hole", at(40.5, 10.5)});
         QVERIFY2(made.status == 0, made.messages.constData());

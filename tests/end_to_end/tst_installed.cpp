@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/long_run.h"
 #include "tests/places.h"
 #include "tests/test_program.h"
 
@@ -181,6 +182,7 @@ private slots:
 
     /// Each library that a program of it asks for comes with a package that it depends on: readelf and dpkg say so.
     void thePackageDependsOnAllThatItLoads() {
+        BURIN_ONLY_IN_LONG_RUNS;
         const Outcome packed =
             run(QStringLiteral("cpack"), {QStringLiteral("-G"), QStringLiteral("DEB"), QStringLiteral("--config"),
                                           QStringLiteral(BURIN_BUILD_DIRECTORY "/CPackConfig.cmake"),

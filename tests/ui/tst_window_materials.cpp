@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/long_run.h"
 #include "tests/places.h"
 #include "tests/test_program.h"
 #include "tests/ui/visible_texts.h"
@@ -155,6 +156,7 @@ private slots:
 
     /// Figure 13b of the paper.
     void freeCarvingSaysThatNothingPushesBack() {
+        BURIN_ONLY_IN_LONG_RUNS;
         WindowDriver driver(QSize(1280, 800));
         Workbench& workbench = driver.window().workbench();
         QVERIFY(open(driver));
@@ -236,6 +238,7 @@ private slots:
     }
 
     void theWorkpieceIsExported() {
+        BURIN_ONLY_IN_LONG_RUNS;
         WindowDriver driver(QSize(1280, 800));
         QVERIFY(open(driver));
         QVERIFY(embed(driver));

@@ -240,7 +240,9 @@ private slots:
         drop(driver.window(), writePlateWithHole(driver));
         Workbench& workbench = workbenchOf(driver);
         QTRY_VERIFY_WITH_TIMEOUT(workbench.model.model() != nullptr, 30000);
-        QVERIFY(driver.step(JobStep::stock) && driver.settle() && driver.clickOn("embedButton"));
+        QVERIFY(driver.step(JobStep::stock) && driver.settle() && driver.enter("voxelField", "0.5"));
+        QTRY_COMPARE(workbench.setup.setup().voxel, 0.5);
+        QVERIFY(driver.clickOn("embedButton"));
         QTRY_VERIFY_WITH_TIMEOUT(workbench.workpiece.ready(), 30000);
         QVERIFY(hasTool(driver, "drill-6"));
         QVERIFY(driver.step(JobStep::path));

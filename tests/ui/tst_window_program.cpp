@@ -321,6 +321,7 @@ void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
 
 /// One sentence says which machine is missing and which one is used; work goes on.
 void TestWindowProgram::aMachineThatIsGoneHasAStandIn() {
+    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     QVERIFY(saveMachine(copyOf(*loadMachine("haas-mill"), "gone", "Gone"), false));
     QVERIFY(mill(driver));
@@ -369,6 +370,7 @@ void TestWindowProgram::aPostOutlastsAChangeOfTheMachine() {
 }
 
 void TestWindowProgram::aCheckOutlastsAChangeOfTheMachine() {
+    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     QPlainTextEdit* text = textToEdit(driver);
     QVERIFY(text != nullptr);
@@ -486,6 +488,7 @@ void TestWindowProgram::lettersInTheTextAreNoShortcuts_data() {
 
 /// "G", "M", "S", "P", "I", "F", "1" and "4" are keys of the view elsewhere.
 void TestWindowProgram::lettersInTheTextAreNoShortcuts() {
+    BURIN_ONLY_IN_LONG_RUNS;
     QFETCH(bool, docked);
     QFETCH(bool, editable);
     WindowDriver driver;
@@ -516,6 +519,7 @@ void TestWindowProgram::lettersInTheTextAreNoShortcuts() {
 
 /// A line is chosen, the path changes, and the program is posted anew: what stands beside the text is of its line.
 void TestWindowProgram::aNewTextToolAndValuesStandOnOneLine() {
+    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     const ProgramController& program = driver.window().workbench().program;
     QVERIFY(mill(driver) && post(driver));
@@ -618,6 +622,7 @@ void TestWindowProgram::textThatTheCheckRefusedSurvives() {
 }
 
 void TestWindowProgram::textThatWasNotCheckedSurvivesAnEndFromOutside() {
+    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     QPlainTextEdit* text = textToEdit(driver);
     QVERIFY(text != nullptr);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/document/project.h"
+#include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/notice.h"
@@ -156,6 +157,7 @@ void TestWindowReopen::lookingAroundIsNothingToSave() {
 }
 
 void TestWindowReopen::whatCanBeUndoneIsSaid() {
+    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     QVERIFY(makeReady(driver, 1.0));
     const auto undo = [&] { return driver.visible<QPushButton>("undoStrokeButton"); };
@@ -171,6 +173,7 @@ void TestWindowReopen::whatCanBeUndoneIsSaid() {
 }
 
 void TestWindowReopen::aProgramThatPassedIsPassedAgain() {
+    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     Workbench* workbench = &driver.window().workbench();
     QVERIFY(makeReady(driver) && recordLine(driver, {-15, 0}, {15, 0}) && driver.settle());
@@ -208,6 +211,7 @@ void TestWindowReopen::aProgramThatPassedIsPassedAgain() {
 
 /// Somebody else changed the file meanwhile: the tool that milled, as another program or an older Burin would.
 void TestWindowReopen::aVerdictOfSomethingElseIsOutOfDate() {
+    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     QVERIFY(postAndLeave(driver));
     {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // How the part lies, and its second side: by mouse and keys.
+#include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
@@ -179,6 +180,7 @@ private slots:
 
     /// Whoever changes the first side is told in the second, and takes its stock anew.
     void aChangedFirstSideIsTold() {
+        BURIN_ONLY_IN_LONG_RUNS;
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
         Workbench& workbench = workbenchOf(driver);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/document/project.h"
+#include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/focus_keeper.h"
@@ -96,6 +97,7 @@ private slots:
 
     /// Esc on the way to its start: nothing was cut, and nothing of it is repeated or taken back.
     void aStrokeThatIsGivenUpOnItsWayIsNone() {
+        BURIN_ONLY_IN_LONG_RUNS;
         millLine(*driver_, {-15, -8}, {-5, -8});
         QVERIFY(strokesAre(1));
         const auto canRepeat = [&] { return driver_->visible<QPushButton>("repeatLowerButton")->isEnabled(); };
@@ -117,6 +119,7 @@ private slots:
     }
 
     void xAndYLockAStrokeUntilPressedAgain() {
+        BURIN_ONLY_IN_LONG_RUNS;
         driver_->key(Qt::Key_X);
         QVERIFY(driver_->waitFor([&] { return lockSentence().contains(QStringLiteral("locked to X")); }, 2000));
         millLine(*driver_, {-12, -6}, {12, 6});
@@ -315,6 +318,7 @@ private slots:
     /// A take whose only stroke is taken back is none: not in the list, not in the path, nor in the program; redo
     /// brings it back. Saved and reopened without it, it stays away.
     void undoOfATakesFirstStrokeLeavesNoTraceOfIt() {
+        BURIN_ONLY_IN_LONG_RUNS;
         const PathController& path = workbench().path;
         const ProgramController& program = workbench().program;
         millLine(*driver_, {-12, -4}, {12, -4});
@@ -355,6 +359,7 @@ private slots:
 
     /// As long as nothing is recorded the setup can be changed, and a path can't be made: so it is again.
     void undoOfTheVeryFirstStrokeLeavesTheSetupOpen() {
+        BURIN_ONLY_IN_LONG_RUNS;
         millLine(*driver_, {-12, -4}, {12, -4});
         QVERIFY(strokesAre(1));
         driver_->key(Qt::Key_Escape);
@@ -380,6 +385,7 @@ private slots:
     }
 
     void helpAndBack() {
+        BURIN_ONLY_IN_LONG_RUNS;
         driver_->key(Qt::Key_F1, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(driver_->visible<QWidget>("backButton") != nullptr);
         driver_->shoot("strokes-welcome-back");
@@ -397,6 +403,7 @@ private slots:
     }
 
     void aMessageLeavesTheViewCubeFree() {
+        BURIN_ONLY_IN_LONG_RUNS;
         viewport().setStandardView(StandardView::isometric);
         QTest::qWait(400); // the view turns
         const QString name = QStringLiteral("a name that is so long that it takes the whole width of the view.step");
@@ -414,6 +421,7 @@ private slots:
 
     /// A lock comes by a key, while the hand goes on to a field.
     void aLockMovesNoFieldOfThePanel() {
+        BURIN_ONLY_IN_LONG_RUNS;
         auto* field = driver_->visible<QAbstractSpinBox>("speedField");
         const QPoint before = field->mapTo(&driver_->window(), QPoint());
         viewport().setFocus();
@@ -429,6 +437,7 @@ private slots:
     /// A field is disabled under the hand, and a message comes, while digits are typed: none of them turns the view,
     /// and nothing moves.
     void nothingThatComesUnderTheHandMakesAShortcutOfATypedKey() {
+        BURIN_ONLY_IN_LONG_RUNS;
         auto* field = driver_->visible<QAbstractSpinBox>("depthOfCutField");
         QTest::mouseDClick(field, Qt::LeftButton, Qt::NoModifier, field->rect().center());
         const QPoint before = field->mapTo(&driver_->window(), QPoint());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/document/project.h"
 #include "core/volume/operations/fingerprint.h"
+#include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/notice.h"
@@ -68,6 +69,7 @@ private slots:
 
     /// Keys, the play with its pause, and its end.
     void itPlaysToTheEnd() {
+        BURIN_ONLY_IN_LONG_RUNS;
         QVERIFY(driver_->clickOn("timeStartButton"));
         QVERIFY(driver_->waitFor([&] { return time().shown() && !time().arriving() && time().seconds() == 0.0; }));
         auto* speed = driver_->visible<QComboBox>("playSpeed");
@@ -122,6 +124,7 @@ private slots:
 
     /// What was switched off is milled on top again from its menu; the project opens with the same workpiece.
     void bothVersionsAreKept() {
+        BURIN_ONLY_IN_LONG_RUNS;
         QVERIFY(seek(secondsOfTake(1)));
         QVERIFY(driver_->clickOn("punchInButton"));
         QVERIFY(driver_->waitFor([&] { return workbench().mill.recording(); }));

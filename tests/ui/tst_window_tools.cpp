@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/elided_label.h"
@@ -140,6 +141,7 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
 
 /// Two tools that milled before a path was asked for: none is left out of the program, and one undo takes both back.
 void TestWindowTools::oneClickMakesThePathsOfAllTools() {
+    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     Workbench& workbench = driver.window().workbench();
     QVERIFY(makeReady(driver));
@@ -181,6 +183,7 @@ void TestWindowTools::oneClickMakesThePathsOfAllTools() {
 
 /// Two tools in one groove: the larger one is milled first, whichever was recorded first.
 void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
+    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     Workbench& workbench = driver.window().workbench();
     QVERIFY(makeReady(driver, 0.2));
